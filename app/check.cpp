@@ -1,0 +1,143 @@
+// billet check: everything about a case that can be known without solving it.
+
+#include "app/command_line.h"
+#include "app/make_process.h"
+#include "io/case/read_case.h"
+#include "mechanics/linear_solver.h"
+#include "mechanics/mesh_check.h"
+#include "process/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace billet::app {
+
+namespace {
+
+using mechanics::Index;
+
+/// Entries and operations of a Cholesky factor, from its elimination tree's column counts.
+struct FactorCost {
+  double entries = 0.0;
+  double operations = 0.0;
+};
+
+/// Symbolic elimination on the node graph; costs are those of `dim` unknowns a node.
+FactorCost factor_cost(const mechanics::BlockPattern& pattern) {
+  const std::vector<Index> order = mechanics::fill_reducing_order(pattern);
+  const auto n = static_cast<std::size_t>(pattern.n_nodes());
+  const auto dim = static_cast<std::size_t>(pattern.dim);
+  std::vector<Index> position(n);
+  for (std::size_t k = 0; k < n; ++k)
+    position[static_cast<std::size_t>(order[k * dim]) / dim] = static_cast<Index>(k);
+  std::vector<std::vector<Index>> below(n);
+  for (std::size_t a = 0; a < n; ++a)
+    for (Index k = pattern.neighbour_start[a]; k < pattern.neighbour_start[a + 1]; ++k) {
+      const Index b =
+          position[static_cast<std::size_t>(pattern.neighbours[static_cast<std::size_t>(k)])];
+      if (b > position[a])
+        below[static_cast<std::size_t>(position[a])].push_back(b);
+    }
+  FactorCost cost;
+  for (std::size_t k = 0; k < n; ++k) {
+    auto& column = below[k];
+    std::sort(column.begin(), column.end());
+    column.erase(std::unique(column.begin(), column.end()), column.end());
+    const double width = static_cast<double>(dim);
+    const double height = width * static_cast<double>(column.size()) + 0.5 * width;
+    cost.entries += width * height;
+    cost.operations += width * height * height;
+    if (column.empty())
+      continue;
+    auto& parent = below[static_cast<std::size_t>(column.front())];
+    parent.insert(parent.end(), column.begin() + 1, column.end());
+    column.clear();
+    column.shrink_to_fit();
+  }
+  return cost;
+}
+
+std::string_view law_name(const mechanics::AnyFlowLaw& flow) {
+  return std::visit([](const auto& law) { return law.name; }, flow);
+}
+
+std::string_view law_name(const contact::AnyFrictionLaw& friction) {
+  return std::visit([](const auto& law) { return law.name; }, friction);
+}
+
+void print_mesh(const process::Scene& scene, const io::Case& content) {
+  Box box;
+  for (const Vec3& p : scene.mesh.points)
+    box.add(p);
+  const auto qualities = mechanics::element_qualities(scene.mesh, scene.mesh.points);
+  fmt::print("workpiece: {} {} elements, {} nodes, material law '{}'\n", scene.mesh.n_elements(),
+             mechanics::name(scene.mesh.kind), scene.mesh.n_points(),
+             law_name(scene.material.flow));
+  fmt::print("  box ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) {}, worst element "
+             "quality {:.3f}\n",
+             box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2],
+             content.units.length, *std::min_element(qualities.begin(), qualities.end()));
+}
+
+void print_activity(const process::Scene& scene, const process::Process& process) {
+  fmt::print("active: {} unknowns a node, rate-independent, isothermal, no wear, no remeshing\n",
+             scene.mesh.dimension());
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    const contact::Tool& tool = scene.tools[t];
+    fmt::print(
+        "contact pair: workpiece - '{}', friction '{}'{}\n", tool.name, law_name(tool.friction),
+        tool.motion.offset.isZero(0.0)
+            ? ""
+            : fmt::format(", brought to touch by ({:.6g}, {:.6g}, {:.6g})", tool.motion.offset[0],
+                          tool.motion.offset[1], tool.motion.offset[2]));
+  }
+  if (!scene.tools.empty())
+    fmt::print("  {} of the boundary faces may be touched, {} points each\n",
+               scene.contact_faces.size(), process.surface()->points());
+  const bool linear = scene.mesh.kind == mechanics::ElementKind::quad4 ||
+                      scene.mesh.kind == mechanics::ElementKind::hex8;
+  if (!scene.tools.empty() && linear)
+    fmt::print(
+        "  on faces of linear elements contact.form \"mixed\" and \"compatible\" are the same\n");
+  if (process.grounded_motions() > 0)
+    fmt::print("  {} rigid motion(s) are held by contact alone; a vanishing grounding stiffness "
+               "carries them until then\n",
+               process.grounded_motions());
+}
+
+void print_cost(const process::Scene& scene) {
+  const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.mesh);
+  const FactorCost cost = factor_cost(pattern);
+  constexpr double megabyte = 1e6;
+  const double matrix = 12.0 * static_cast<double>(pattern.n_entries());
+  // Contact makes the tangent unsymmetric: two factors, and the working front besides.
+  const double factors = 2.0 * 8.0 * cost.entries * 1.5;
+  fmt::print("unknowns: {}, entries of the tangent {}, of its factors {:.3g}\n", pattern.n_dofs(),
+             pattern.n_entries(), 2.0 * cost.entries);
+  fmt::print("memory: about {:.0f} MB; one factorization about {:.3g} GFLOP\n",
+             (matrix + factors) / megabyte, 2.0 * cost.operations * 1e-9);
+}
+
+} // namespace
+
+int check_case(const Arguments& arguments) {
+  const io::Case content =
+      io::read_case(arguments.file, arguments.overrides, {arguments.allow_outside});
+  const ReadyProcess ready = make_process(content, arguments.file);
+  const process::Process& process = *ready.process;
+  const process::Scene& scene = process.scene();
+  fmt::print("{}: {}\n", arguments.file, content.title);
+  for (const std::string& note : ready.notes)
+    fmt::print("{}\n", note);
+  print_mesh(scene, content);
+  print_activity(scene, process);
+  print_cost(scene);
+  fmt::print("the case is good\n");
+  return 0;
+}
+
+} // namespace billet::app

@@ -1,0 +1,144 @@
+#include "app/command_line.h"
+
+#include "geometry/base/error.h"
+#include "io/case/suggestion.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace billet::app {
+
+namespace {
+
+/// An option of `run` and `check`.
+struct Option {
+  std::string_view name;
+  std::string_view value; ///< what it takes; empty: nothing
+  std::string_view help;
+};
+
+constexpr Option all_options[] = {
+    {"-o", "DIR", "results go to DIR (default: results/<case name>)"},
+    {"--set", "KEY=VALUE", "overrides a key of the case, e.g. tool.punch.friction.m=0.2"},
+    {"--threads", "N", "threads for assembly and contact search (default: all)"},
+    {"--quiet", "", "no progress on standard error"},
+    {"--allow-outside", "", "the case may name files outside its folder"},
+    {"--resume", "", "goes on from a checkpoint (not available in this version)"},
+};
+
+int positive_number(const std::string& text, std::string_view option) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < 1)
+    throw Error(Fault::usage, "",
+                fmt::format("{} needs a whole number of at least 1, not '{}'", option, text));
+  return value;
+}
+
+void set(Arguments& arguments, std::string_view option, const std::string& value) {
+  if (option == "-o" && value.empty())
+    throw Error(Fault::usage, "", "-o needs the name of a folder");
+  if (option == "-o")
+    arguments.output = value;
+  else if (option == "--set")
+    arguments.overrides.push_back(value);
+  else if (option == "--threads")
+    arguments.threads = positive_number(value, option);
+  else if (option == "--quiet")
+    arguments.quiet = true;
+  else if (option == "--allow-outside")
+    arguments.allow_outside = true;
+  else
+    throw Error(Fault::usage, "", fmt::format("{} is not available in this version", option));
+}
+
+const Option& find_option(const std::string& word, const Command& command) {
+  std::vector<std::string> known;
+  for (const Option& option : all_options) {
+    if (option.name == word)
+      return option;
+    known.emplace_back(option.name);
+  }
+  throw Error(Fault::usage, "", fmt::format("billet {}: unknown option '{}'", command.name, word),
+              io::suggestion(word, known));
+}
+
+} // namespace
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all{
+      {"run", "CASE.toml [options]", "run a case to the end and write its results", &run_case},
+      {"check", "CASE.toml [options]", "read and validate a case without solving it", &check_case},
+      {"info", "FILE", "what an STL, mesh or result contains, and what is wrong with it",
+       &show_info},
+      {"render", "RESULTS [--field F] [--time T] [--output FILE.png]",
+       "a picture of a run, without a display", &render_results},
+  };
+  return all;
+}
+
+Arguments parse(const Command& command, const std::vector<std::string>& words) {
+  Arguments arguments;
+  const bool passes_on = command.name == "render";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const bool is_option = word.size() > 1 && word[0] == '-';
+    if (!is_option || passes_on) {
+      if (arguments.file.empty() && !is_option)
+        arguments.file = word;
+      else if (passes_on)
+        arguments.rest.push_back(word);
+      else
+        throw Error(
+            Fault::usage, "",
+            fmt::format("billet {}: one file is expected, '{}' is too many", command.name, word));
+      continue;
+    }
+    const std::size_t equals = word.find('=');
+    const bool joined = word.starts_with("--") && equals != std::string::npos;
+    const Option& option = find_option(joined ? word.substr(0, equals) : word, command);
+    if (option.value.empty()) {
+      set(arguments, option.name, "");
+    } else if (joined) {
+      set(arguments, option.name, word.substr(equals + 1));
+    } else if (i + 1 < words.size()) {
+      set(arguments, option.name, words[++i]);
+    } else {
+      throw Error(Fault::usage, "", fmt::format("{} needs a value", option.name));
+    }
+  }
+  if (arguments.file.empty())
+    throw Error(Fault::usage, "", fmt::format("billet {}: a file is missing", command.name),
+                fmt::format("billet {} {}", command.name, command.usage));
+  return arguments;
+}
+
+std::string help() {
+  std::string text = "billet: implicit simulation of metal forming\n\n";
+  for (const Command& command : commands())
+    text += fmt::format("  billet {:7s} {}\n                 {}\n", command.name, command.usage,
+                        command.summary);
+  text +=
+      "\n  billet COMMAND --help   the options of a command\n"
+      "  billet --version        the version\n\n"
+      "Exit status: 0 done; 2 usage; 3 bad case file; 4 bad geometry or mesh; 5 not converged\n"
+      "(results up to the last good increment are valid); 6 input/output or disk; 7 memory or\n"
+      "another limit; 70 internal error; 130/143 stopped by SIGINT/SIGTERM after a clean end of\n"
+      "the increment.\n";
+  return text;
+}
+
+std::string help(const Command& command) {
+  std::string text =
+      fmt::format("billet {} {}\n\n{}\n", command.name, command.usage, command.summary);
+  if (command.name == "run" || command.name == "check") {
+    text += '\n';
+    for (const Option& option : all_options)
+      text += fmt::format("  {:16s} {}\n", fmt::format("{} {}", option.name, option.value),
+                          option.help);
+  }
+  return text;
+}
+
+} // namespace billet::app

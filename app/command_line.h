@@ -1,0 +1,49 @@
+// The command line: which command, with which options.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace billet::app {
+
+/// What the user typed after the command.
+struct Arguments {
+  std::string file;                            ///< case, mesh, STL or results
+  std::optional<std::filesystem::path> output; ///< -o
+  std::vector<std::string> overrides;          ///< --set key=value
+  std::optional<int> threads;                  ///< --threads
+  bool quiet = false;                          ///< --quiet
+  bool allow_outside = false;                  ///< --allow-outside
+  std::vector<std::string> rest;               ///< passed on (render)
+};
+
+/// A command of the program.
+struct Command {
+  std::string_view name;
+  std::string_view usage;   ///< after "billet NAME"
+  std::string_view summary; ///< one line for the help
+  int (*run)(const Arguments&);
+};
+
+int run_case(const Arguments& arguments);
+int check_case(const Arguments& arguments);
+int show_info(const Arguments& arguments);
+int render_results(const Arguments& arguments);
+
+/// Every command that works in this version.
+[[nodiscard]] const std::vector<Command>& commands();
+
+/// Parses the words after the command.
+/// @throws Error (Fault::usage)
+[[nodiscard]] Arguments parse(const Command& command, const std::vector<std::string>& words);
+
+/// The text of `billet --help`.
+[[nodiscard]] std::string help();
+/// The text of `billet COMMAND --help`.
+[[nodiscard]] std::string help(const Command& command);
+
+} // namespace billet::app

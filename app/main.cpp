@@ -1,0 +1,116 @@
+// The program: finds the command, catches what goes wrong, gives the exit status.
+
+#include "app/command_line.h"
+#include "geometry/base/error.h"
+#include "io/case/suggestion.h"
+#include "mechanics/blas.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace {
+
+using billet::Error;
+using billet::Fault;
+namespace app = billet::app;
+
+constexpr int internal_error = 70;
+
+/// Gives standard streams that are closed to /dev/null: no file of ours may take their numbers.
+void open_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0)
+      std::exit(internal_error);
+}
+
+/// Starts the program anew with the right kernels when OpenBLAS chose wrong ones.
+void mend_blas(char** argv) {
+  const std::string core = billet::mechanics::better_blas_core();
+  if (core.empty())
+    return;
+  setenv("OPENBLAS_CORETYPE", core.c_str(), 1);
+  execv("/proc/self/exe", argv); // on failure the slow kernels still give right results
+}
+
+const app::Command& find_command(const std::string& name) {
+  std::vector<std::string> known;
+  for (const app::Command& command : app::commands()) {
+    if (command.name == name)
+      return command;
+    known.emplace_back(command.name);
+  }
+  for (const char* later : {"study", "chart", "identify", "verify"})
+    if (name == later)
+      throw Error(Fault::usage, "", "'billet " + name + "' is not available in this version");
+  throw Error(Fault::usage, "", "unknown command '" + name + "'",
+              billet::io::suggestion(name, known));
+}
+
+int run(const std::vector<std::string>& words) {
+  if (words.empty())
+    throw Error(Fault::usage, "", "a command is missing", "'billet --help' lists the commands");
+  if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+    fmt::print("{}", app::help());
+    return 0;
+  }
+  if (words[0] == "--version") {
+    fmt::print("billet {}\n", BILLET_VERSION);
+    return 0;
+  }
+  const app::Command& command = find_command(words[0]);
+  const std::vector<std::string> rest(words.begin() + 1, words.end());
+  for (const std::string& word : rest)
+    if (word == "--help" || word == "-h") {
+      fmt::print("{}", app::help(command));
+      return 0;
+    }
+  return command.run(app::parse(command, rest));
+}
+
+int report(int status, const std::string& text) {
+  std::fflush(stdout);
+  // Nothing is left to be done if this fails; the status says enough.
+  std::fputs(("billet: " + text + "\n").c_str(), stderr);
+  return status;
+}
+
+/// The status of a command whose answer may not have reached standard output.
+int after_output(int status) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+    return status;
+  return report(status != 0 ? status : static_cast<int>(Fault::input_output),
+                fmt::format("standard output cannot be written: {}",
+                            errno != 0 ? std::strerror(errno) : "unknown reason"));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  open_streams();
+  mend_blas(argv);
+  billet::mechanics::set_blas_threads(1);
+  billet::mechanics::flush_subnormal_numbers();
+  try {
+    return after_output(run(std::vector<std::string>(argv + 1, argv + argc)));
+  } catch (const Error& error) {
+    return report(static_cast<int>(error.fault()), error.what());
+  } catch (const std::bad_alloc&) {
+    return report(static_cast<int>(Fault::limit), "not enough memory for this case");
+  } catch (const std::system_error& error) { // of std::filesystem and of output
+    return report(static_cast<int>(Fault::input_output), error.what());
+  } catch (const std::exception& error) {
+    return report(internal_error, std::string("internal error: ") + error.what());
+  }
+}

@@ -1,0 +1,79 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace billet::app {
+
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+void on_signal(int number) { caught = number; }
+
+/// A bar of the share done.
+std::string bar(double share) {
+  constexpr int width = 30;
+  const int full = static_cast<int>(share * width);
+  return "[" + std::string(static_cast<std::size_t>(full), '=') +
+         std::string(static_cast<std::size_t>(width - full), ' ') + "]";
+}
+
+/// Progress is a courtesy: a run goes on when nobody can be told.
+void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+} // namespace
+
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
+  std::signal(SIGINT, &on_signal);
+  std::signal(SIGTERM, &on_signal);
+  std::signal(SIGPIPE, SIG_IGN); // a reader of the progress that left does not end the run
+}
+
+int Progress::signal() { return caught; }
+
+bool Progress::stop_requested() const { return caught != 0; }
+
+void Progress::say(const std::string& line) {
+  log_ += line + "\n";
+  if (!quiet_)
+    tell(line + "\n");
+}
+
+void Progress::incremented(const process::Process& process,
+                           const process::IncrementReport& report) {
+  const double end = process.scene().stages.back().end;
+  std::string line =
+      fmt::format("increment {:4d}  time {:.5g}/{:.5g}  iterations {:2d}  residual {:.1e}",
+                  report.increment, report.time, end, report.iterations, report.residual);
+  if (report.cutbacks > 0)
+    line += fmt::format("  after {} cut-back(s)", report.cutbacks);
+  if (process.contact() != nullptr)
+    for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
+      line += fmt::format("  {} {:.5g}", process.scene().tools[t].name,
+                          process.contact()->loads()[t].force.norm());
+  log_ += line + "\n";
+  if (quiet_)
+    return;
+  if (terminal_)
+    tell(fmt::format("\r{} {:3.0f} %  increment {}  iterations {}\033[K", bar(report.time / end),
+                     100.0 * report.time / end, report.increment, report.iterations));
+  else
+    tell(line + "\n");
+}
+
+void Progress::failed(const process::Process&, const process::PostMortem& post) {
+  if (terminal_ && !quiet_)
+    tell("\n");
+  say(fmt::format("time {:.6g} could not be reached with increments down to {:.3g}: {}", post.time,
+                  post.dt, post.reason));
+}
+
+void Progress::finished(const process::Process&) {
+  if (terminal_ && !quiet_)
+    tell("\n");
+}
+
+} // namespace billet::app

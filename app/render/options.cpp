@@ -1,0 +1,149 @@
+#include "app/render/options.h"
+
+#include "geometry/base/error.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <functional>
+#include <map>
+#include <string_view>
+
+namespace billet::render {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& message) {
+  throw Error(Fault::usage, "", message, "billet-render --help lists what can be asked for");
+}
+
+double number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    fail(fmt::format("\"{}\" is not a number", text));
+  return value;
+}
+
+/// Parts of a text between separators.
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    parts.emplace_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+std::array<double, 2> pair(const std::string& text, char separator) {
+  const std::vector<std::string> parts = split(text, separator);
+  if (parts.size() != 2)
+    fail(fmt::format("\"{}\" should be two numbers with '{}' between", text, separator));
+  return {number(parts[0]), number(parts[1])};
+}
+
+std::array<int, 2> size_of(const std::string& text) {
+  const std::array<double, 2> size = pair(text, 'x');
+  for (const double length : size)
+    if (!(length >= 16.0 && length <= 16384.0))
+      fail(fmt::format("a picture of {} pixels cannot be drawn: each side has 16 to 16384", text));
+  return {static_cast<int>(size[0]), static_cast<int>(size[1])};
+}
+
+Series series(const std::string& text, bool points) {
+  std::vector<std::string> parts = split(text, ':');
+  if (parts.size() < 3 || parts.size() > 4)
+    fail(fmt::format("\"{}\" should be FILE.csv:X-COLUMN:Y-COLUMN[:LABEL]", text));
+  if (parts.size() == 3)
+    parts.push_back(parts[2]);
+  return {parts[0], parts[1], parts[2], parts[3], points};
+}
+
+using Setter = std::function<void(Options&, const std::string&)>;
+
+/// Options that take a value.
+const std::map<std::string, Setter>& setters() {
+  static const std::map<std::string, Setter> table{
+      {"--curve",
+       [](Options& options, const std::string& value) {
+         options.curves = true;
+         options.output = value;
+       }},
+      {"--field", [](Options& options, const std::string& value) { options.field = value; }},
+      {"--output", [](Options& options, const std::string& value) { options.output = value; }},
+      {"--points", [](Options& options,
+                      const std::string& value) { options.series.push_back(series(value, true)); }},
+      {"--range",
+       [](Options& options, const std::string& value) { options.range = pair(value, ':'); }},
+      {"--size", [](Options& options, const std::string& value) { options.size = size_of(value); }},
+      {"--time",
+       [](Options& options, const std::string& value) {
+         options.time = value == "last" ? std::optional<double>() : number(value);
+       }},
+      {"--title", [](Options& options, const std::string& value) { options.title = value; }},
+      {"--x-label", [](Options& options, const std::string& value) { options.x_label = value; }},
+      {"--y-label", [](Options& options, const std::string& value) { options.y_label = value; }},
+  };
+  return table;
+}
+
+void check(const Options& options) {
+  if (options.help)
+    return;
+  if (options.curves ? options.series.empty() : options.results.empty())
+    fail(options.curves ? "a chart needs a series" : "no results are given");
+  if (!options.curves && !options.series.empty())
+    fail("--points belongs to --curve");
+  if (options.output.extension() != ".png")
+    fail(fmt::format("the picture \"{}\" should have the suffix .png", options.output.string()));
+}
+
+} // namespace
+
+std::string usage() {
+  return "billet-render RESULTS [options]      draws a frame of the results (folder, .pvd or "
+         ".vtu)\n"
+         "  --field NAME[:COMPONENT]           coloured by (von_mises); vectors by their length\n"
+         "  --time T|last                      the frame nearest to this time (last)\n"
+         "  --range LOW:HIGH                   of the colours (that of the frame)\n"
+         "  --mirror, --no-mirror              both halves (in axisymmetric scenes)\n"
+         "billet-render --curve OUT.png [options] SERIES...   draws curves\n"
+         "  SERIES                             FILE.csv:X-COLUMN:Y-COLUMN[:LABEL]; -COLUMN turns "
+         "the sign\n"
+         "  --points SERIES                    the same, as markers\n"
+         "  --x-label TEXT, --y-label TEXT\n"
+         "both:\n"
+         "  --output FILE.png                  (picture.png)\n"
+         "  --size WxH                         pixels (1200x900)\n"
+         "  --title TEXT\n";
+}
+
+Options parse(const std::vector<std::string>& arguments) {
+  Options options;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    const auto setter = setters().find(argument);
+    if (setter != setters().end()) {
+      if (i + 1 == arguments.size())
+        fail(fmt::format("{} needs a value", argument));
+      setter->second(options, arguments[++i]);
+    } else if (argument == "--help" || argument == "-h") {
+      options.help = true;
+    } else if (argument == "--mirror" || argument == "--no-mirror") {
+      options.mirror = argument == "--mirror";
+    } else if (argument.starts_with("--")) {
+      fail(fmt::format("the option {} is not known", argument));
+    } else if (options.curves) {
+      options.series.push_back(series(argument, false));
+    } else if (options.results.empty()) {
+      options.results = argument;
+    } else {
+      fail(fmt::format("\"{}\" is one argument too many", argument));
+    }
+  }
+  check(options);
+  return options;
+}
+
+} // namespace billet::render

@@ -1,0 +1,49 @@
+// The command line of billet-render.
+
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace billet::render {
+
+/// One curve of a chart: two columns of a table. A column written with a minus before its name is
+/// drawn with the opposite sign.
+struct Series {
+  std::filesystem::path file; ///< .csv with a header row
+  std::string x_column;
+  std::string y_column;
+  std::string label;
+  bool points = false; ///< markers without a line: measured values
+};
+
+/// What to draw.
+struct Options {
+  bool help = false;
+  bool curves = false;                          ///< a chart, not a scene
+  std::filesystem::path output = "picture.png"; ///< .png
+  std::array<int, 2> size{1200, 900};           ///< [pixels]
+  std::string title;                            ///< empty: that of the results
+
+  // scene
+  std::filesystem::path results; ///< folder of results, .pvd or .vtu
+  std::string field = "von_mises";
+  std::optional<double> time;                 ///< nearest frame; empty: the last [s]
+  std::optional<std::array<double, 2>> range; ///< of the colours; empty: that of the frame
+  std::optional<bool> mirror;                 ///< empty: in axisymmetric scenes
+
+  // chart
+  std::vector<Series> series;
+  std::string x_label, y_label;
+};
+
+/// How the program is called.
+[[nodiscard]] std::string usage();
+
+/// @throws Error  (Fault::usage)
+[[nodiscard]] Options parse(const std::vector<std::string>& arguments);
+
+} // namespace billet::render

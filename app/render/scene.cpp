@@ -1,0 +1,336 @@
+#include "app/render/scene.h"
+
+#include "app/render/frame_files.h"
+#include "app/render/picture.h"
+#include "geometry/base/error.h"
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCell.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkFeatureEdges.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnstructuredGridBase.h>
+#include <vtkUnstructuredGridGeometryFilter.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace billet::render {
+
+namespace {
+
+/// What is drawn in colour: an array, one of its components (-1: the length) and its name.
+struct ColouredBy {
+  bool at_points = true;
+  std::string array;
+  int component = -1;
+  std::string label;
+  std::array<double, 2> range{0.0, 1.0};
+};
+
+std::string known_fields(vtkUnstructuredGrid& grid) {
+  std::string names;
+  for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(grid.GetPointData()),
+                                     static_cast<vtkDataSetAttributes*>(grid.GetCellData())})
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+      names += (names.empty() ? "" : ", ") + std::string(data->GetArrayName(i));
+  return names;
+}
+
+ColouredBy coloured_by(const Frame& frame, const Options& options) {
+  ColouredBy colours;
+  const std::size_t colon = options.field.find(':');
+  colours.array = options.field.substr(0, colon);
+  vtkDataArray* array = frame.workpiece->GetPointData()->GetArray(colours.array.c_str());
+  colours.at_points = array != nullptr;
+  if (array == nullptr)
+    array = frame.workpiece->GetCellData()->GetArray(colours.array.c_str());
+  if (array == nullptr)
+    throw Error(Fault::usage, "--field", fmt::format("the results have no \"{}\"", colours.array),
+                fmt::format("they have {}", known_fields(*frame.workpiece)));
+  if (colon != std::string::npos) {
+    const std::string text = options.field.substr(colon + 1);
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), colours.component);
+    if (error != std::errc() || end != text.data() + text.size() || colours.component < 0 ||
+        colours.component >= array->GetNumberOfComponents())
+      throw Error(Fault::usage, "--field",
+                  fmt::format("\"{}\" has the components 0 to {}", colours.array,
+                              array->GetNumberOfComponents() - 1));
+  } else if (array->GetNumberOfComponents() == 1) {
+    colours.component = 0;
+  }
+  array->GetRange(colours.range.data(), colours.component);
+  if (options.range)
+    colours.range = *options.range;
+  if (!(colours.range[1] > colours.range[0]))
+    colours.range[1] = colours.range[0] + std::max(1e-9, 1e-6 * std::abs(colours.range[0]));
+  const std::string unit = text_in(*frame.workpiece, "unit of " + colours.array);
+  colours.label = options.field + (unit.empty() ? "" : "\n[" + unit + "]");
+  return colours;
+}
+
+/// The colours of "viridis": even steps look even, in print and to the colour-blind.
+vtkNew<vtkColorTransferFunction> colour_map(const std::array<double, 2>& range) {
+  constexpr std::array<std::array<double, 3>, 9> viridis{{{0.267, 0.005, 0.329},
+                                                          {0.278, 0.175, 0.483},
+                                                          {0.230, 0.322, 0.546},
+                                                          {0.173, 0.449, 0.558},
+                                                          {0.128, 0.567, 0.551},
+                                                          {0.158, 0.684, 0.502},
+                                                          {0.369, 0.789, 0.383},
+                                                          {0.678, 0.864, 0.190},
+                                                          {0.993, 0.906, 0.144}}};
+  vtkNew<vtkColorTransferFunction> map;
+  for (std::size_t i = 0; i < viridis.size(); ++i) {
+    const double t = static_cast<double>(i) / (viridis.size() - 1);
+    map->AddRGBPoint(range[0] + t * (range[1] - range[0]), viridis[i][0], viridis[i][1],
+                     viridis[i][2]);
+  }
+  return map;
+}
+
+/// Edges of the faces as they are: parabolas where the cells are quadratic.
+vtkNew<vtkPolyData> element_edges(vtkDataSet& faces) {
+  constexpr int n_segments = 8;
+  const vtkNew<vtkPoints> points;
+  const vtkNew<vtkCellArray> lines;
+  for (vtkIdType i = 0; i < faces.GetNumberOfCells(); ++i) {
+    vtkCell* face = faces.GetCell(i);
+    for (int k = 0; k < face->GetNumberOfEdges(); ++k) {
+      vtkCell* edge = face->GetEdge(k);
+      const int n = edge->IsLinear() != 0 ? 1 : n_segments;
+      lines->InsertNextCell(n + 1);
+      for (int s = 0; s <= n; ++s) {
+        std::array<double, 3> place{};
+        std::array<double, 3> parameter{static_cast<double>(s) / n, 0.0, 0.0};
+        std::array<double, 3> weights{};
+        int part = 0;
+        edge->EvaluateLocation(part, parameter.data(), place.data(), weights.data());
+        lines->InsertCellPoint(points->InsertNextPoint(place.data()));
+      }
+    }
+  }
+  vtkNew<vtkPolyData> edges;
+  edges->SetPoints(points);
+  edges->SetLines(lines);
+  return edges;
+}
+
+/// Puts actors into a scene, in both halves if asked for.
+class Stage {
+public:
+  Stage(bool planar, bool mirrored) : planar_(planar), mirrored_(mirrored) {
+    renderer_->SetBackground(1.0, 1.0, 1.0);
+  }
+  [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
+
+  void add(vtkPolyDataMapper& mapper, vtkProperty& property, double lift) {
+    if (planar_)
+      property.LightingOff();
+    for (const double side : {1.0, -1.0}) {
+      if (side < 0.0 && !mirrored_)
+        break;
+      const vtkNew<vtkActor> actor;
+      actor->SetMapper(&mapper);
+      actor->SetProperty(&property);
+      actor->SetScale(side, 1.0, 1.0);
+      actor->SetPosition(0.0, 0.0, planar_ ? lift : 0.0);
+      renderer_->AddActor(actor);
+    }
+  }
+
+  void add_lines(vtkPolyData& lines, float width, double grey, double lift) {
+    const vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(&lines);
+    mapper->ScalarVisibilityOff();
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -8.0);
+    const vtkNew<vtkProperty> property;
+    property->SetColor(grey, grey, grey);
+    property->SetLineWidth(width);
+    property->LightingOff();
+    add(*mapper, *property, lift);
+  }
+
+private:
+  bool planar_;
+  bool mirrored_;
+  vtkNew<vtkRenderer> renderer_;
+};
+
+void add_workpiece(Stage& stage,
+                   vtkUnstructuredGrid& grid,
+                   const ColouredBy& colours,
+                   vtkScalarsToColors& map,
+                   bool planar,
+                   double size) {
+  const vtkNew<vtkUnstructuredGridGeometryFilter> faces;
+  faces->SetInputData(&grid);
+  faces->Update();
+  const vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputConnection(faces->GetOutputPort());
+  surface->SetNonlinearSubdivisionLevel(3);
+  const vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(surface->GetOutputPort());
+  normals->SetFeatureAngle(30.0);
+  const vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(planar ? surface->GetOutputPort() : normals->GetOutputPort());
+  if (colours.at_points)
+    mapper->SetScalarModeToUsePointFieldData();
+  else
+    mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectColorArray(colours.array.c_str());
+  mapper->SetLookupTable(&map);
+  if (colours.component >= 0) {
+    map.SetVectorModeToComponent();
+    map.SetVectorComponent(colours.component);
+  } else {
+    map.SetVectorModeToMagnitude();
+  }
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  const vtkNew<vtkProperty> property;
+  property->SetAmbient(0.35);
+  property->SetDiffuse(0.65);
+  stage.add(*mapper, *property, 0.0);
+  stage.add_lines(*element_edges(*faces->GetOutput()), 1.0F, 0.15, 1e-3 * size);
+}
+
+void add_tool(Stage& stage, vtkPolyData& tool, double size) {
+  if (tool.GetNumberOfLines() > 0)
+    stage.add_lines(tool, 3.5F, 0.1, 2e-3 * size);
+  if (tool.GetNumberOfPolys() == 0)
+    return;
+  const vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&tool);
+  mapper->ScalarVisibilityOff();
+  const vtkNew<vtkProperty> property;
+  property->SetColor(0.55, 0.60, 0.68);
+  property->SetOpacity(0.15);
+  stage.add(*mapper, *property, 0.0);
+  const vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(&tool);
+  edges->SetFeatureAngle(30.0);
+  edges->ColoringOff();
+  edges->Update();
+  stage.add_lines(*edges->GetOutput(), 1.5F, 0.3, 0.0);
+}
+
+/// `width` is that of the part of the picture it has [pixels].
+void add_colour_bar(vtkRenderer& renderer,
+                    vtkScalarsToColors& map,
+                    const ColouredBy& colours,
+                    double width) {
+  const vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(&map);
+  bar->SetTitle(colours.label.c_str());
+  // A letter is a little more than half as wide as the font is high.
+  const double letters = static_cast<double>(std::max<std::size_t>(colours.array.size() + 2, 10));
+  const int font = std::clamp(static_cast<int>(width / (0.6 * letters)), 8, 18);
+  bar->SetNumberOfLabels(6);
+  bar->SetVerticalTitleSeparation(font);
+  bar->SetLabelFormat("%-#.4g");
+  bar->UnconstrainedFontSizeOn();
+  for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
+    text->SetColor(0.0, 0.0, 0.0);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
+    text->SetFontSize(font);
+  }
+  bar->SetPosition(0.1, 0.15);
+  bar->SetWidth(0.7);
+  bar->SetHeight(0.65);
+  renderer.AddActor2D(bar);
+}
+
+void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, int font) {
+  const vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
+  actor->GetTextProperty()->SetFontSize(font);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(x, y);
+  renderer.AddActor2D(actor);
+}
+
+/// Looks at the workpiece: flat in the plane, along a diagonal in space.
+void aim(vtkRenderer& renderer,
+         std::array<double, 6> bounds,
+         bool planar,
+         bool mirrored,
+         double aspect) {
+  if (mirrored)
+    bounds[0] = std::min(bounds[0], -bounds[1]);
+  const std::array<double, 3> half{0.5 * (bounds[1] - bounds[0]), 0.5 * (bounds[3] - bounds[2]),
+                                   0.5 * (bounds[5] - bounds[4])};
+  const std::array<double, 3> centre{bounds[0] + half[0], bounds[2] + half[1], bounds[4] + half[2]};
+  const double reach = std::hypot(half[0], half[1], half[2]);
+  vtkCamera* camera = renderer.GetActiveCamera();
+  camera->ParallelProjectionOn();
+  const double scale = planar ? 1.25 * std::max(half[1], half[0] / aspect)
+                              : 1.15 * reach * std::max(1.0, 1.0 / aspect);
+  camera->SetFocalPoint(centre.data());
+  const std::array<double, 3> from =
+      planar ? std::array{0.0, 0.0, 1.0} : std::array{1.0, -1.3, 0.8};
+  camera->SetPosition(centre[0] + 4.0 * reach * from[0], centre[1] + 4.0 * reach * from[1],
+                      centre[2] + 4.0 * reach * from[2]);
+  camera->SetViewUp(0.0, planar ? 1.0 : 0.0, planar ? 0.0 : 1.0);
+  camera->SetParallelScale(scale);
+  renderer.ResetCameraClippingRange();
+}
+
+} // namespace
+
+void draw_scene(const Options& options) {
+  const Frame frame = read_frame(options);
+  std::array<double, 6> bounds{};
+  frame.workpiece->GetBounds(bounds.data());
+  const double size =
+      std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  const bool planar = bounds[5] - bounds[4] <= 1e-9 * size;
+  const bool axisymmetric = text_in(*frame.workpiece, "analysis") == "axisymmetric";
+  const bool mirrored = options.mirror.value_or(axisymmetric);
+  const ColouredBy colours = coloured_by(frame, options);
+  const vtkNew<vtkColorTransferFunction> map = colour_map(colours.range);
+
+  Stage stage(planar, mirrored);
+  add_workpiece(stage, *frame.workpiece, colours, *map, planar, size);
+  for (const auto& [name, tool] : frame.tools)
+    add_tool(stage, *tool, size);
+  // The colour bar has its own part of the picture, so that no tool runs through it.
+  constexpr double divide = 0.85;
+  stage.renderer().SetViewport(0.0, 0.0, divide, 1.0);
+  const vtkNew<vtkRenderer> margin;
+  margin->SetViewport(divide, 0.0, 1.0, 1.0);
+  margin->SetBackground(1.0, 1.0, 1.0);
+  add_colour_bar(*margin, *map, colours, (1.0 - divide) * options.size[0]);
+  add_text(stage.renderer(), options.title.empty() ? frame.title : options.title, 0.03, 0.945, 22);
+  add_text(stage.renderer(), fmt::format("t = {:.6g} s", frame.time), 0.03, 0.03, 18);
+
+  const vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(8);
+  window->SetSize(options.size[0], options.size[1]);
+  window->AddRenderer(&stage.renderer());
+  window->AddRenderer(margin);
+  aim(stage.renderer(), bounds, planar, mirrored, divide * options.size[0] / options.size[1]);
+  write_picture(*window, options.output);
+}
+
+} // namespace billet::render

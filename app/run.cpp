@@ -1,0 +1,103 @@
+// billet run: reads a case, runs it, writes its results.
+
+#include "app/command_line.h"
+#include "app/make_process.h"
+#include "app/progress.h"
+#include "geometry/base/error.h"
+#include "io/case/read_case.h"
+#include "io/results/atomic_file.h"
+#include "io/results/run_writer.h"
+#include "mechanics/blas.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+
+namespace billet::app {
+
+namespace {
+
+/// The folder's name for a file called case.toml, the file's own otherwise.
+std::string case_name(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+  const std::string folder = whole.parent_path().filename().string();
+  return stem == "case" && !folder.empty() ? folder : stem;
+}
+
+std::string ending(process::RunStatus status) {
+  switch (status) {
+  case process::RunStatus::done:
+    return "done";
+  case process::RunStatus::not_converged:
+    return "not-converged";
+  case process::RunStatus::stopped:
+    return "stopped";
+  }
+  return "";
+}
+
+int exit_status(process::RunStatus status) {
+  switch (status) {
+  case process::RunStatus::done:
+    return 0;
+  case process::RunStatus::not_converged:
+    return static_cast<int>(Fault::not_converged);
+  case process::RunStatus::stopped:
+    return 128 + Progress::signal();
+  }
+  return 0;
+}
+
+void print_summary(const process::Process& process,
+                   const io::Case& content,
+                   process::RunStatus status,
+                   const std::filesystem::path& folder) {
+  fmt::print("{}: {} at time {:.6g} {}, {} increments, {} iterations, {} cut-backs\n",
+             content.title.empty() ? "run" : content.title, ending(status), process.time(),
+             content.units.time, process.increments(), process.iterations(), process.cutbacks());
+  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
+    const Vec3& force = process.contact()->loads()[t].force;
+    fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}\n", process.scene().tools[t].name,
+               force[0], force[1], force[2], content.units.force);
+  }
+  fmt::print("energy: external {:.6g}, elastic {:.6g}, plastic {:.6g}, friction {:.6g} {} {}; "
+             "balance {:.2e}\n",
+             process.energy().external, process.energy().elastic, process.energy().plastic,
+             process.energy().friction, content.units.force, content.units.length,
+             process.energy().error());
+  fmt::print("results: {}\n", folder.string());
+  if (status == process::RunStatus::not_converged)
+    fmt::print("what went wrong: {}\n", (folder / "failure" / "post_mortem.txt").string());
+}
+
+} // namespace
+
+int run_case(const Arguments& arguments) {
+  const std::filesystem::path file = arguments.file;
+  const io::Case content = io::read_case(file, arguments.overrides, {arguments.allow_outside});
+  const std::string name = case_name(file);
+  const std::filesystem::path folder =
+      arguments.output.value_or(std::filesystem::path("results") / name);
+  const int available = oneapi::tbb::info::default_concurrency();
+  const int threads = arguments.threads.value_or(content.solver.threads.value_or(available));
+  const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
+                                            static_cast<std::size_t>(threads));
+  Progress progress(arguments.quiet);
+  const ReadyProcess ready = make_process(content, arguments.file);
+  process::Process& process = *ready.process;
+  progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
+                           mechanics::blas_core()));
+  for (const std::string& note : ready.notes)
+    progress.say(note);
+  io::RunWriter writer(folder, name, content, {BILLET_VERSION, mechanics::blas_core(), threads});
+  const process::RunStatus status = process.run({&writer, &progress});
+  if (const std::string warning = writer.warning(); !warning.empty())
+    progress.say(warning);
+  writer.write_summary(process, {ending(status), exit_status(status)});
+  io::write_file(folder / "run.log", progress.log());
+  print_summary(process, content, status, folder);
+  return exit_status(status);
+}
+
+} // namespace billet::app

@@ -1,0 +1,81 @@
+"""The shape of an upset workpiece in every frame of a run: shape.csv, for run_cases.py.
+
+Equator radius: the largest radius of the workpiece's surface. Contact radius: the largest radius at
+which its outline (straight between nodes) is in the tool or no farther from it than a thousandth of
+the initial height. Python's standard library reads the frames, so no VTK is needed.
+"""
+
+import base64
+import csv
+import math
+import struct
+import xml.etree.ElementTree as xml
+import zlib
+
+
+def array(element):
+    """Numbers of a VTK XML DataArray: base64, blocks of zlib, headers of UInt64."""
+    text = "".join(element.text.split())
+    blocks = struct.unpack("<Q", base64.b64decode(text[:12])[:8])[0]
+    head_bytes = 8 * (3 + blocks)
+    head_text = -(-head_bytes // 3) * 4
+    sizes = struct.unpack(f"<{3 + blocks}Q", base64.b64decode(text[:head_text])[:head_bytes])[3:]
+    packed, data, at = base64.b64decode(text[head_text:]), b"", 0
+    for size in sizes:
+        data += zlib.decompress(packed[at:at + size])
+        at += size
+    return struct.unpack(f"<{len(data) // 8}{'d' if element.get('type') == 'Float64' else 'q'}", data)
+
+
+def surface(path):
+    """Points of the contact faces and the pairs of nodes that are next to each other on one."""
+    root = xml.parse(path).getroot()
+    flat = array(root.find(".//Points/DataArray"))
+    points = list(zip(flat[0::3], flat[1::3], flat[2::3]))
+    edges = set()
+    for kind, closed in (("Lines", False), ("Polys", True)):
+        arrays = {e.get("Name"): e for e in root.find(f".//{kind}")}
+        if arrays["offsets"].get("RangeMax") == "-1e+299":
+            continue
+        nodes, start = array(arrays["connectivity"]), 0
+        for end in array(arrays["offsets"]):
+            face = nodes[start:end] + (nodes[start:start + 1] if closed else ())
+            edges.update(zip(face, face[1:]))
+            start = end
+    return points, edges
+
+
+def radii(points, edges, axis, tool_at, tolerance):
+    """Equator and contact radius of one frame."""
+    def radius(p):
+        return math.sqrt(sum(p[i] ** 2 for i in range(3) if i != axis))
+
+    contact = 0.0
+    for a, b in edges:
+        p, q = sorted((points[a], points[b]), key=lambda point: -point[axis])
+        if p[axis] < tool_at - tolerance:
+            continue
+        leaves = tool_at - tolerance > q[axis]
+        share = (p[axis] - tool_at + tolerance) / (p[axis] - q[axis]) if leaves else 1.0
+        contact = max(contact, radius(p), radius(p) + share * (radius(q) - radius(p)))
+    used = {node for edge in edges for node in edge}
+    return max(radius(points[node]) for node in used), contact
+
+
+def write(results, name, wanted):
+    """Writes results/shape.csv. wanted: the [shape] table of a check.toml: axis, tool, height."""
+    axis = "xyz".index(wanted["axis"])
+    with open(results / "history.csv", encoding="utf-8") as file:
+        way = [(float(row["time"]), float(row[f"{wanted['tool']}.displacement_{wanted['axis']}"]))
+               for row in csv.DictReader(file)]
+    collection = xml.parse(results / f"{name}.pvd").getroot()
+    with open(results / "shape.csv", "w", encoding="utf-8") as out:
+        out.write("time,height,equator_radius,contact_radius,barrelling\n")
+        for part in collection.iter("DataSet"):
+            if part.get("name") != "contact":
+                continue
+            time = float(part.get("timestep"))
+            height = wanted["height"] + min(way, key=lambda row: abs(row[0] - time))[1] * (time > 0.0)
+            equator, contact = radii(*surface(results / part.get("file")), axis, height,
+                                     1e-3 * wanted["height"])
+            out.write(f"{time:.9g},{height:.9g},{equator:.9g},{contact:.9g},{equator / contact:.9g}\n")

@@ -1,0 +1,13 @@
+# billet_library(NAME uses...): one static library per folder, alias billet::NAME.
+#
+# Every .cpp and .h below the folder belongs to it; each header is compiled alone by the target
+# all_verify_interface_header_sets.
+function(billet_library name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  add_library(billet_${name} STATIC ${sources})
+  add_library(billet::${name} ALIAS billet_${name})
+  target_sources(billet_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  set_target_properties(billet_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON LINKER_LANGUAGE CXX)
+  target_link_libraries(billet_${name} PUBLIC ${ARGN} PRIVATE billet_warnings)
+endfunction()

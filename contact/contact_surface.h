@@ -1,0 +1,98 @@
+// The faces of the workpiece that a tool may touch, and their integration points.
+//
+// Two forms of contact element (the paper's section 3.2). `compatible` integrates the contact work
+// fully. `mixed` gives the contact stress one order less than the displacement: on quadratic faces
+// it is linear, which after condensation is the 2-point Gauss rule per direction (C.11). On linear
+// faces both forms use the 2-point rule (C.12): a single point finds fold-over too late. The
+// penalty follows the stiffness of the elements beneath.
+
+#pragma once
+
+#include "contact/interface_law.h"
+#include "mechanics/bulk.h"
+#include "mechanics/elements/faces.h"
+#include "mechanics/mesh.h"
+#include "mechanics/sparse_matrix.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace billet::contact {
+
+using mechanics::Index;
+
+enum class Form { mixed, compatible };
+
+/// The choices of a case about contact.
+struct ContactSettings {
+  Form form = Form::mixed;
+  double penalty = 100.0;        ///< multiple of E / h of the adjacent element [-]
+  double penalty_tangent = 10.0; ///< likewise, against slip [-]
+};
+
+/// Faces and points; constant during a mesh's life.
+class ContactSurface {
+public:
+  /// @param faces  candidates, of the mesh
+  ContactSurface(const mechanics::Mesh& mesh,
+                 const mechanics::Bulk& bulk,
+                 const mechanics::BlockPattern& pattern,
+                 const std::vector<mechanics::Face>& faces,
+                 const ContactSettings& settings);
+
+  [[nodiscard]] mechanics::ElementKind kind() const { return kind_; }
+  [[nodiscard]] mechanics::Analysis analysis() const { return analysis_; }
+  [[nodiscard]] Form form() const { return form_; }
+  [[nodiscard]] const mechanics::Scatter& scatter() const { return scatter_; }
+  [[nodiscard]] Index n_faces() const { return scatter_.n_groups(); }
+  /// Integration points a face.
+  [[nodiscard]] int points() const { return points_; }
+  [[nodiscard]] std::size_t n_points() const { return beneath_.size(); }
+  /// Penalty of every face: multiples of E over the mean depth of the elements beneath.
+  [[nodiscard]] const Penalty& penalty() const { return penalty_; }
+  /// Length of the element beneath a face, normal to it [mm].
+  [[nodiscard]] double depth(Index face) const { return depths_[static_cast<std::size_t>(face)]; }
+  /// Index into the bulk's states of the integration point closest to a contact point.
+  [[nodiscard]] std::size_t beneath(std::size_t point) const { return beneath_[point]; }
+
+  /// Positions of all points, shape (n_points) [mm].
+  void positions(std::span<const double> x, std::span<Vec3> out) const;
+  /// Areas that the points stand for, shape (n_points) [mm^2].
+  void areas(std::span<const double> x, std::span<double> out) const;
+  /// Points spread over a face with its corners and edges, for a look at penetration [mm].
+  [[nodiscard]] std::vector<Vec3> samples(std::span<const double> x, Index face) const;
+
+private:
+  void set_penalty(const mechanics::Mesh& mesh,
+                   const mechanics::Bulk& bulk,
+                   const std::vector<mechanics::Face>& faces,
+                   const ContactSettings& settings);
+  void set_beneath(const mechanics::Mesh& mesh,
+                   const mechanics::Bulk& bulk,
+                   const std::vector<mechanics::Face>& faces,
+                   std::span<const double> x);
+
+  mechanics::ElementKind kind_;
+  mechanics::Analysis analysis_;
+  Form form_;
+  int points_;
+  mechanics::Scatter scatter_;
+  Penalty penalty_{};
+  std::vector<double> depths_;
+  std::vector<std::size_t> beneath_;
+};
+
+/// Calls `visitor(shape, rule)` with the face shape and the integration rule of a form.
+template <class Visitor>
+decltype(auto) visit_contact_face(mechanics::ElementKind kind, Form form, Visitor&& visitor) {
+  return mechanics::visit_face(kind, [&](auto shape) {
+    using Shape = decltype(shape);
+    constexpr bool linear = Shape::nodes == (1 << Shape::dim);
+    using Full = mechanics::GaussRule<Shape::dim, linear ? 2 : 3>;
+    using Mixed = mechanics::GaussRule<Shape::dim, 2>;
+    return form == Form::mixed ? visitor(shape, Mixed{}) : visitor(shape, Full{});
+  });
+}
+
+} // namespace billet::contact

@@ -1,0 +1,339 @@
+#include "contact/contact_term.h"
+
+#include "mechanics/elements/faces.h"
+
+#include <Eigen/Geometry>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace billet::contact {
+
+namespace {
+
+using mechanics::FacePoint;
+
+std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
+/// Gaps below this share of the element beneath are rounding of coordinates (of all of them when a
+/// tool is brought to touch).
+constexpr double rounding = 1e-10;
+constexpr double rounding_of_touch = 1e-9;
+
+/// Points a task should have at least.
+constexpr std::size_t grain = 256;
+
+} // namespace
+
+ContactTerm::ContactTerm(const ContactSurface& surface,
+                         const mechanics::Bulk& bulk,
+                         const mechanics::BlockPattern& pattern,
+                         std::span<const Tool> tools,
+                         double reach)
+    : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
+      enabled_(tools.size(), 1), positions_(surface.n_points()), areas_(surface.n_points()),
+      traction_(surface.n_points()), dtraction_(surface.n_points()), touched_(surface.n_points()),
+      loads_(tools.size()) {
+  const std::size_t n = surface.n_points();
+  states_.resize(tools.size());
+  for (ToolState& state : states_) {
+    state.history.resize(n);
+    state.trial.resize(n);
+    state.position.resize(n);
+    state.foot.resize(n);
+    state.queried_at.resize(n, Vec3::Zero());
+    state.known_gap.resize(n, -std::numeric_limits<double>::infinity());
+    state.force.resize(n, Vec3::Zero());
+  }
+}
+
+void ContactTerm::start(std::span<const double> x, double time) {
+  surface_->positions(x, positions_);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    search(tools_[t], states_[t], tools_[t].motion.pose(time));
+    for (std::size_t k = 0; k < positions_.size(); ++k) {
+      PointHistory& history = states_[t].history[k];
+      const geometry::Projection& foot = states_[t].foot[k];
+      history.position = states_[t].position[k];
+      // What lies on the tool sticks from the start; rounding must not decide.
+      if (acts(t, time) && foot.gap <= rounding_of_touch * surface_->depth(face_of(k)))
+        history.normal = foot.normal;
+    }
+  }
+}
+
+Index ContactTerm::face_of(std::size_t point) const {
+  return static_cast<Index>(point / idx(surface_->points()));
+}
+
+bool ContactTerm::acts(std::size_t tool, double time) const {
+  return enabled_[tool] != 0 && tools_[tool].active(time);
+}
+
+void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pose& pose) {
+  const std::size_t n = positions_.size();
+  std::vector<std::size_t> asked;
+  std::vector<Vec3> points;
+  std::vector<geometry::Projection> feet;
+  for (std::size_t k = 0; k < n; ++k) {
+    state.position[k] = pose.to_tool(positions_[k]);
+    const double moved = (state.position[k] - state.queried_at[k]).norm();
+    if (state.known_gap[k] > moved) {
+      state.foot[k].gap = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    asked.push_back(k);
+    points.push_back(state.position[k]);
+    feet.emplace_back();
+    feet.back().patch = state.foot[k].patch;
+  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, asked.size(), grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      const std::size_t count = range.end() - range.begin();
+                      tool.surface->project(std::span(points).subspan(range.begin(), count), reach_,
+                                            std::span(feet).subspan(range.begin(), count));
+                    });
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const std::size_t k = asked[i];
+    state.foot[k] = feet[i];
+    state.queried_at[k] = points[i];
+    state.known_gap[k] = feet[i].found() ? feet[i].gap : 0.0;
+  }
+}
+
+void ContactTerm::evaluate(const Tool& tool, ToolState& state) {
+  for (std::size_t k = 0; k < state.trial.size(); ++k) {
+    const Status before = state.trial[k].status;
+    const geometry::Projection& foot = state.foot[k];
+    const double touching = rounding * surface_->depth(face_of(k));
+    if (!(foot.gap <= touching)) {
+      state.trial[k] = Traction{};
+    } else {
+      const PointHistory& old = state.history[k];
+      InterfaceInput in{state.position[k], foot, 0.0, touching};
+      const std::size_t beneath = surface_->beneath(k);
+      in.shear_yield =
+          mechanics::yield_stress(bulk_->material().flow, bulk_->states()[beneath].plastic_strain) /
+          std::numbers::sqrt3;
+      state.trial[k] = traction(tool.friction, surface_->penalty(), old, in);
+    }
+    if (state.trial[k].status != before)
+      ++changes_;
+  }
+}
+
+void ContactTerm::sum(const ToolState& state, const geometry::Pose& pose) {
+  for (std::size_t k = 0; k < state.trial.size(); ++k) {
+    if (state.trial[k].status == Status::open)
+      continue;
+    touched_[k] = 1;
+    traction_[k] += pose.rotation * state.trial[k].traction;
+    dtraction_[k] += pose.rotation * state.trial[k].dtraction_dx * pose.rotation.transpose();
+  }
+}
+
+Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& trial,
+                                                    mechanics::System& system) {
+  changes_ = 0;
+  surface_->positions(trial.x, positions_);
+  std::fill(traction_.begin(), traction_.end(), Vec3::Zero());
+  std::fill(dtraction_.begin(), dtraction_.end(), Mat3::Zero());
+  std::fill(touched_.begin(), touched_.end(), char{0});
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (!acts(t, trial.time)) {
+      std::fill(states_[t].trial.begin(), states_[t].trial.end(), Traction{});
+      continue;
+    }
+    const geometry::Pose pose = tools_[t].motion.pose(trial.time);
+    states_[t].rotation = pose.rotation;
+    search(tools_[t], states_[t], pose);
+    evaluate(tools_[t], states_[t]);
+    sum(states_[t], pose);
+  }
+  scatter(trial.x, system);
+  return mechanics::Assembled{};
+}
+
+void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) const {
+  visit_contact_face(surface_->kind(), surface_->form(), [&](auto shape, auto rule) {
+    using Shape = decltype(shape);
+    using Rule = decltype(rule);
+    constexpr int dim = Shape::dim + 1;
+    constexpr int size = Shape::nodes * dim;
+    const mechanics::Scatter& faces = surface_->scatter();
+    std::array<double, std::size_t{size}> local{};
+    for (const Index f : faces.order()) {
+      const std::size_t first = idx(f * Rule::points);
+      if (std::none_of(touched_.begin() + f * Rule::points,
+                       touched_.begin() + (f + 1) * Rule::points, [](char c) { return c != 0; }))
+        continue;
+      system.symmetric = false;
+      mechanics::gather(x, faces.nodes(f), dim, local.data());
+      Eigen::Matrix<double, size, 1> force = Eigen::Matrix<double, size, 1>::Zero();
+      Eigen::Matrix<double, size, size, Eigen::RowMajor> tangent;
+      tangent.setZero();
+      for (int i = 0; i < Rule::points; ++i) {
+        const std::size_t k = first + idx(i);
+        if (touched_[k] == 0)
+          continue;
+        const FacePoint<Shape> at(surface_->analysis(), local.data(), Rule::point(i),
+                                  Rule::weight(i));
+        const Eigen::Matrix<double, dim, 1> T = traction_[k].template head<dim>();
+        const Eigen::Matrix<double, dim, dim> D =
+            at.measure * dtraction_[k].template topLeftCorner<dim, dim>();
+        for (int a = 0; a < Shape::nodes; ++a) {
+          const double Na = at.N[idx(a)];
+          force.template segment<dim>(a * dim) -= Na * at.measure * T;
+          for (int b = 0; b < Shape::nodes; ++b)
+            tangent.template block<dim, dim>(a * dim, b * dim) -=
+                Na * (at.N[idx(b)] * D + T * at.dmeasure[idx(b)].template head<dim>().transpose());
+        }
+      }
+      faces.add(dim, f, force.data(), system.residual);
+      faces.add(*pattern_, f, tangent.data(), system.tangent.values);
+    }
+  });
+}
+
+void ContactTerm::commit(const mechanics::Trial& trial) {
+  surface_->areas(trial.x, areas_);
+  area_ = 0.0;
+  std::fill(loads_.begin(), loads_.end(), ToolLoad{});
+  for (std::size_t k = 0; k < touched_.size(); ++k)
+    if (touched_[k] != 0)
+      area_ += areas_[k];
+  work_.stored = 0.0;
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    commit_tool(t, trial);
+    work_.stored += states_[t].stored;
+  }
+}
+
+void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
+  ToolState& state = states_[t];
+  const Tool& tool = tools_[t];
+  const geometry::Pose pose = tool.motion.pose(trial.time);
+  const geometry::Pose pose_old = tool.motion.pose(trial.time_old);
+  const Vec3 reference = pose.to_space(tool.reference);
+  const bool meridian = surface_->analysis() == mechanics::Analysis::axisymmetric;
+  state.stored = 0.0;
+  state.touches = false;
+  for (std::size_t k = 0; k < state.trial.size(); ++k) {
+    const Traction& now = state.trial[k];
+    PointHistory& history = state.history[k];
+    const Vec3 position = pose.to_tool(positions_[k]);
+    const Vec3 force = areas_[k] * (pose.rotation * now.traction);
+    const Vec3 way = pose.to_space(position) - pose_old.to_space(position);
+    work_.external += 0.5 * (force + state.force[k]).dot(way);
+    state.force[k] = force;
+    history.position = position;
+    if (now.status == Status::open) {
+      history.normal.setZero();
+      history.shear.setZero();
+      continue;
+    }
+    const Penalty& penalty = surface_->penalty();
+    work_.friction -= 0.5 * (now.turned + now.shear).dot(now.slip) * areas_[k];
+    state.touches = true;
+    state.stored +=
+        0.5 * areas_[k] *
+        (now.pressure * now.pressure / penalty.normal + now.shear.squaredNorm() / penalty.tangent);
+    history.normal = state.foot[k].normal;
+    history.shear = now.shear;
+    history.sliding += now.slip.norm();
+    // Around the full turn radial forces and all torques cancel.
+    const Vec3 on_tool = meridian ? Vec3(0.0, -force[1], 0.0) : Vec3(-force);
+    loads_[t].force += on_tool;
+    if (!meridian)
+      loads_[t].torque += (positions_[k] - reference).cross(on_tool);
+  }
+}
+
+std::vector<PointResult> ContactTerm::results() const {
+  std::vector<PointResult> results(positions_.size());
+  for (PointResult& point : results)
+    point.gap = std::numeric_limits<double>::infinity();
+  std::vector<geometry::Projection> feet(positions_.size());
+  for (std::size_t t = 0; t < states_.size(); ++t) {
+    const ToolState& state = states_[t];
+    // Points known to be far were not projected in the last trial; here their distance is wanted.
+    tools_[t].surface->project(state.position, reach_, feet);
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      PointResult& point = results[k];
+      const Traction& now = state.trial[k];
+      point.gap = std::min(point.gap, feet[k].gap);
+      point.sliding = std::max(point.sliding, state.history[k].sliding);
+      point.pressure += now.pressure;
+      point.shear += state.rotation * now.shear;
+      point.status = std::max(point.status, now.status);
+    }
+  }
+  return results;
+}
+
+Penetration ContactTerm::penetration(const mechanics::Trial& trial) const {
+  Penetration worst;
+  const std::size_t n = idx(surface_->points());
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (!acts(t, trial.time))
+      continue;
+    const geometry::Pose pose = tools_[t].motion.pose(trial.time);
+    for (Index f = 0; f < surface_->n_faces(); ++f) {
+      bool touches = false;
+      for (std::size_t i = 0; i < n; ++i)
+        touches = touches || states_[t].trial[idx(f) * n + i].status != Status::open;
+      if (!touches)
+        continue;
+      std::vector<Vec3> points = surface_->samples(trial.x, f);
+      for (Vec3& p : points)
+        p = pose.to_tool(p);
+      std::vector<geometry::Projection> feet(points.size());
+      tools_[t].surface->project(points, reach_, feet);
+      for (const auto& foot : feet) {
+        worst.deepest = std::max(worst.deepest, -foot.gap);
+        worst.share = std::max(worst.share, -foot.gap / surface_->depth(f));
+      }
+    }
+  }
+  return worst;
+}
+
+bool ContactTerm::leaves(std::size_t tool, double time) const {
+  return states_[tool].touches && !acts(tool, time);
+}
+
+std::vector<double> ContactTerm::release(std::size_t tool) {
+  ToolState& state = states_[tool];
+  std::vector<double> forces(idx(pattern_->n_dofs()), 0.0);
+  visit_contact_face(surface_->kind(), surface_->form(), [&](auto shape, auto rule) {
+    using Shape = decltype(shape);
+    using Rule = decltype(rule);
+    constexpr int dim = Shape::dim + 1;
+    for (std::size_t k = 0; k < state.force.size(); ++k) {
+      const auto N = Shape::values(Rule::point(static_cast<int>(k) % Rule::points));
+      for (std::size_t a = 0; a < N.size(); ++a)
+        for (int d = 0; d < dim; ++d)
+          forces[idx(surface_->scatter().nodes(face_of(k))[a] * dim + d)] +=
+              N[a] * state.force[k][d];
+    }
+  });
+  for (PointHistory& history : state.history) {
+    history.normal.setZero();
+    history.shear.setZero();
+  }
+  std::fill(state.trial.begin(), state.trial.end(), Traction{});
+  std::fill(state.force.begin(), state.force.end(), Vec3::Zero());
+  work_.stored -= state.stored;
+  state.stored = 0.0;
+  state.touches = false;
+  loads_[tool] = ToolLoad{};
+  return forces;
+}
+
+} // namespace billet::contact

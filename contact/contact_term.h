@@ -1,0 +1,129 @@
+// Contact and friction between the workpiece and rigid tools, as a force term.
+//
+// The contact area is unknown and found anew in every iteration: every integration point of every
+// candidate face is projected on every tool that acts, and what lies inside is pushed out. A point
+// may touch several tools. Distances are 1-Lipschitz, so a point that was far from a tool and has
+// moved less than that distance is open without a query.
+//
+// Frames   tractions and histories in the tool's frame, forces in space. Theory:
+// docs/theory/contact.md.
+
+#pragma once
+
+#include "contact/contact_surface.h"
+#include "contact/interface_law.h"
+#include "contact/tool.h"
+#include "mechanics/bulk.h"
+#include "mechanics/force_term.h"
+
+#include <span>
+#include <vector>
+
+namespace billet::contact {
+
+/// What one tool feels.
+struct ToolLoad {
+  Vec3 force = Vec3::Zero();  ///< of the workpiece on the tool [N]
+  Vec3 torque = Vec3::Zero(); ///< about the tool's reference point [N mm]
+};
+
+/// Contact results of one point, summed over the tools it touches, in space.
+struct PointResult {
+  double gap = 0.0;          ///< smallest known signed distance [mm]; +inf: out of reach
+  double pressure = 0.0;     ///< [MPa]
+  Vec3 shear = Vec3::Zero(); ///< [MPa]
+  Status status = Status::open;
+  double sliding = 0.0; ///< sliding distance so far [mm]
+};
+
+/// How deep faces lie inside tools, sampled densely over whole faces in contact.
+struct Penetration {
+  double deepest = 0.0; ///< [mm]
+  double share = 0.0;   ///< the largest, relative to the element beneath [-]
+};
+
+/// Energies and work of contact since the start.
+struct ContactWork {
+  double external = 0.0; ///< done by the tools' motion [N mm]
+  double friction = 0.0; ///< dissipated [N mm]
+  double stored = 0.0;   ///< in the penalties now [N mm]
+};
+
+class ContactTerm final : public mechanics::ForceTerm {
+public:
+  /// @pre surface, bulk, pattern and tools outlive the term
+  ContactTerm(const ContactSurface& surface,
+              const mechanics::Bulk& bulk,
+              const mechanics::BlockPattern& pattern,
+              std::span<const Tool> tools,
+              double reach);
+
+  /// Places the points at the start of the run; histories begin here.
+  void start(std::span<const double> x, double time);
+
+  [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
+                                                       mechanics::System& system) override;
+  void commit(const mechanics::Trial& trial) override;
+
+  /// Tools that may act now (a stage's choice), one flag a tool.
+  void enable(std::vector<char> enabled) { enabled_ = std::move(enabled); }
+
+  /// Resultants of the last committed trial, one a tool.
+  [[nodiscard]] std::span<const ToolLoad> loads() const { return loads_; }
+  [[nodiscard]] const ContactWork& work() const { return work_; }
+  /// Points of the last committed trial, shape (n_points).
+  [[nodiscard]] std::vector<PointResult> results() const;
+  /// Area in contact of the last committed trial [mm^2].
+  [[nodiscard]] double area() const { return area_; }
+  /// Penetration of the faces in contact in a configuration.
+  [[nodiscard]] Penetration penetration(const mechanics::Trial& trial) const;
+  /// Points that changed status in the last assembly against the one before.
+  [[nodiscard]] int changes() const { return changes_; }
+  /// Whether a tool touches in the committed state but will not act at `time`.
+  [[nodiscard]] bool leaves(std::size_t tool, double time) const;
+  /// Takes a tool's contact away: returns its committed nodal forces on the workpiece, shape
+  /// (n_dofs) [N], and forgets its history. The penalties' energy goes with it.
+  [[nodiscard]] std::vector<double> release(std::size_t tool);
+
+private:
+  /// Working memory of one tool; shape (n_points) each.
+  struct ToolState {
+    std::vector<PointHistory> history;
+    std::vector<Traction> trial;
+    std::vector<Vec3> position; ///< tried, tool frame
+    std::vector<geometry::Projection> foot;
+    std::vector<Vec3> queried_at; ///< where `known_gap` holds
+    std::vector<double> known_gap;
+    std::vector<Vec3> force;          ///< committed force on the workpiece, in space
+    Mat3 rotation = Mat3::Identity(); ///< of the tool's frame at the last trial
+    double stored = 0.0;              ///< energy in its penalties [N mm]
+    bool touches = false;             ///< in the committed state
+  };
+
+  void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
+  void evaluate(const Tool& tool, ToolState& state);
+  void sum(const ToolState& state, const geometry::Pose& pose);
+  void scatter(std::span<const double> x, mechanics::System& system) const;
+  void commit_tool(std::size_t t, const mechanics::Trial& trial);
+  [[nodiscard]] Index face_of(std::size_t point) const;
+  [[nodiscard]] bool acts(std::size_t tool, double time) const;
+
+  const ContactSurface* surface_;
+  const mechanics::Bulk* bulk_;
+  const mechanics::BlockPattern* pattern_;
+  std::span<const Tool> tools_;
+  double reach_;
+  std::vector<char> enabled_;
+  std::vector<ToolState> states_;
+  std::vector<Vec3> positions_;
+  std::vector<double> areas_;
+  std::vector<Vec3> traction_;
+  std::vector<Mat3> dtraction_;
+  std::vector<char> touched_;
+  std::vector<ToolLoad> loads_;
+  ContactWork work_;
+  double area_ = 0.0;
+  int changes_ = 0;
+};
+
+} // namespace billet::contact

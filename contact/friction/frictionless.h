@@ -1,0 +1,16 @@
+// No friction.
+
+#pragma once
+
+#include "contact/friction/friction_law.h"
+
+namespace billet::contact {
+
+/// tau_lim = 0.
+struct Frictionless {
+  static constexpr std::string_view name = "frictionless";
+
+  [[nodiscard]] SlipLimit slip_limit(const InterfacePoint&) const noexcept { return {0.0, 0.0}; }
+};
+
+} // namespace billet::contact

@@ -1,0 +1,20 @@
+// No sliding at all.
+
+#pragma once
+
+#include "contact/friction/friction_law.h"
+
+#include <limits>
+
+namespace billet::contact {
+
+/// tau_lim = infinity, bounded by the cone (C.10) that every law obeys.
+struct Sticking {
+  static constexpr std::string_view name = "sticking";
+
+  [[nodiscard]] SlipLimit slip_limit(const InterfacePoint&) const noexcept {
+    return {std::numeric_limits<double>::infinity(), 0.0};
+  }
+};
+
+} // namespace billet::contact

@@ -1,0 +1,68 @@
+// The traction at one contact point: unilateral pressure and stick-slip friction by penalty.
+//
+// Everything happens in the frame of the tool, where the tool stands still: a rigid motion of tool
+// and workpiece together changes nothing (incremental objectivity, the paper's Fig. 13). Pressure
+// follows from the penetration itself, not from an accumulated increment; shear is an elastic
+// stick stress, turned with the normal, and cut back to the law's limit in closed form. A point
+// that touches within the increment slides freely until its end, where sticking begins: a shear
+// that grew with the way since first touch would grow faster than the pressure and destroy
+// uniqueness.
+//
+// Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
+// Theory  docs/theory/contact.md (C.1)-(C.6).
+
+#pragma once
+
+#include "contact/friction/any_friction_law.h"
+#include "geometry/base/vector.h"
+#include "geometry/rigid_surface.h"
+
+namespace billet::contact {
+
+enum class Status : signed char { open, stick, slip };
+
+/// History of one point against one tool, in the tool's frame.
+struct PointHistory {
+  Vec3 position = Vec3::Zero(); ///< of the workpiece point [mm]
+  Vec3 normal = Vec3::Zero();   ///< of the tool at the foot; zero: it was open [-]
+  Vec3 shear = Vec3::Zero();    ///< tangential traction [MPa]
+  double sliding = 0.0;         ///< sliding distance so far [mm]
+
+  [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
+};
+
+/// Penalties of a point: pressure per penetration, shear per slip [MPa/mm].
+struct Penalty {
+  double normal;
+  double tangent;
+};
+
+/// Traction at the end of an increment with its exact derivative.
+struct Traction {
+  Status status = Status::open;
+  double pressure = 0.0;            ///< [MPa]
+  Vec3 shear = Vec3::Zero();        ///< [MPa]
+  Vec3 traction = Vec3::Zero();     ///< p n + shear, on the workpiece [MPa]
+  Mat3 dtraction_dx = Mat3::Zero(); ///< [MPa/mm], not symmetric when slipping
+  Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
+  Vec3 turned = Vec3::Zero();       ///< the old shear in the new tangent plane [MPa]
+};
+
+/// What the traction depends on besides the history.
+struct InterfaceInput {
+  Vec3 position;                   ///< tool frame [mm]
+  geometry::Projection projection; ///< of that position
+  double shear_yield = 0.0;        ///< k beneath [MPa]
+  double rounding = 0.0;           ///< gaps up to it count as touching [mm]
+};
+
+/// (C.1)-(C.6)
+[[nodiscard]] Traction traction(const AnyFrictionLaw& law,
+                                const Penalty& penalty,
+                                const PointHistory& old,
+                                const InterfaceInput& at);
+
+/// Turns a vector tangent to `from` into the plane normal to `to` by the smallest rotation. (C.4)
+[[nodiscard]] Vec3 turn(const Vec3& v, const Vec3& from, const Vec3& to);
+
+} // namespace billet::contact

@@ -1,0 +1,27 @@
+// A rigid tool: a name, a shape, a motion and the friction on it.
+
+#pragma once
+
+#include "contact/friction/any_friction_law.h"
+#include "geometry/motion.h"
+#include "geometry/rigid_surface.h"
+
+#include <limits>
+#include <string>
+
+namespace billet::contact {
+
+/// Shapes never move and motions never know shapes.
+struct Tool {
+  std::string name;
+  geometry::SurfacePtr surface; ///< in the tool's frame
+  geometry::Motion motion;
+  AnyFrictionLaw friction = Frictionless{};
+  Vec3 reference = Vec3::Zero(); ///< point in the tool's frame about which torques are taken [mm]
+  double active_from = -std::numeric_limits<double>::infinity(); ///< [s]
+  double active_to = std::numeric_limits<double>::infinity();    ///< [s]
+
+  [[nodiscard]] bool active(double time) const { return time >= active_from && time <= active_to; }
+};
+
+} // namespace billet::contact

@@ -1,0 +1,29 @@
+// Axis-aligned box of points.
+
+#pragma once
+
+#include "geometry/base/vector.h"
+
+#include <limits>
+
+namespace billet {
+
+/// Smallest box that holds every point added to it; empty at first.
+struct Box {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());   ///< smallest coordinates
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity()); ///< largest coordinates
+
+  void add(const Vec3& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  [[nodiscard]] bool empty() const { return (low.array() > high.array()).any(); }
+  /// Length of the diagonal; 0 for an empty box.
+  [[nodiscard]] double size() const { return empty() ? 0.0 : (high - low).norm(); }
+  [[nodiscard]] bool overlaps(const Box& other, double margin) const {
+    return ((low.array() - margin) <= other.high.array()).all() &&
+           ((other.low.array() - margin) <= high.array()).all();
+  }
+};
+
+} // namespace billet

@@ -1,0 +1,55 @@
+#include "geometry/analytic_surfaces.h"
+#include "geometry/surface_check.h"
+#include "geometry/surface_of_revolution.h"
+
+#include <limits>
+
+namespace billet::geometry {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// r = radius. (G.4)
+struct StraightLine {
+  double radius;
+  bool flat = false; // of a scene in the plane: the box has no thickness
+
+  [[nodiscard]] MeridianPoint at(double /*h*/, double r) const {
+    return {r - radius, 0.0, 1.0, 0.0, r > 0.0 ? 1.0 / r : 0.0};
+  }
+  [[nodiscard]] double size() const { return radius; }
+  [[nodiscard]] Box bounds(const Axis& axis) const {
+    Vec3 half = radius * disk_extent(axis);
+    for (int i = 0; i < 3; ++i)
+      if (axis.direction[i] != 0.0 && !flat)
+        half[i] = infinity;
+    Box box;
+    box.low = axis.origin - half;
+    box.high = axis.origin + half;
+    return box;
+  }
+  [[nodiscard]] std::vector<Vec2> line(double low, double high) const {
+    return {{high, radius}, {low, radius}};
+  }
+};
+
+} // namespace
+
+SurfacePtr make_cylinder(const Vec3& point, const Vec3& axis, double radius, bool inside) {
+  require_point(point, "point of the cylinder");
+  require_direction(axis, "axis of the cylinder");
+  require_between(radius, 0.0, infinity, "radius of the cylinder");
+  return std::make_unique<const RevolvedSurface<StraightLine>>(make_axis(point, axis),
+                                                               StraightLine{radius}, inside);
+}
+
+SurfacePtr make_circle(const Vec3& centre, double radius, bool inside) {
+  require_point(centre, "centre of the circle");
+  require_between(radius, 0.0, infinity, "radius of the circle");
+  const Vec3 in_plane(centre.x(), centre.y(), 0.0);
+  return std::make_unique<const RevolvedSurface<StraightLine>>(make_axis(in_plane, Vec3::UnitZ()),
+                                                               StraightLine{radius, true}, inside);
+}
+
+} // namespace billet::geometry

@@ -1,0 +1,58 @@
+// Where a tool is at a time: prescribed rigid motions.
+//
+// A tool lives in its own frame, in which its shape is given; `place` puts it where it starts and
+// `pose(t)` maps it to space at a time: x = R X + d. Motions never know shapes.
+//
+// Units   mm, s, rad.
+
+#pragma once
+
+#include "geometry/base/time_function.h"
+#include "geometry/base/vector.h"
+
+#include <array>
+#include <optional>
+
+namespace billet::geometry {
+
+/// A rigid placement x = rotation * X + translation.
+struct Pose {
+  Mat3 rotation = Mat3::Identity(); ///< [-]
+  Vec3 translation = Vec3::Zero();  ///< [mm]
+
+  [[nodiscard]] Vec3 to_space(const Vec3& X) const { return rotation * X + translation; }
+  [[nodiscard]] Vec3 to_tool(const Vec3& x) const {
+    return rotation.transpose() * (x - translation);
+  }
+};
+
+/// Rotation by `angle` [rad] about the line through `point` along the unit vector `axis`.
+[[nodiscard]] Pose rotation_about(const Vec3& point, const Vec3& axis, double angle);
+
+/// Rotation about an axis with a speed over time.
+struct Rotation {
+  Vec3 point = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ(); ///< unit vector
+  TimeFunction speed;        ///< [rad/s]
+};
+
+/// Prescribed motion of a tool: a translation over time, a rotation over time, or both.
+///
+/// The tool is placed first, then turned, then shifted; the rotation axis is given in space at time
+/// 0 and travels with the translation. `offset` is the displacement by which `touch` brought the
+/// tool to first contact before time 0.
+struct Motion {
+  Pose place;                                              ///< where the tool is at time 0
+  std::optional<Vec3> velocity;                            ///< [mm/s]
+  std::optional<std::array<TimeFunction, 3>> displacement; ///< [mm]; instead of velocity
+  std::optional<Rotation> rotation;
+  Vec3 offset = Vec3::Zero();
+
+  [[nodiscard]] Pose pose(double time) const;
+  /// Displacement of the tool's reference point (without offset) [mm].
+  [[nodiscard]] Vec3 translation(double time) const;
+  /// Angle turned since time 0 [rad].
+  [[nodiscard]] double angle(double time) const;
+};
+
+} // namespace billet::geometry

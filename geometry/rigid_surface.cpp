@@ -1,0 +1,15 @@
+#include "geometry/rigid_surface.h"
+
+#include <cassert>
+
+namespace billet::geometry {
+
+void RigidSurface::project(std::span<const Vec3> points,
+                           double reach,
+                           std::span<Projection> out) const {
+  assert(points.size() == out.size());
+  assert(reach > 0.0);
+  do_project(points, reach, out);
+}
+
+} // namespace billet::geometry

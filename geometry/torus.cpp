@@ -1,0 +1,56 @@
+#include "geometry/analytic_surfaces.h"
+#include "geometry/surface_check.h"
+#include "geometry/surface_of_revolution.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace billet::geometry {
+
+namespace {
+
+// A circle about (0, major). As major > minor the half of the meridian with r >= 0 is always
+// nearer to a point with r >= 0 than its mirror image. (G.7)
+struct Circle {
+  double major;
+  double minor;
+
+  [[nodiscard]] MeridianPoint at(double h, double r) const {
+    const double d = std::hypot(h, r - major);
+    if (d <= 4.0 * std::numeric_limits<double>::epsilon() * major)
+      return {d - minor, 0.0, 1.0, 0.0, 1.0 / major};
+    const double n_r = (r - major) / d;
+    return {d - minor, h / d, n_r, 1.0 / d, r > 0.0 ? n_r / r : 0.0};
+  }
+  [[nodiscard]] double size() const { return major; }
+  [[nodiscard]] Box bounds(const Axis& axis) const {
+    const Vec3 half = major * disk_extent(axis) + Vec3::Constant(minor);
+    Box box;
+    box.add(axis.origin - half);
+    box.add(axis.origin + half);
+    return box;
+  }
+  [[nodiscard]] std::vector<Vec2> line(double /*low*/, double /*high*/) const {
+    std::vector<Vec2> line;
+    for (int i = 0; i <= pieces_round; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i % pieces_round) / pieces_round;
+      line.emplace_back(minor * std::cos(angle), major + minor * std::sin(angle));
+    }
+    return line;
+  }
+};
+
+} // namespace
+
+SurfacePtr
+make_torus(const Vec3& centre, const Vec3& axis, double major, double minor, bool inside) {
+  require_point(centre, "centre of the torus");
+  require_direction(axis, "axis of the torus");
+  require_between(major, 0.0, std::numeric_limits<double>::infinity(), "major of the torus");
+  require_between(minor, 0.0, major, "minor of the torus");
+  return std::make_unique<const RevolvedSurface<Circle>>(make_axis(centre, axis),
+                                                         Circle{major, minor}, inside);
+}
+
+} // namespace billet::geometry

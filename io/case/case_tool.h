@@ -1,0 +1,270 @@
+// A rigid tool of a case: surface, place, motion, friction, wear.
+//
+// Units   those of the case (mm, MPa, N, s here); angles degrees, angular speeds rad/s.
+// Frame   surfaces are given in the case's frame before `place`; motions in the case's frame.
+
+#pragma once
+
+#include "io/case/case_common.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace billet::io {
+
+/// Half-space below a plane.
+struct PlaneSurface {
+  Vec3 point = Vec3::Zero();   ///< [mm]
+  Vec3 normal = Vec3::UnitY(); ///< out of the tool, not zero, of any length
+
+  bool operator==(const PlaneSurface&) const = default;
+};
+
+/// A circle of the plane.
+struct CircleSurface {
+  Vec3 centre = Vec3::Zero(); ///< [mm]
+  double radius = 0.0;        ///< [mm]
+  bool inside = false;        ///< the metal is inside
+
+  bool operator==(const CircleSurface&) const = default;
+};
+
+/// An endless cylinder.
+struct CylinderSurface {
+  Vec3 point = Vec3::Zero(); ///< on the axis [mm]
+  Vec3 axis = Vec3::UnitZ(); ///< not zero, of any length
+  double radius = 0.0;       ///< [mm]
+  bool inside = false;       ///< the metal is inside
+
+  bool operator==(const CylinderSurface&) const = default;
+};
+
+struct SphereSurface {
+  Vec3 centre = Vec3::Zero(); ///< [mm]
+  double radius = 0.0;        ///< [mm]
+  bool inside = false;        ///< the metal is inside
+
+  bool operator==(const SphereSurface&) const = default;
+};
+
+/// One nappe of a cone, opening from `apex` along `axis`.
+struct ConeSurface {
+  Vec3 apex = Vec3::Zero();  ///< [mm]
+  Vec3 axis = Vec3::UnitZ(); ///< not zero, of any length
+  double half_angle = 0.0;   ///< [degrees], 0 < half_angle < 90
+  bool inside = false;       ///< the metal is inside
+
+  bool operator==(const ConeSurface&) const = default;
+};
+
+struct TorusSurface {
+  Vec3 centre = Vec3::Zero(); ///< [mm]
+  Vec3 axis = Vec3::UnitZ();  ///< not zero, of any length
+  double major = 0.0;         ///< radius of the centre line [mm]
+  double minor = 0.0;         ///< radius of the tube, < major [mm]
+  bool inside = false;        ///< the metal is inside
+
+  bool operator==(const TorusSurface&) const = default;
+};
+
+/// A file of lines and arcs in the plane; the tool lies on the left of the direction of travel.
+struct ProfileSurface {
+  InputFile file;
+
+  bool operator==(const ProfileSurface&) const = default;
+};
+
+/// A chain of straight lines in the plane; the tool lies on the left of the direction of travel.
+struct PointsSurface {
+  std::vector<Vec3> points; ///< shape (n >= 2), neighbours differ [mm]
+  bool closed = false;      ///< a line leads from the last point to the first
+
+  bool operator==(const PointsSurface&) const = default;
+};
+
+/// A triangulated surface.
+struct StlSurface {
+  InputFile file;
+  std::string unit;            ///< of the file's numbers, as given ("mm")
+  double unit_factor = 1.0;    ///< from the file's numbers to the case's lengths [mm]
+  bool smooth = false;         ///< always false in this version
+  double feature_angle = 30.0; ///< edges sharper than this stay sharp [degrees]
+  bool flip = false;           ///< the file's normals point into the tool
+
+  bool operator==(const StlSurface&) const = default;
+};
+
+using ToolSurface = std::variant<PlaneSurface,
+                                 CircleSurface,
+                                 CylinderSurface,
+                                 SphereSurface,
+                                 ConeSurface,
+                                 TorusSurface,
+                                 ProfileSurface,
+                                 PointsSurface,
+                                 StlSurface>;
+
+/// A constant velocity.
+struct VelocityMotion {
+  Vec3 velocity = Vec3::Zero(); ///< [mm/s]
+
+  bool operator==(const VelocityMotion&) const = default;
+};
+
+/// A displacement by table; the three functions share their times.
+struct DisplacementMotion {
+  std::array<TimeFunction, 3> displacement; ///< [mm]
+
+  bool operator==(const DisplacementMotion&) const = default;
+};
+
+/// Free to move along `direction` under a force. (Not available in this version.)
+struct ForceMotion {
+  Vec3 direction = Vec3::UnitY(); ///< not zero, of any length
+  TimeFunction value;             ///< [N]
+
+  bool operator==(const ForceMotion&) const = default;
+};
+
+/// A prescribed turn; the axis travels with the translation.
+struct RotationMotion {
+  Vec3 point = Vec3::Zero(); ///< on the axis [mm]
+  Vec3 axis = Vec3::UnitZ(); ///< not zero, of any length; z in the plane
+  TimeFunction speed;        ///< right-handed about `axis` [rad/s]
+
+  bool operator==(const RotationMotion&) const = default;
+};
+
+/// Free to turn about the axis under a torque. (Not available in this version.)
+struct TorqueMotion {
+  Vec3 point = Vec3::Zero(); ///< on the axis [mm]
+  Vec3 axis = Vec3::UnitZ(); ///< not zero, of any length; z in the plane
+  TimeFunction value;        ///< right-handed about `axis` [N mm]
+
+  bool operator==(const TorqueMotion&) const = default;
+};
+
+/// How a tool moves; both parts absent: it is fixed.
+struct ToolMotion {
+  std::optional<std::variant<VelocityMotion, DisplacementMotion, ForceMotion>> translation;
+  std::optional<std::variant<RotationMotion, TorqueMotion>> rotation;
+
+  bool operator==(const ToolMotion&) const = default;
+};
+
+/// The shear yield stress of the material beneath.
+struct ShearYield {
+  bool operator==(const ShearYield&) const = default;
+};
+
+/// A shear strength: that of the material beneath, or a stress [MPa].
+using ShearStrength = std::variant<ShearYield, double>;
+
+struct FrictionlessFriction {
+  bool operator==(const FrictionlessFriction&) const = default;
+};
+
+struct StickingFriction {
+  bool operator==(const StickingFriction&) const = default;
+};
+
+/// min(mu (p - threshold)+ + mu2 (p - threshold)+^2, cap).
+struct CoulombFriction {
+  double mu = 0.0;                  ///< [-]
+  double threshold = 0.0;           ///< [MPa]
+  double mu2 = 0.0;                 ///< [1/MPa]; always 0 in this version
+  std::optional<ShearStrength> cap; ///< absent: no cap
+
+  bool operator==(const CoulombFriction&) const = default;
+};
+
+/// m k.
+struct TrescaFriction {
+  double m = 0.0; ///< [-], 0 <= m <= 1
+  ShearStrength k = ShearYield{};
+
+  bool operator==(const TrescaFriction&) const = default;
+};
+
+/// alpha(p) k. (Not available in this version.)
+struct ShawFriction {
+  ShearStrength k = ShearYield{};
+  double f = 0.0; ///< asperity friction factor [-]
+
+  bool operator==(const ShawFriction&) const = default;
+};
+
+/// m_local alpha(p) k. (Not available in this version.)
+struct AsperityFriction {
+  double m_local = 0.0; ///< [-]
+  ShearStrength k = ShearYield{};
+  double f = 0.0; ///< asperity friction factor [-]
+
+  bool operator==(const AsperityFriction&) const = default;
+};
+
+/// viscosity |v| / film. (Not available in this version.)
+struct ThickFilmFriction {
+  double viscosity = 0.0; ///< [MPa s]
+  double film = 0.0;      ///< [mm]
+
+  bool operator==(const ThickFilmFriction&) const = default;
+};
+
+/// beta (|v| / v0)^mv. (Not available in this version.)
+struct ViscoplasticFriction {
+  double beta = 0.0; ///< [MPa]
+  double v0 = 0.0;   ///< [mm/s]
+  double mv = 0.0;   ///< [-]
+
+  bool operator==(const ViscoplasticFriction&) const = default;
+};
+
+using FrictionLaw = std::variant<FrictionlessFriction,
+                                 StickingFriction,
+                                 CoulombFriction,
+                                 TrescaFriction,
+                                 ShawFriction,
+                                 AsperityFriction,
+                                 ThickFilmFriction,
+                                 ViscoplasticFriction>;
+
+struct Friction {
+  FrictionLaw law;
+  /// Anisotropy, first axis along `direction`. (Not available in this version.)
+  std::optional<std::array<std::array<double, 2>, 2>> tensor;
+  std::optional<Vec3> direction; ///< of the tensor's first axis
+  /// (sliding distance [mm], factor [-]), empty: none. (Not available in this version.)
+  std::vector<std::pair<double, double>> evolution;
+  /// (pressure [MPa], coefficient [-]) in place of it. (Not available in this version.)
+  std::vector<std::pair<double, double>> table;
+
+  bool operator==(const Friction&) const = default;
+};
+
+/// Archard's law. (Not available in this version.)
+struct Wear {
+  double K = 0.0;        ///< [-]
+  double hardness = 0.0; ///< [MPa]
+
+  bool operator==(const Wear&) const = default;
+};
+
+struct Tool {
+  std::string name;
+  ToolSurface surface;
+  Place place;
+  ToolMotion motion;
+  bool touch = false; ///< brought to first contact along its motion before the start
+  Friction friction;  ///< default: frictionless
+  std::optional<Wear> wear;
+  std::optional<std::array<double, 2>> active; ///< from, to [s]; absent: always
+
+  bool operator==(const Tool&) const = default;
+};
+
+} // namespace billet::io

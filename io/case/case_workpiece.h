@@ -1,0 +1,196 @@
+// The workpiece of a case: mesh, element, place; and the materials.
+//
+// Every flow law is a struct of its own with the keys of the case file as members; its keys, units
+// and bounds are listed once, in law_keys.h. Units: those of the case (mm, MPa, s, degC here).
+
+#pragma once
+
+#include "io/case/case_common.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace billet::io {
+
+/// A rectangle or a brick of cells.
+struct BoxMesh {
+  Vec3 low = Vec3::Zero();                      ///< corner of least coordinates [mm]
+  Vec3 high = Vec3::Zero();                     ///< opposite corner [mm]
+  std::array<int, 3> cells = {1, 1, 1};         ///< along x, y, z; 1 along z in the plane
+  std::array<double, 3> grading = {1., 1., 1.}; ///< last cell over first cell, by axis [-]
+
+  bool operator==(const BoxMesh&) const = default;
+};
+
+/// A solid cylinder about z, base at z = 0 (3d).
+struct CylinderMesh {
+  double radius = 0.0;               ///< [mm]
+  double height = 0.0;               ///< [mm]
+  std::array<int, 2> cells = {1, 1}; ///< along the radius, along the height
+  int sector = 360;                  ///< 90, 180 or 360 degrees, from the x axis
+
+  bool operator==(const CylinderMesh&) const = default;
+};
+
+/// A mesh file: Gmsh .msh, .vtu or Abaqus/CalculiX .inp.
+struct FileMesh {
+  InputFile file;
+
+  bool operator==(const FileMesh&) const = default;
+};
+
+/// A domain of the plane to be meshed. (Not available in this version.)
+struct OutlineMesh {
+  InputFile file;
+  double size = 0.0; ///< [mm]
+
+  bool operator==(const OutlineMesh&) const = default;
+};
+
+/// A closed triangulated surface to be meshed. (Not available in this version.)
+struct StlMesh {
+  InputFile file;
+  double size = 0.0; ///< [mm]
+
+  bool operator==(const StlMesh&) const = default;
+};
+
+using MeshSource = std::variant<BoxMesh, CylinderMesh, FileMesh, OutlineMesh, StlMesh>;
+
+struct Workpiece {
+  std::string element;  ///< "quad8", "quad4", "tri6", "hex20", "hex8", "tet10"
+  std::string material; ///< a key of Case::materials
+  MeshSource mesh;
+  Place place;
+
+  bool operator==(const Workpiece&) const = default;
+};
+
+struct ElasticConstants {
+  double young = 0.0;   ///< [MPa], > 0
+  double poisson = 0.0; ///< [-], -1 < poisson < 0.5
+
+  bool operator==(const ElasticConstants&) const = default;
+};
+
+/// sigma_0.
+struct PerfectFlow {
+  double yield = 0.0; ///< [MPa]
+
+  bool operator==(const PerfectFlow&) const = default;
+};
+
+/// sigma_0 + H eps.
+struct LinearFlow {
+  double yield = 0.0;     ///< [MPa]
+  double hardening = 0.0; ///< [MPa]
+
+  bool operator==(const LinearFlow&) const = default;
+};
+
+/// K (eps0 + eps)^n.
+struct SwiftFlow {
+  double K = 0.0;    ///< [MPa]
+  double eps0 = 0.0; ///< [-]
+  double n = 0.0;    ///< [-]
+
+  bool operator==(const SwiftFlow&) const = default;
+};
+
+/// sigma_0 + K eps^n.
+struct LudwikFlow {
+  double yield = 0.0; ///< [MPa]
+  double K = 0.0;     ///< [MPa]
+  double n = 0.0;     ///< [-]
+
+  bool operator==(const LudwikFlow&) const = default;
+};
+
+/// sigma_s - (sigma_s - sigma_0) exp(-b eps).
+struct VoceFlow {
+  double yield = 0.0;      ///< [MPa]
+  double saturation = 0.0; ///< [MPa], >= yield
+  double rate = 0.0;       ///< [-]
+
+  bool operator==(const VoceFlow&) const = default;
+};
+
+/// Linear between points (plastic strain [-], yield stress [MPa]), the last value kept.
+struct TableFlow {
+  std::vector<std::pair<double, double>> points; ///< strains increase, from 0 or more
+
+  bool operator==(const TableFlow&) const = default;
+};
+
+/// Overstress sqrt(3) K (sqrt(3) rate)^m (eps0 + eps)^n. (Not available in this version.)
+struct NortonHoffFlow {
+  double K = 0.0;     ///< [MPa s^m]
+  double m = 0.0;     ///< [-]
+  double n = 0.0;     ///< [-]
+  double eps0 = 0.0;  ///< [-]
+  double yield = 0.0; ///< [MPa]
+
+  bool operator==(const NortonHoffFlow&) const = default;
+};
+
+using RateIndependentFlow =
+    std::variant<PerfectFlow, LinearFlow, SwiftFlow, LudwikFlow, VoceFlow, TableFlow>;
+
+/// rate = (1/eta) <sigma / sigma_y - 1>^(1/m). (Not available in this version.)
+struct PerzynaFlow {
+  RateIndependentFlow base; ///< sigma_y
+  double eta = 0.0;         ///< [s]
+  double m = 0.0;           ///< [-]
+
+  bool operator==(const PerzynaFlow&) const = default;
+};
+
+/// (A + B eps^n)(1 + C ln(rate/rate0)+)(1 - T*^m). (Not available in this version.)
+struct JohnsonCookFlow {
+  double A = 0.0;      ///< [MPa]
+  double B = 0.0;      ///< [MPa]
+  double n = 0.0;      ///< [-]
+  double C = 0.0;      ///< [-]
+  double rate0 = 0.0;  ///< [1/s]
+  double m = 0.0;      ///< [-]
+  double T_room = 0.0; ///< [degC]
+  double T_melt = 0.0; ///< [degC]
+
+  bool operator==(const JohnsonCookFlow&) const = default;
+};
+
+/// The formula of the guide, temperature in degC. (Not available in this version.)
+struct HanselSpittelFlow {
+  double A = 0.0; ///< [MPa, with the rates and temperatures of the formula]
+  double m1 = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0, m5 = 0.0, m7 = 0.0, m8 = 0.0, m9 = 0.0;
+  double m6 = 0.0;      ///< reserved by the formula's numbering; must be 0
+  double eps_min = 0.0; ///< strains below this count as this [-]
+
+  bool operator==(const HanselSpittelFlow&) const = default;
+};
+
+using FlowLaw = std::variant<PerfectFlow,
+                             LinearFlow,
+                             SwiftFlow,
+                             LudwikFlow,
+                             VoceFlow,
+                             TableFlow,
+                             NortonHoffFlow,
+                             PerzynaFlow,
+                             JohnsonCookFlow,
+                             HanselSpittelFlow>;
+
+struct Material {
+  ElasticConstants elastic;
+  std::optional<FlowLaw> flow;    ///< absent: an elastic body
+  std::optional<double> hardness; ///< [MPa]; absent only where nothing gives a default
+  std::optional<double> density;  ///< [t/mm^3]
+
+  bool operator==(const Material&) const = default;
+};
+
+} // namespace billet::io

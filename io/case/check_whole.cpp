@@ -1,0 +1,136 @@
+// Checks across the parts of a case: names that refer to other parts, times that must fit.
+
+#include "io/case/read_parts.h"
+#include "io/case/suggestion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace billet::io {
+
+namespace {
+
+/// The value of a key of a table, if it is there.
+std::optional<At> child(const std::optional<At>& at, std::string_view key) {
+  const Table* const table = at ? at->node.as<Table>() : nullptr;
+  const Node* const node = table != nullptr ? table->find(key) : nullptr;
+  if (node == nullptr)
+    return std::nullopt;
+  const std::string prefix = at->path.empty() ? "" : at->path + ".";
+  return At{*node, prefix + std::string(key), at->context};
+}
+
+/// The items of a list, if it is one; an item is called by its name.
+std::vector<At> items(const std::optional<At>& at) {
+  const List* const list = at ? at->node.as<List>() : nullptr;
+  std::vector<At> result;
+  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+    result.push_back({(*list)[i], at->path + "." + item_name((*list)[i], i), at->context});
+  return result;
+}
+
+const std::string* text_of(const std::optional<At>& at) {
+  return at ? at->node.as<std::string>() : nullptr;
+}
+
+void refuse_same_names(const At& root, std::string_view key) {
+  std::set<std::string> names;
+  for (const At& item : items(child(root, key))) {
+    const std::optional<At> name = child(item, "name");
+    const std::string* const text = text_of(name);
+    if (text != nullptr && !names.insert(*text).second)
+      name->complain(
+          fmt::format("there is a {} \"{}\" already, names must differ", key, printable(*text)));
+  }
+}
+
+void check_material(const At& root, const Case& content) {
+  const std::optional<At> at = child(child(root, "workpiece"), "material");
+  if (text_of(at) == nullptr || content.materials.empty() ||
+      content.materials.contains(*text_of(at)))
+    return;
+  std::vector<std::string> names;
+  for (const auto& [name, material] : content.materials)
+    names.push_back(name);
+  at->complain(fmt::format("found {}, but there is no [material.{}]", shown(at->node),
+                           printable(*text_of(at))),
+               suggestion(*text_of(at), names));
+}
+
+void check_stage_tools(const At& root) {
+  std::vector<std::string> names;
+  for (const At& tool : items(child(root, "tool")))
+    if (const std::string* const name = text_of(child(tool, "name")))
+      names.push_back(*name);
+  for (const At& stage : items(child(root, "stage"))) {
+    for (const At& tool : items(child(stage, "tools"))) {
+      const auto* const name = tool.node.as<std::string>();
+      if (name != nullptr && std::find(names.begin(), names.end(), *name) == names.end())
+        tool.complain(fmt::format("found {}, but there is no such tool", shown(tool.node)),
+                      suggestion(*name, names));
+    }
+  }
+}
+
+/// Ends of stages must increase from one to the next.
+void check_stage_ends(const At& root, const Case& content) {
+  const std::vector<At> stages = items(child(root, "stage"));
+  if (stages.size() != content.stages.size())
+    return; // some are no tables at all
+  for (std::size_t i = 1; i < stages.size(); ++i) {
+    const double before = content.stages[i - 1].end;
+    const std::optional<At> end = child(stages[i], "end");
+    if (end && content.stages[i].end > 0.0 && content.stages[i].end <= before)
+      end->complain_found(fmt::format("more than the end {} of the stage before", before));
+  }
+}
+
+/// The end of the run is given by [time] or by the last stage.
+void settle_end(const At& root, Case& content) {
+  const std::optional<At> time = child(root, "time");
+  const std::optional<At> end = child(time, "end");
+  if (content.stages.empty()) {
+    if (!end && !child(root, "stage"))
+      (time ? *time : root)
+          .context.complaints.add((time ? *time : root).node.place,
+                                  "time.end: missing, it must be given");
+    return;
+  }
+  const double last = content.stages.back().end;
+  if (end && last > 0.0 && content.time.end > 0.0 && content.time.end != last)
+    end->complain_found(fmt::format("the end {} of the last stage, or no end", last));
+  content.time.end = last;
+}
+
+void check_increments(const At& root, const Case& content) {
+  const std::optional<double>& first = content.time.increments.first;
+  const std::optional<At> at = child(child(child(root, "time"), "increments"), "first");
+  if (at && first && content.time.end > 0.0 && *first > content.time.end)
+    at->complain_found(fmt::format("no more than the end {}", content.time.end));
+}
+
+void check_frame_times(const At& root, const Case& content) {
+  const std::vector<At> times = items(child(child(root, "output"), "at"));
+  if (times.size() != content.output.at.size() || !(content.time.end > 0.0))
+    return; // complained about already
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (content.output.at[i] > content.time.end)
+      times[i].complain_found(fmt::format("no more than the end {}", content.time.end));
+}
+
+} // namespace
+
+void check_whole(const At& root, Case& content) {
+  refuse_same_names(root, "tool");
+  refuse_same_names(root, "stage");
+  check_material(root, content);
+  check_stage_tools(root);
+  check_stage_ends(root, content);
+  settle_end(root, content);
+  check_increments(root, content);
+  check_frame_times(root, content);
+}
+
+} // namespace billet::io

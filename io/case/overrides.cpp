@@ -1,0 +1,161 @@
+// The user's "key=value" overrides, applied to the tree before it is read.
+
+#include "io/case/document.h"
+#include "io/case/suggestion.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+#include <utility>
+
+namespace billet::io {
+
+namespace {
+
+constexpr std::size_t most_parts = 32; // as for keys of the file
+
+struct Override {
+  std::vector<std::string> path;
+  std::string_view value;
+};
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+  while (!text.empty() && is_space(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+/// Takes one part of a dotted key, quoted or not, off the front of `text`; none when it is empty.
+std::optional<std::string> take_part(std::string_view& text) {
+  text = trimmed(text);
+  if (!text.empty() && (text.front() == '"' || text.front() == '\'')) {
+    const std::size_t end = text.find(text.front(), 1);
+    if (end == std::string_view::npos)
+      return std::nullopt;
+    std::string part(text.substr(1, end - 1));
+    text = trimmed(text.substr(end + 1));
+    return part;
+  }
+  const std::string_view part = trimmed(text.substr(0, text.find_first_of(".=")));
+  text.remove_prefix(std::min(text.find_first_of(".="), text.size()));
+  return part.empty() ? std::nullopt : std::optional(std::string(part));
+}
+
+/// "a.b=v" as parts and value; none when it has not that form.
+std::optional<Override> split(std::string_view text) {
+  Override result;
+  while (result.path.size() < most_parts) {
+    std::optional<std::string> part = take_part(text);
+    if (!part || text.empty())
+      return std::nullopt;
+    result.path.push_back(std::move(*part));
+    const char separator = text.front();
+    text.remove_prefix(1);
+    if (separator == '=') {
+      result.value = trimmed(text);
+      return result;
+    }
+    if (separator != '.')
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// A TOML value, or the text itself where it is none.
+Node parsed_value(std::string_view text, const TextPlace& place) {
+  Node as_text{place, std::string(text)};
+  if (text.find('\n') != std::string_view::npos)
+    return as_text;
+  try {
+    Node root = parse_document("v = " + std::string(text), "--set", place);
+    Table& table = *root.as<Table>();
+    return table.entries.size() == 1 ? std::move(table.entries.front().node) : as_text;
+  } catch (const Error&) {
+    return as_text;
+  }
+}
+
+std::optional<std::string> name_of(const Node& item) {
+  const Table* const table = item.as<Table>();
+  const Node* const name = table != nullptr ? table->find("name") : nullptr;
+  const std::string* const text = name != nullptr ? name->as<std::string>() : nullptr;
+  return text != nullptr ? std::optional(*text) : std::nullopt;
+}
+
+Node* item_of(List& list, const std::string& part) {
+  for (Node& item : list)
+    if (name_of(item) == part)
+      return &item;
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+  const bool is_index = error == std::errc{} && end == part.data() + part.size();
+  return is_index && index < list.size() ? &list[index] : nullptr;
+}
+
+std::string remedy_for(const List& list, const std::string& part) {
+  std::vector<std::string> names;
+  for (const Node& item : list)
+    if (const std::optional<std::string> name = name_of(item))
+      names.push_back(*name);
+  if (!names.empty())
+    return suggestion(part, names);
+  if (list.empty())
+    return "the list is empty";
+  return fmt::format("items are named by their index, 0 to {}", list.size() - 1);
+}
+
+/// One step down the tree; a table is given the key if it lacks it. Null: complained.
+Node* step(Node& from,
+           const std::string& part,
+           const std::string& path,
+           const TextPlace& place,
+           Complaints& complaints) {
+  if (Table* const table = from.as<Table>()) {
+    if (Node* const found = table->find(part))
+      return found;
+    table->entries.push_back({part, place, Node{place, Table{}}});
+    return &table->entries.back().node;
+  }
+  List* const list = from.as<List>();
+  if (list == nullptr) {
+    complaints.add(place, fmt::format("{} is {}, it has no '{}'", path, shown(from), part));
+    return nullptr;
+  }
+  Node* const item = item_of(*list, part);
+  if (item == nullptr)
+    complaints.add(place, fmt::format("there is no {}.{}", path, part), remedy_for(*list, part));
+  return item;
+}
+
+void apply(Node& root, const std::string& text, Complaints& complaints) {
+  const TextPlace place{0, 0, complaints.add_override(text)};
+  const std::optional<Override> override = split(text);
+  if (!override) {
+    complaints.add(place, "allowed is KEY=VALUE with a dotted key such as contact.penalty=1e4");
+    return;
+  }
+  Node* node = &root;
+  std::string path;
+  for (const std::string& part : override->path) {
+    node = step(*node, part, path, place, complaints);
+    if (node == nullptr)
+      return;
+    path += (path.empty() ? "" : ".") + part;
+  }
+  *node = parsed_value(override->value, place);
+}
+
+} // namespace
+
+void apply_overrides(Node& root,
+                     const std::vector<std::string>& overrides,
+                     Complaints& complaints) {
+  for (const std::string& text : overrides)
+    apply(root, text, complaints);
+}
+
+} // namespace billet::io

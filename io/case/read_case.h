@@ -1,0 +1,43 @@
+// Reads a case file: TOML text and the user's overrides to a validated Case, and back to text.
+//
+// Everything that is wrong with a file is found and reported in one go, with its line and column.
+// What is read: docs/guide/case-file.md. What this version knows but cannot do yet is refused; the
+// list is in not_available.cpp.
+
+#pragma once
+
+#include "io/case/case.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace billet::io {
+
+struct ReadOptions {
+  bool allow_outside = false; ///< files outside the case's folder may be named
+};
+
+/// Reads and validates a case file.
+///
+/// @param overrides  "key=value": a dotted key and a TOML value, or text that stands for a string;
+///                   a tool or a stage is named by its name, another list item by its index
+/// @throws Error with Fault::case_file and all complaints
+[[nodiscard]] Case read_case(const std::filesystem::path& file,
+                             const std::vector<std::string>& overrides = {},
+                             const ReadOptions& options = {});
+
+/// The same for a text in memory.
+///
+/// @param name       what places in messages begin with
+/// @param directory  what paths in the text are relative to
+[[nodiscard]] Case read_case_text(const std::string& text,
+                                  const std::string& name,
+                                  const std::filesystem::path& directory,
+                                  const std::vector<std::string>& overrides = {},
+                                  const ReadOptions& options = {});
+
+/// The case as a case file with every default filled in: reading it gives the same case.
+[[nodiscard]] std::string resolved_toml(const Case& content);
+
+} // namespace billet::io

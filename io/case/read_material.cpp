@@ -1,0 +1,91 @@
+#include "io/case/read_law.h"
+#include "io/case/read_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace billet::io {
+
+namespace {
+
+/// The yield stress at no plastic strain; none where the law gives none of its own.
+double initial_yield(const PerfectFlow& law) { return law.yield; }
+double initial_yield(const LinearFlow& law) { return law.yield; }
+double initial_yield(const SwiftFlow& law) { return law.K * std::pow(law.eps0, law.n); }
+double initial_yield(const LudwikFlow& law) { return law.yield; }
+double initial_yield(const VoceFlow& law) { return law.yield; }
+double initial_yield(const TableFlow& law) {
+  return law.points.empty() ? 0.0 : law.points.front().second;
+}
+double initial_yield(const NortonHoffFlow& law) { return law.yield; }
+double initial_yield(const PerzynaFlow& law) {
+  return std::visit([](const auto& base) { return initial_yield(base); }, law.base);
+}
+double initial_yield(const JohnsonCookFlow& law) { return law.A; }
+double initial_yield(const HanselSpittelFlow& /*law*/) { return 0.0; }
+
+std::optional<double> default_hardness(const FlowLaw& flow) {
+  const double yield = std::visit([](const auto& law) { return initial_yield(law); }, flow);
+  return yield > 0.0 ? std::optional(3.0 * yield) : std::nullopt;
+}
+
+std::optional<ElasticConstants> as_elastic(const At& at) {
+  TableReader table(at);
+  ElasticConstants elastic;
+  table.required("young", elastic.young, as_number, positive_stress);
+  table.required("poisson", elastic.poisson, as_number,
+                 Number{quantity::number, {-1.0, 0.5, true, true}});
+  table.finish();
+  return elastic;
+}
+
+std::optional<FlowLaw> as_flow(const At& at) {
+  TableReader table(at);
+  FlowLaw flow;
+  if (read_law(table, flow))
+    table.finish();
+  return flow;
+}
+
+} // namespace
+
+void read_more(TableReader& table, VoceFlow& law) {
+  const std::optional<At> at = table.find("saturation");
+  if (at && law.saturation > 0.0 && law.saturation < law.yield)
+    at->complain_found(fmt::format("no less than the yield stress {}", law.yield));
+}
+
+void read_more(TableReader& table, TableFlow& law) {
+  table.required("points", law.points, as_pairs, not_negative_number, positive_stress);
+}
+
+void read_more(TableReader& table, PerzynaFlow& law) {
+  std::optional<TableReader> base = table.require_table("base");
+  if (base && base->is_table() && read_law(*base, law.base))
+    base->finish();
+}
+
+void read_more(TableReader& table, JohnsonCookFlow& law) {
+  const std::optional<At> at = table.find("T_melt");
+  if (at && table.find("T_room") && law.T_melt <= law.T_room)
+    at->complain_found(fmt::format("more than T_room = {}", law.T_room));
+}
+
+std::optional<Material> as_material(const At& at) {
+  TableReader table(at);
+  if (!table.is_table())
+    return std::nullopt;
+  Material material;
+  table.required("elastic", material.elastic, as_elastic);
+  table.optional("flow", material.flow, as_flow);
+  table.optional("hardness", material.hardness, as_number, positive_stress);
+  table.optional("density", material.density, as_number, Number{quantity::density, positive});
+  table.finish();
+  if (!material.hardness && material.flow)
+    material.hardness = default_hardness(*material.flow);
+  return material;
+}
+
+} // namespace billet::io

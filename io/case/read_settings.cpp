@@ -1,0 +1,191 @@
+// Contact, time, solver, remeshing and output.
+
+#include "io/case/law_keys.h"
+#include "io/case/read_parts.h"
+#include "io/case/setting_words.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace billet::io {
+
+namespace {
+
+/// as_word for a given list, to be handed to TableReader.
+template <const auto& words>
+constexpr auto as_one_of = [](const At& at) { return as_word(at, words); };
+
+std::optional<Increments> as_increments(const At& at) {
+  TableReader table(at);
+  Increments increments;
+  table.optional("first", increments.first, as_number, positive_time);
+  table.optional("min", increments.min, as_number, positive_time);
+  table.optional("max", increments.max, as_number, positive_time);
+  table.finish();
+  const auto check = [&](std::string_view key, const std::optional<double>& low,
+                         const std::optional<double>& high, std::string_view above) {
+    if (low && high && *low > *high)
+      table.find(key)->complain_found(fmt::format("no more than {} = {}", above, *high));
+  };
+  check("min", increments.min, increments.first, "first");
+  check("min", increments.min, increments.max, "max");
+  check("first", increments.first, increments.max, "max");
+  return increments;
+}
+
+void read_remesh_when(TableReader& table, Remesh& remesh) {
+  std::optional<TableReader> when = table.require_table("when");
+  if (!when)
+    return;
+  when->optional("quality", remesh.quality, as_number, fraction_number);
+  when->optional("interval", remesh.interval, as_number, positive_time);
+  when->optional("penetration", remesh.penetration, as_number, positive_length);
+  when->finish();
+}
+
+void read_remesh_size(TableReader& table, Remesh& remesh) {
+  std::optional<TableReader> size = table.find_table("size");
+  if (!size)
+    return;
+  size->optional("default", remesh.size_default, as_number, positive_length);
+  size->optional("min", remesh.size_min, as_number, positive_length);
+  size->optional("max", remesh.size_max, as_number, positive_length);
+  size->optional("contact", remesh.size_contact, as_number, positive_length);
+  size->finish();
+}
+
+/// "set:NAME" without "set:".
+std::optional<std::vector<std::string>> as_set_names(const At& at) {
+  const std::optional<std::vector<std::string>> texts = as_texts(at);
+  if (!texts)
+    return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::string& text : *texts) {
+    if (!text.starts_with("set:") || text.size() == 4) {
+      at.complain(fmt::format("found \"{}\", allowed is \"set:NAME\"", printable(text)));
+      return std::nullopt;
+    }
+    names.push_back(text.substr(4));
+  }
+  return names;
+}
+
+std::vector<std::string> field_names() {
+  return {"displacement",
+          "velocity",
+          "von_mises",
+          "stress",
+          "plastic_strain",
+          "contact_pressure",
+          "plastic_strain_rate",
+          "friction_stress",
+          "gap",
+          "contact_status",
+          "sliding_distance",
+          "wear_depth",
+          "element_quality"};
+}
+
+std::optional<std::variant<FieldSet, std::vector<std::string>>> as_fields(const At& at) {
+  const List* const list = at.node.as<List>();
+  if (list == nullptr)
+    return as_word(at, field_sets);
+  std::vector<std::string> fields;
+  if (list->empty())
+    at.complain_found("\"default\", \"all\" or a list of at least one field");
+  for (std::size_t i = 0; i < list->size(); ++i)
+    if (const auto index = as_word_index(at.item((*list)[i], i), field_names()))
+      fields.push_back(field_names()[*index]);
+  return fields;
+}
+
+std::optional<std::vector<double>> as_times(const At& at) {
+  std::optional<std::vector<double>> times = as_numbers(at, not_negative_time);
+  for (std::size_t i = 1; times && i < times->size(); ++i) {
+    if ((*times)[i] <= (*times)[i - 1]) {
+      at.complain(fmt::format("found {} after {}, allowed are increasing times", (*times)[i],
+                              (*times)[i - 1]));
+      return std::nullopt;
+    }
+  }
+  return times;
+}
+
+} // namespace
+
+std::optional<ContactSettings> as_contact(const At& at) {
+  TableReader table(at);
+  ContactSettings contact;
+  table.optional("form", contact.form, as_one_of<contact_forms>);
+  table.optional("method", contact.method, as_one_of<contact_methods>);
+  table.optional("penalty", contact.penalty, as_number, positive_number);
+  table.optional("penalty_tangent", contact.penalty_tangent, as_number, positive_number);
+  table.optional("max_penetration", contact.max_penetration, as_number, positive_length);
+  table.optional("integrator", contact.integrator, as_one_of<contact_integrators>);
+  table.optional("substeps", contact.substeps, as_count);
+  table.optional("surface", contact.surface, as_where);
+  table.finish();
+  return contact;
+}
+
+std::optional<TimeSettings> as_time(const At& at) {
+  TableReader table(at);
+  TimeSettings time;
+  table.optional("end", time.end, as_number, positive_time);
+  table.optional("increments", time.increments, as_increments);
+  table.finish();
+  return time;
+}
+
+std::optional<Stage> as_stage(const At& at) {
+  TableReader table(at);
+  if (!table.is_table())
+    return std::nullopt;
+  Stage stage;
+  table.required("name", stage.name, as_name);
+  table.required("end", stage.end, as_number, positive_time);
+  table.optional("tools", stage.tools, as_texts);
+  table.optional("unload", stage.unload, as_flag);
+  if (stage.unload && stage.tools)
+    table.find("tools")->complain("no tools act in a stage with unload = true: all of them leave");
+  table.finish();
+  return stage;
+}
+
+std::optional<SolverSettings> as_solver(const At& at) {
+  TableReader table(at);
+  SolverSettings solver;
+  table.optional("linear", solver.linear, as_one_of<linear_solvers>);
+  table.optional("tolerance", solver.tolerance, as_number,
+                 Number{quantity::number, {0.0, 1.0, true, true}});
+  table.optional("threads", solver.threads, as_count);
+  table.optional("reproducible", solver.reproducible, as_flag);
+  table.optional("accuracy", solver.accuracy, as_one_of<accuracies>);
+  table.finish();
+  return solver;
+}
+
+std::optional<Remesh> as_remesh(const At& at) {
+  TableReader table(at);
+  Remesh remesh;
+  read_remesh_when(table, remesh);
+  read_remesh_size(table, remesh);
+  table.optional("element", remesh.element, as_element);
+  table.optional("keep", remesh.keep, as_set_names);
+  table.finish();
+  return remesh;
+}
+
+std::optional<OutputSettings> as_output(const At& at) {
+  TableReader table(at);
+  OutputSettings output;
+  table.optional("every", output.every, as_number, positive_time);
+  table.optional("at", output.at, as_times);
+  table.optional("fields", output.fields, as_fields);
+  table.optional("checkpoint_every", output.checkpoint_every, as_number, positive_time);
+  table.finish();
+  return output;
+}
+
+} // namespace billet::io

@@ -1,0 +1,157 @@
+#include "io/case/law_keys.h"
+#include "io/case/one_kind.h"
+#include "io/case/read_parts.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace billet::io {
+
+namespace {
+
+constexpr Number any_length{quantity::length, any_value};
+
+/// `inside` stands beside the kind's key or in its table.
+void read_inside(TableReader& outer, TableReader& inner, bool& inside) {
+  const bool is_inner = inner.optional("inside", inside, as_flag);
+  const bool is_outer = outer.optional("inside", inside, as_flag);
+  if (is_inner && is_outer)
+    outer.find("inside")->complain("given twice");
+}
+
+std::optional<ToolSurface> read_plane(TableReader& /*table*/, const At& at) {
+  TableReader inner(at);
+  PlaneSurface surface;
+  inner.required("point", surface.point, as_vector, any_length);
+  inner.required("normal", surface.normal, as_direction);
+  inner.finish();
+  return surface;
+}
+
+template <class Round> std::optional<ToolSurface> read_round(TableReader& table, const At& at) {
+  TableReader inner(at);
+  Round surface;
+  inner.required("centre", surface.centre, as_vector, any_length);
+  inner.required("radius", surface.radius, as_number, positive_length);
+  read_inside(table, inner, surface.inside);
+  inner.finish();
+  return surface;
+}
+
+std::optional<ToolSurface> read_cylinder(TableReader& table, const At& at) {
+  TableReader inner(at);
+  CylinderSurface surface;
+  inner.required("point", surface.point, as_vector, any_length);
+  inner.required("axis", surface.axis, as_direction);
+  inner.required("radius", surface.radius, as_number, positive_length);
+  read_inside(table, inner, surface.inside);
+  inner.finish();
+  return surface;
+}
+
+std::optional<ToolSurface> read_cone(TableReader& table, const At& at) {
+  TableReader inner(at);
+  ConeSurface surface;
+  inner.required("apex", surface.apex, as_vector, any_length);
+  inner.required("axis", surface.axis, as_direction);
+  inner.required("half_angle", surface.half_angle, as_number,
+                 Number{quantity::angle, {0.0, 90.0, true, true}});
+  read_inside(table, inner, surface.inside);
+  inner.finish();
+  return surface;
+}
+
+std::optional<ToolSurface> read_torus(TableReader& table, const At& at) {
+  TableReader inner(at);
+  TorusSurface surface;
+  inner.required("centre", surface.centre, as_vector, any_length);
+  inner.required("axis", surface.axis, as_direction);
+  const bool has_major = inner.required("major", surface.major, as_number, positive_length);
+  const bool has_minor = inner.required("minor", surface.minor, as_number, positive_length);
+  if (has_major && has_minor && surface.minor >= surface.major)
+    inner.find("minor")->complain_found(fmt::format("less than major = {}", surface.major));
+  read_inside(table, inner, surface.inside);
+  inner.finish();
+  return surface;
+}
+
+std::optional<ToolSurface> read_profile(TableReader& /*table*/, const At& at) {
+  const std::optional<InputFile> file = as_input_file(at);
+  return file ? std::optional<ToolSurface>(ProfileSurface{*file}) : std::nullopt;
+}
+
+std::optional<std::vector<Vec3>> as_points(const At& at) {
+  const List* const list = at.node.as<List>();
+  if (list == nullptr || list->size() < 2) {
+    at.complain_found("a list of at least two points [[x, y], ...]");
+    return std::nullopt;
+  }
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::optional<Vec3> point = as_vector(at.item((*list)[i], i), any_length);
+    if (!point)
+      return std::nullopt;
+    if (!points.empty() && *point == points.back()) {
+      at.item((*list)[i], i).complain("the same point as the one before");
+      return std::nullopt;
+    }
+    points.push_back(*point);
+  }
+  return points;
+}
+
+std::optional<ToolSurface> read_points(TableReader& table, const At& at) {
+  PointsSurface surface;
+  table.optional("closed", surface.closed, as_flag);
+  const std::optional<std::vector<Vec3>> points = as_points(at);
+  if (!points)
+    return std::nullopt;
+  surface.points = *points;
+  if (surface.closed && (points->size() < 3 || points->front() == points->back()))
+    at.complain("a closed chain needs three points or more, and the last is not the first again");
+  return surface;
+}
+
+std::optional<ToolSurface> read_stl(TableReader& table, const At& at) {
+  StlSurface surface;
+  const auto as_unit = [&](const At& unit) -> std::optional<std::string> {
+    const std::optional<std::string> text = as_text(unit);
+    const Outcome<double> factor = length_factor(text.value_or(""), unit.context.units);
+    if (text && factor) {
+      surface.unit_factor = *factor;
+      return text;
+    }
+    if (text)
+      unit.complain_found("a unit of length such as \"mm\", \"m\" or \"in\"");
+    return std::nullopt;
+  };
+  const std::optional<InputFile> file = as_input_file(at);
+  if (file)
+    surface.file = *file;
+  table.required("unit", surface.unit, as_unit);
+  table.optional("smooth", surface.smooth, as_flag);
+  table.optional("feature_angle", surface.feature_angle, as_number,
+                 Number{quantity::angle, {0.0, 180.0}});
+  table.optional("flip", surface.flip, as_flag);
+  return file ? std::optional<ToolSurface>(surface) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<ToolSurface> as_tool_surface(const At& at) {
+  static constexpr std::array kinds{
+      Kind<ToolSurface>{"plane", Scenes::all, &read_plane},
+      Kind<ToolSurface>{"circle", Scenes::plane, &read_round<CircleSurface>},
+      Kind<ToolSurface>{"cylinder", Scenes::space, &read_cylinder},
+      Kind<ToolSurface>{"sphere", Scenes::space, &read_round<SphereSurface>},
+      Kind<ToolSurface>{"cone", Scenes::space, &read_cone},
+      Kind<ToolSurface>{"torus", Scenes::space, &read_torus},
+      Kind<ToolSurface>{"profile", Scenes::plane, &read_profile},
+      Kind<ToolSurface>{"points", Scenes::plane, &read_points},
+      Kind<ToolSurface>{"stl", Scenes::space, &read_stl},
+  };
+  return read_one_kind<ToolSurface>(at, kinds);
+}
+
+} // namespace billet::io

@@ -1,0 +1,151 @@
+#include "io/case/law_keys.h"
+#include "io/case/one_kind.h"
+#include "io/case/read_parts.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace billet::io {
+
+namespace {
+
+struct ElementName {
+  std::string_view name;
+  bool in_plane;
+};
+
+constexpr std::array element_names{
+    ElementName{"quad8", true},  ElementName{"quad4", true}, ElementName{"tri6", true},
+    ElementName{"hex20", false}, ElementName{"hex8", false}, ElementName{"tet10", false},
+};
+
+/// The element names that fit the scene; all where the analysis is not known.
+std::vector<std::string> fitting_elements(const ReadContext& context) {
+  std::vector<std::string> names;
+  for (const ElementName& element : element_names)
+    if (!context.analysis || element.in_plane == context.in_plane())
+      names.emplace_back(element.name);
+  return names;
+}
+
+void read_grading(TableReader& table, BoxMesh& box) {
+  std::optional<Vec3> grading;
+  table.optional("grading", grading, as_vector, positive_number);
+  if (!grading)
+    return;
+  for (std::size_t i = 0; i < 3; ++i)
+    box.grading[i] = (*grading)[static_cast<Eigen::Index>(i)];
+  if (!table.context().in_space() && box.grading[2] == 0.0)
+    box.grading[2] = 1.0;
+}
+
+void read_cells(TableReader& table, BoxMesh& box) {
+  if (table.context().in_space()) {
+    table.required("cells", box.cells, as_counts<3>);
+    return;
+  }
+  std::array<int, 2> cells = {1, 1};
+  table.required("cells", cells, as_counts<2>);
+  box.cells = {cells[0], cells[1], 1};
+}
+
+void check_corners(const BoxMesh& box, const At& at) {
+  for (Eigen::Index i = 0; i < (at.context.in_space() ? 3 : 2); ++i)
+    if (!(box.low[i] < box.high[i]))
+      at.complain(fmt::format("the second corner must be above the first in {}, found {} and {}",
+                              "xyz"[i], box.low[i], box.high[i]));
+  if (at.context.analysis == Analysis::axisymmetric && box.low.x() < 0.0)
+    at.complain(fmt::format("found x = {}, allowed is x >= 0: x is the radius", box.low.x()));
+}
+
+std::optional<MeshSource> read_box(TableReader& table, const At& at) {
+  BoxMesh box;
+  const List* const corners = as_list(at, 2, "2 corners [[x0, y0], [x1, y1]]");
+  if (corners != nullptr) {
+    const auto low = as_vector(at.item((*corners)[0], 0), {quantity::length, any_value});
+    const auto high = as_vector(at.item((*corners)[1], 1), {quantity::length, any_value});
+    if (low && high) {
+      box.low = *low;
+      box.high = *high;
+      check_corners(box, at);
+    }
+  }
+  if (table.context().analysis) {
+    read_cells(table, box);
+    read_grading(table, box);
+  } else { // their number is not known
+    (void)table.find("cells");
+    (void)table.find("grading");
+  }
+  return box;
+}
+
+std::optional<int> as_sector(const At& at) {
+  const std::optional<double> degrees = as_number(at, {quantity::angle, positive});
+  for (const int sector : {90, 180, 360})
+    if (degrees == sector)
+      return sector;
+  if (degrees)
+    at.complain_found("90, 180 or 360 degrees");
+  return std::nullopt;
+}
+
+std::optional<MeshSource> read_cylinder(TableReader& table, const At& at) {
+  CylinderMesh mesh;
+  TableReader inner(at);
+  inner.required("radius", mesh.radius, as_number, positive_length);
+  inner.required("height", mesh.height, as_number, positive_length);
+  inner.optional("sector", mesh.sector, as_sector);
+  inner.finish();
+  table.required("cells", mesh.cells, as_counts<2>);
+  table.optional("sector", mesh.sector, as_sector);
+  return mesh;
+}
+
+std::optional<MeshSource> read_file(TableReader& /*table*/, const At& at) {
+  const std::optional<InputFile> file = as_input_file(at);
+  return file ? std::optional<MeshSource>(FileMesh{*file}) : std::nullopt;
+}
+
+template <class Mesh> std::optional<MeshSource> read_domain(TableReader& table, const At& at) {
+  Mesh mesh;
+  const std::optional<InputFile> file = as_input_file(at);
+  if (file)
+    mesh.file = *file;
+  table.required("size", mesh.size, as_number, positive_length);
+  return file ? std::optional<MeshSource>(mesh) : std::nullopt;
+}
+
+std::optional<MeshSource> as_mesh(const At& at) {
+  static constexpr std::array kinds{
+      Kind<MeshSource>{"box", Scenes::all, &read_box},
+      Kind<MeshSource>{"cylinder", Scenes::space, &read_cylinder},
+      Kind<MeshSource>{"file", Scenes::all, &read_file},
+      Kind<MeshSource>{"outline", Scenes::plane, &read_domain<OutlineMesh>},
+      Kind<MeshSource>{"stl", Scenes::space, &read_domain<StlMesh>},
+  };
+  return read_one_kind<MeshSource>(at, kinds);
+}
+
+} // namespace
+
+std::optional<std::string> as_element(const At& at) {
+  const std::vector<std::string> names = fitting_elements(at.context);
+  const std::optional<std::size_t> index = as_word_index(at, names);
+  return index ? std::optional(names[*index]) : std::nullopt;
+}
+
+std::optional<Workpiece> as_workpiece(const At& at) {
+  TableReader table(at);
+  Workpiece workpiece;
+  workpiece.element = at.context.in_space() ? "hex20" : "quad8";
+  table.optional("element", workpiece.element, as_element);
+  table.required("material", workpiece.material, as_text);
+  table.required("mesh", workpiece.mesh, as_mesh);
+  table.optional("place", workpiece.place, as_place);
+  table.finish();
+  return workpiece;
+}
+
+} // namespace billet::io

@@ -1,0 +1,68 @@
+#include "io/case/suggestion.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace billet::io {
+
+namespace {
+
+constexpr std::size_t longest_word = 64; // longer text is no misspelt key
+constexpr std::size_t most_listed = 20;
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) { return lower(c); });
+  return result;
+}
+
+/// How far apart two words of these lengths may be and still be taken for one another.
+int largest_distance(std::string_view a, std::string_view b) {
+  return static_cast<int>(std::max(a.size(), b.size()) + 2) / 4;
+}
+
+} // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1, 0));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    d[i][0] = static_cast<int>(i);
+  for (std::size_t j = 0; j <= b.size(); ++j)
+    d[0][j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+std::string
+suggestion(std::string_view found, const std::vector<std::string>& known, std::string_view label) {
+  const std::string* nearest = nullptr;
+  int least = 0;
+  for (const std::string& word : known) {
+    if (found.size() > longest_word || word.size() > longest_word)
+      continue;
+    const int distance = edit_distance(lower(found), lower(word));
+    if (distance <= largest_distance(found, word) && (nearest == nullptr || distance < least)) {
+      nearest = &word;
+      least = distance;
+    }
+  }
+  if (nearest != nullptr)
+    return fmt::format("did you mean '{}'?", *nearest);
+  if (known.empty() || known.size() > most_listed)
+    return {};
+  return fmt::format("{} {}", label, fmt::join(known, ", "));
+}
+
+} // namespace billet::io

@@ -1,0 +1,103 @@
+// Reads the keys of one table and complains about everything that is wrong with them.
+//
+// A reader remembers which keys it was asked for: what is left over in the end is unknown. Nothing
+// is thrown: a value that cannot be read leaves the target as it is and adds a complaint, so that
+// all errors of a file come out in one go.
+
+#pragma once
+
+#include "io/case/case.h"
+#include "io/case/document.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace billet::io {
+
+/// What all readers of a file share.
+struct ReadContext {
+  Complaints& complaints;
+  UnitSystem units;
+  std::optional<Analysis> analysis; ///< none: not known (already complained about)
+  std::filesystem::path directory;  ///< of the case file
+  bool allow_outside = false;
+
+  [[nodiscard]] bool in_plane() const { return analysis && *analysis != Analysis::solid; }
+  [[nodiscard]] bool in_space() const { return analysis == Analysis::solid; }
+};
+
+/// A node to be read, with its dotted path for messages.
+struct At {
+  const Node& node;
+  std::string path;
+  ReadContext& context;
+
+  /// Complains "PATH: MESSAGE" at the node's place.
+  void complain(const std::string& message, const std::string& remedy = {}) const;
+  /// Complains "PATH: found VALUE, allowed is ALLOWED".
+  void complain_found(const std::string& allowed, const std::string& remedy = {}) const;
+  /// The i-th item of a list.
+  [[nodiscard]] At item(const Node& item_node, std::size_t i) const;
+};
+
+/// The keys of one table.
+class TableReader {
+public:
+  /// Reads `at`; complains when it is no table, and is empty then.
+  explicit TableReader(At at);
+
+  [[nodiscard]] const At& at() const { return at_; }
+  [[nodiscard]] ReadContext& context() const { return at_.context; }
+  /// Whether the node was a table at all.
+  [[nodiscard]] bool is_table() const { return table_ != nullptr; }
+
+  /// The value of a key, if it is there.
+  [[nodiscard]] std::optional<At> find(std::string_view key);
+  /// The value of a key; complains if it is not there.
+  [[nodiscard]] std::optional<At> require(std::string_view key);
+  /// The table of a key, if it is there.
+  [[nodiscard]] std::optional<TableReader> find_table(std::string_view key);
+  /// The table of a key; complains if it is not there.
+  [[nodiscard]] std::optional<TableReader> require_table(std::string_view key);
+
+  /// Reads a key that may be absent: into = parse(at, spec...). True when it was read.
+  template <class Into, class Parse, class... Spec>
+  bool optional(std::string_view key, Into& into, Parse parse, const Spec&... spec) {
+    return assign(find(key), into, parse, spec...);
+  }
+
+  /// Reads a key that must be there: into = parse(at, spec...). True when it was read.
+  template <class Into, class Parse, class... Spec>
+  bool required(std::string_view key, Into& into, Parse parse, const Spec&... spec) {
+    return assign(require(key), into, parse, spec...);
+  }
+
+  /// The keys and values of a table whose keys are names given by the user; all count as known.
+  [[nodiscard]] std::vector<std::pair<std::string, At>> named_items();
+
+  /// Complains about the keys nobody asked for. To be called once, last.
+  void finish();
+
+private:
+  template <class Into, class Parse, class... Spec>
+  static bool
+  assign(const std::optional<At>& at, Into& into, const Parse& parse, const Spec&... spec) {
+    if (!at)
+      return false;
+    auto value = parse(*at, spec...);
+    if (!value)
+      return false;
+    into = std::move(*value);
+    return true;
+  }
+
+  At at_;
+  const Table* table_;
+  std::vector<std::string> known_;
+};
+
+} // namespace billet::io

@@ -1,0 +1,72 @@
+// Values with a unit: "210 GPa", "25 mm/s", "7850 kg/m^3", "1150 degC".
+//
+// A unit is a product, quotient and whole power of named units. It is reduced to exponents of
+// length, force, time, temperature and angle and a factor, mantissa * 10^power, so that decimal
+// conversions are exact to rounding. Temperatures alone are affine (degC, degF, K); in a product
+// they are differences.
+
+#pragma once
+
+#include "geometry/base/outcome.h"
+#include "io/case/case.h"
+
+#include <span>
+#include <string_view>
+
+namespace billet::io {
+
+/// Exponents of the five base quantities.
+struct Dimension {
+  int length = 0;
+  int force = 0;
+  int time = 0;
+  int temperature = 0;
+  int angle = 0;
+
+  bool operator==(const Dimension&) const = default;
+};
+
+/// What a number of the case file measures.
+struct Quantity {
+  std::string_view name; ///< with its article: "a length"
+  Dimension dimension;
+  std::string_view example; ///< "mm"
+  bool takes_unit = true;   ///< false: a plain number only
+  bool degrees = false;     ///< an angle counted in degrees
+};
+
+/// What the keys of a case file measure.
+namespace quantity {
+
+inline constexpr Quantity number{"a number", {}, "", false};
+inline constexpr Quantity length{"a length", {1, 0, 0}, "mm"};
+inline constexpr Quantity duration{"a time", {0, 0, 1}, "s"};
+inline constexpr Quantity force{"a force", {0, 1, 0}, "N"};
+inline constexpr Quantity torque{"a torque", {1, 1, 0}, "N*mm"};
+inline constexpr Quantity stress{"a stress", {-2, 1, 0}, "MPa"};
+inline constexpr Quantity inverse_stress{"an inverse stress", {2, -1, 0}, "1/MPa"};
+inline constexpr Quantity force_density{"a force per volume", {-3, 1, 0}, "N/mm^3"};
+inline constexpr Quantity density{"a density", {-4, 1, 2}, "kg/m^3"};
+inline constexpr Quantity speed{"a speed", {1, 0, -1}, "mm/s"};
+inline constexpr Quantity rate{"a rate", {0, 0, -1}, "1/s"};
+inline constexpr Quantity angular_speed{"an angular speed", {0, 0, -1, 0, 1}, "rad/s"};
+inline constexpr Quantity viscosity{"a viscosity", {-2, 1, 1}, "Pa.s"};
+inline constexpr Quantity temperature{"a temperature", {0, 0, 0, 1}, "degC"};
+inline constexpr Quantity angle{"an angle", {0, 0, 0, 0, 1}, "deg", true, true};
+
+} // namespace quantity
+
+/// The unit systems a case may use; the first is the default.
+[[nodiscard]] std::span<const UnitSystem> unit_systems();
+
+/// The value of a text such as "25 mm/s" in the units of `system`.
+///
+/// A text without a unit, of the wrong dimension or with an unknown unit gives a Failure whose
+/// reason completes the sentence "KEY: found "25 mm", ...".
+[[nodiscard]] Outcome<double>
+converted(std::string_view text, const Quantity& measured, const UnitSystem& system);
+
+/// Factor from numbers in `unit` to lengths of `system`; a Failure as for `converted`.
+[[nodiscard]] Outcome<double> length_factor(std::string_view unit, const UnitSystem& system);
+
+} // namespace billet::io

@@ -1,0 +1,130 @@
+// Reads single values: numbers with units, vectors, tables of numbers, words, files.
+//
+// Every function takes a node and gives the value, or complains and gives none.
+
+#pragma once
+
+#include "io/case/table_reader.h"
+#include "io/case/units.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace billet::io {
+
+/// Admissible values: low <= v <= high, without the ends where these are open.
+struct Bounds {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;
+  bool high_open = false;
+
+  [[nodiscard]] bool admit(double value) const;
+  [[nodiscard]] std::string text() const;
+};
+
+inline constexpr Bounds any_value{};
+inline constexpr Bounds positive{0.0, std::numeric_limits<double>::infinity(), true, false};
+inline constexpr Bounds not_negative{0.0};
+inline constexpr Bounds fraction{0.0, 1.0};
+inline constexpr Bounds above_absolute_zero{-273.15};
+
+/// A kind of number: what it measures and what is allowed.
+struct Number {
+  Quantity measured = quantity::number;
+  Bounds bounds = any_value;
+};
+
+[[nodiscard]] std::optional<double> as_number(const At& at, const Number& kind);
+[[nodiscard]] std::optional<std::string> as_text(const At& at);
+[[nodiscard]] std::optional<bool> as_flag(const At& at);
+
+/// A whole number from 1 to 1e6.
+[[nodiscard]] std::optional<int> as_count(const At& at);
+
+/// A text that may name a tool, a stage or a material: letters, digits, "_", "-", inner spaces.
+[[nodiscard]] std::optional<std::string> as_name(const At& at);
+
+/// A list of at least one text.
+[[nodiscard]] std::optional<std::vector<std::string>> as_texts(const At& at);
+
+/// A list of at least one number.
+[[nodiscard]] std::optional<std::vector<double>> as_numbers(const At& at, const Number& kind);
+
+/// A list of exactly N counts.
+template <std::size_t N> [[nodiscard]] std::optional<std::array<int, N>> as_counts(const At& at);
+
+/// As many numbers as the scene has dimensions; z is 0 in the plane.
+[[nodiscard]] std::optional<Vec3> as_vector(const At& at, const Number& kind);
+
+/// A vector of plain numbers that is not zero.
+[[nodiscard]] std::optional<Vec3> as_direction(const At& at);
+
+/// A direction in space; in the plane only z, with three entries.
+[[nodiscard]] std::optional<Vec3> as_axis(const At& at);
+
+/// Rows of `columns` numbers, the first of which increases strictly from row to row.
+[[nodiscard]] std::optional<std::vector<std::vector<double>>>
+as_table(const At& at, std::span<const Number> columns);
+
+/// The same for two columns.
+[[nodiscard]] std::optional<std::vector<std::pair<double, double>>>
+as_pairs(const At& at, const Number& first, const Number& second);
+
+/// A number, or a table [[time, value], ...].
+[[nodiscard]] std::optional<TimeFunction> as_time_function(const At& at, const Number& kind);
+
+/// A file that is there and, unless allowed, in the case's folder or below.
+[[nodiscard]] std::optional<InputFile> as_input_file(const At& at);
+
+/// "x = 0", "set:NAME" or "all".
+[[nodiscard]] std::optional<Where> as_where(const At& at);
+
+/// A stress, or "shear-yield".
+[[nodiscard]] std::optional<ShearStrength> as_shear_strength(const At& at);
+
+/// A word of the case file and what it stands for.
+template <class Value> struct Word {
+  std::string_view word;
+  Value value;
+};
+
+/// The place of a text in a list of words; complains with the nearest word.
+[[nodiscard]] std::optional<std::size_t> as_word_index(const At& at,
+                                                       const std::vector<std::string>& words);
+
+/// What one of the words stands for.
+template <class Value, std::size_t N>
+[[nodiscard]] std::optional<Value> as_word(const At& at, const std::array<Word<Value>, N>& words) {
+  std::vector<std::string> names;
+  std::transform(words.begin(), words.end(), std::back_inserter(names),
+                 [](const Word<Value>& word) { return std::string(word.word); });
+  const std::optional<std::size_t> index = as_word_index(at, names);
+  return index ? std::optional(words[*index].value) : std::nullopt;
+}
+
+/// Items of a list of known length; complains and gives null when it is none.
+[[nodiscard]] const List* as_list(const At& at, std::size_t size, const std::string& allowed);
+
+template <std::size_t N> std::optional<std::array<int, N>> as_counts(const At& at) {
+  const List* const list = as_list(at, N, std::to_string(N) + " whole numbers");
+  if (list == nullptr)
+    return std::nullopt;
+  std::array<int, N> counts{};
+  bool good = true;
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::optional<int> count = as_count(at.item((*list)[i], i));
+    good = good && count.has_value();
+    counts[i] = count.value_or(1);
+  }
+  return good ? std::optional(counts) : std::nullopt;
+}
+
+} // namespace billet::io

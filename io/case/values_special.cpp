@@ -1,0 +1,115 @@
+// Values of the case file that are more than numbers: files, selectors, shear strengths.
+
+#include "io/case/values.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+namespace billet::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ')
+    text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ')
+    text.remove_suffix(1);
+  return text;
+}
+
+/// Whether `path` lies in `folder` or below, links followed.
+bool is_inside(const fs::path& path, const fs::path& folder) {
+  std::error_code error;
+  const fs::path real_folder = fs::weakly_canonical(fs::absolute(folder, error), error);
+  const fs::path real_path = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (error)
+    return false;
+  const fs::path relative = real_path.lexically_relative(real_folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// A plane "x = 7.5"; none when the text has not that form or the value is bad (complained).
+std::optional<Where> as_plane(const At& at, std::string_view text) {
+  constexpr std::string_view names = "xyz";
+  const std::size_t axis = names.find(text.front());
+  const std::string_view rest = trimmed(text.substr(1));
+  if (axis == std::string_view::npos || !rest.starts_with('='))
+    return std::nullopt;
+  if (axis == 2 && at.context.in_plane()) {
+    at.complain_found("a plane of x or y (the scene is in the plane)");
+    return std::nullopt;
+  }
+  // The value is read as any other, so that it may have a unit.
+  std::string_view value_text = trimmed(rest.substr(1));
+  Node value{at.node.place, std::string(value_text)};
+  if (value_text.starts_with('+'))
+    value_text.remove_prefix(1);
+  double number = 0.0;
+  const char* const last = value_text.data() + value_text.size();
+  if (std::from_chars(value_text.data(), last, number).ptr == last && !value_text.empty())
+    value.value = number;
+  const std::optional<double> position =
+      as_number({value, at.path, at.context}, {quantity::length, any_value});
+  return position ? std::optional<Where>(OnPlane{static_cast<int>(axis), *position}) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<InputFile> as_input_file(const At& at) {
+  const std::optional<std::string> given = as_text(at);
+  if (!given)
+    return std::nullopt;
+  if (given->empty() || given->find('\0') != std::string::npos) {
+    at.complain_found("the name of a file");
+    return std::nullopt;
+  }
+  const fs::path path = at.context.directory / fs::path(*given);
+  if (!at.context.allow_outside && !is_inside(path, at.context.directory)) {
+    at.complain(fmt::format("found {}, which is outside the folder of the case", shown(at.node)),
+                "move the file into the folder, or run with --allow-outside");
+    return std::nullopt;
+  }
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_regular_file(status))
+    return InputFile{*given, path};
+  at.complain(fs::exists(status)
+                  ? fmt::format("found {}, which is not a file", shown(at.node))
+                  : fmt::format("found {}, but there is no such file", shown(at.node)),
+              fs::exists(status) ? "" : "paths are relative to the folder of the case");
+  return std::nullopt;
+}
+
+std::optional<Where> as_where(const At& at) {
+  const auto* const text = at.node.as<std::string>();
+  const std::string_view word = text != nullptr ? trimmed(*text) : std::string_view{};
+  constexpr std::string_view set = "set:";
+  if (word == "all")
+    return Everywhere{};
+  if (word.starts_with(set) && word.size() > set.size())
+    return InSet{std::string(word.substr(set.size()))};
+  if (!word.empty() && std::string_view("xyz").find(word.front()) != std::string_view::npos &&
+      trimmed(word.substr(1)).starts_with('='))
+    return as_plane(at, word);
+  at.complain_found("\"x = VALUE\", \"y = VALUE\", \"set:NAME\" or \"all\"");
+  return std::nullopt;
+}
+
+std::optional<ShearStrength> as_shear_strength(const At& at) {
+  const auto* const text = at.node.as<std::string>();
+  if (text != nullptr && *text == "shear-yield")
+    return ShearYield{};
+  if (text != nullptr && text->find_first_of("0123456789") == std::string::npos) {
+    at.complain_found("a stress such as \"10 MPa\" or \"shear-yield\"");
+    return std::nullopt;
+  }
+  const std::optional<double> value = as_number(at, {quantity::stress, positive});
+  return value ? std::optional<ShearStrength>(*value) : std::nullopt;
+}
+
+} // namespace billet::io

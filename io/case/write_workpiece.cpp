@@ -1,0 +1,105 @@
+#include "io/case/write_law.h"
+
+#include <fmt/format.h>
+
+#include <type_traits>
+
+namespace billet::io {
+
+namespace {
+
+std::string mesh_text(const BoxMesh& mesh, int size) {
+  std::vector<std::string> cells;
+  std::vector<std::string> grading;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
+    cells.push_back(toml_text(mesh.cells[i]));
+    grading.push_back(toml_text(mesh.grading[i]));
+  }
+  return TomlTable()
+      .add("box", fmt::format("[{}, {}]", toml_text(mesh.low, size), toml_text(mesh.high, size)))
+      .add("cells", toml_list(cells))
+      .add("grading", toml_list(grading))
+      .on_one_line();
+}
+
+std::string mesh_text(const CylinderMesh& mesh, int /*size*/) {
+  TomlTable inner;
+  inner.add("radius", toml_text(mesh.radius)).add("height", toml_text(mesh.height));
+  return TomlTable()
+      .add("cylinder", inner.on_one_line())
+      .add("cells", fmt::format("[{}, {}]", mesh.cells[0], mesh.cells[1]))
+      .add("sector", toml_text(mesh.sector))
+      .on_one_line();
+}
+
+std::string mesh_text(const FileMesh& mesh, int /*size*/) {
+  return TomlTable().add("file", toml_text(mesh.file)).on_one_line();
+}
+
+std::string mesh_text(const OutlineMesh& mesh, int /*size*/) {
+  return TomlTable()
+      .add("outline", toml_text(mesh.file))
+      .add("size", toml_text(mesh.size))
+      .on_one_line();
+}
+
+std::string mesh_text(const StlMesh& mesh, int /*size*/) {
+  return TomlTable()
+      .add("stl", toml_text(mesh.file))
+      .add("size", toml_text(mesh.size))
+      .on_one_line();
+}
+
+template <class AnyLaw> std::string law_text(const AnyLaw& any) {
+  TomlTable table;
+  std::visit([&](const auto& law) { write_law(table, law); }, any);
+  return table.on_one_line();
+}
+
+} // namespace
+
+void write_more(TomlTable& table, const TableFlow& law) {
+  table.add("points", toml_text(law.points));
+}
+
+void write_more(TomlTable& table, const PerzynaFlow& law) { table.add("base", law_text(law.base)); }
+
+std::string toml_text(const Material& material) {
+  TomlTable elastic;
+  elastic.add("young", toml_text(material.elastic.young))
+      .add("poisson", toml_text(material.elastic.poisson));
+  TomlTable table;
+  table.add("elastic", elastic.on_one_line());
+  if (material.flow)
+    table.add("flow", law_text(*material.flow));
+  if (material.hardness)
+    table.add("hardness", toml_text(*material.hardness));
+  if (material.density)
+    table.add("density", toml_text(*material.density));
+  return table.on_lines();
+}
+
+std::string toml_text(const Place& place, int size) {
+  TomlTable table;
+  table.add("translate", toml_text(place.translate, size));
+  if (place.rotate) {
+    TomlTable rotate;
+    rotate.add("point", toml_text(place.rotate->point, size))
+        .add("axis", toml_text(place.rotate->axis, 3))
+        .add("degrees", toml_text(place.rotate->degrees));
+    table.add("rotate", rotate.on_one_line());
+  }
+  return table.on_one_line();
+}
+
+std::string toml_text(const Workpiece& workpiece, int size) {
+  return TomlTable()
+      .add("element", toml_text(std::string_view(workpiece.element)))
+      .add("material", toml_text(std::string_view(workpiece.material)))
+      .add("mesh",
+           std::visit([&](const auto& mesh) { return mesh_text(mesh, size); }, workpiece.mesh))
+      .add("place", toml_text(workpiece.place, size))
+      .on_lines();
+}
+
+} // namespace billet::io

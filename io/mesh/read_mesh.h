@@ -1,0 +1,34 @@
+// A workpiece mesh from a file: Gmsh .msh (2.2 and 4.1, text and binary), VTK .vtu, Abaqus and
+// CalculiX .inp.
+//
+// The cells of the highest dimension in the file are the body and must be of one kind; others only
+// serve to name sets of nodes. Sets: Gmsh's physical groups, Abaqus' *NSET and *ELSET (the nodes of
+// the elements), VTU point data of integer type that hold only 0 and 1.
+// Files are not trusted: whatever they hold, the outcome is a mesh or an `Error` (Fault::geometry).
+
+#pragma once
+
+#include "mechanics/mesh.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace billet::io {
+
+/// A mesh as read, and what the user should know about how it was read.
+struct MeshFile {
+  mechanics::Mesh mesh;           ///< only nodes that cells use; numbers from 0 in file order
+  std::vector<std::string> notes; ///< e.g. "3 nodes that no element uses were left out"
+};
+
+/// Reads a mesh; the format follows from the suffix (.msh, .vtu, .inp).
+///
+/// Cells whose nodes all turn the wrong way round are mirrored (and noted); a mixture is an error.
+/// Soundness beyond that is `mechanics::check_mesh`'s business.
+///
+/// @param length_factor  multiplies the coordinates (unit of the file / unit of the case)
+/// @throws Error  place "file:line" or "file"
+[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path, double length_factor = 1.0);
+
+} // namespace billet::io

@@ -1,0 +1,298 @@
+#include "io/results/run_writer.h"
+
+#include "geometry/base/error.h"
+#include "io/case/read_case.h"
+#include "io/results/atomic_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace billet::io {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Frames of a run whose case says nothing about them.
+constexpr double frames_by_default = 25.0;
+
+std::string analysis_name(Analysis analysis) {
+  constexpr std::array<const char*, 3> names{"plane-strain", "axisymmetric", "3d"};
+  return names[static_cast<std::size_t>(analysis)];
+}
+
+std::vector<std::string> history_columns(const process::Scene& scene) {
+  std::vector<std::string> columns{"increment",
+                                   "time",
+                                   "dt",
+                                   "iterations",
+                                   "residual",
+                                   "cutbacks",
+                                   "volume",
+                                   "max_penetration",
+                                   "contact_area",
+                                   "plastic_work",
+                                   "external_work",
+                                   "friction_work",
+                                   "elastic_energy",
+                                   "max_plastic_strain",
+                                   "min_quality",
+                                   "remeshings",
+                                   "wall_time"};
+  for (const contact::Tool& tool : scene.tools)
+    for (const char* what : {"force", "torque", "displacement"})
+      for (const char* axis : {"_x", "_y", "_z"})
+        columns.push_back(tool.name + "." + what + axis);
+  return columns;
+}
+
+std::vector<double> history_row(const process::Process& process,
+                                const process::IncrementReport& r) {
+  std::vector<double> row{static_cast<double>(r.increment),
+                          r.time,
+                          r.dt,
+                          static_cast<double>(r.iterations),
+                          r.residual,
+                          static_cast<double>(r.cutbacks),
+                          r.volume,
+                          r.max_penetration,
+                          r.contact_area,
+                          r.energy.plastic,
+                          r.energy.external,
+                          r.energy.friction,
+                          r.energy.elastic,
+                          r.max_plastic_strain,
+                          r.min_quality,
+                          0.0,
+                          r.wall_time};
+  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
+    const contact::ToolLoad& load = process.contact()->loads()[t];
+    const Vec3 way = process.scene().tools[t].motion.translation(r.time);
+    for (const Vec3& v : {load.force, load.torque, way})
+      row.insert(row.end(), v.data(), v.data() + 3);
+  }
+  return row;
+}
+
+ordered_json energy_json(const process::EnergyBalance& e) {
+  return {{"external_work", e.external}, {"elastic_energy", e.elastic},
+          {"plastic_work", e.plastic},   {"friction_work", e.friction},
+          {"contact_energy", e.contact}, {"grounding_work", e.grounding},
+          {"relative_error", e.error()}};
+}
+
+ordered_json tools_json(const process::Process& process) {
+  ordered_json tools = ordered_json::object();
+  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
+    const contact::ToolLoad& load = process.contact()->loads()[t];
+    const Vec3 way = process.scene().tools[t].motion.translation(process.time());
+    const Vec3& offset = process.scene().tools[t].motion.offset;
+    tools[process.scene().tools[t].name] = {
+        {"force", {load.force[0], load.force[1], load.force[2]}},
+        {"torque", {load.torque[0], load.torque[1], load.torque[2]}},
+        {"displacement", {way[0], way[1], way[2]}},
+        {"touch_offset", {offset[0], offset[1], offset[2]}}};
+  }
+  return tools;
+}
+
+ordered_json timings_json(const process::PhaseTimes& t) {
+  return {{"total", t.total},
+          {"assembly", t.assembly},
+          {"linear_solver", t.solve},
+          {"output", t.output},
+          {"rest", t.total - t.assembly - t.solve - t.output}};
+}
+
+/// A file such as workpiece_0012.vtu, as write_frame calls them.
+bool is_frame(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  const std::size_t number = name.find_last_of('_');
+  const std::size_t dot = name.find_last_of('.');
+  if (number == std::string::npos || dot == std::string::npos || dot < number + 2)
+    return false;
+  const std::string_view part = std::string_view(name).substr(0, number);
+  const std::string_view digits = std::string_view(name).substr(number + 1, dot - number - 1);
+  const std::string_view suffix = std::string_view(name).substr(dot);
+  return (part == "workpiece" || part == "contact" || part.starts_with("tool-")) &&
+         digits.find_first_not_of("0123456789") == std::string_view::npos &&
+         (suffix == ".vtu" || suffix == ".vtp");
+}
+
+/// Removes what an earlier run left, so that nothing of it passes for a result of this one; files
+/// that are not ours stay.
+void remove_earlier_run(const std::filesystem::path& folder, const std::string& name) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> old{folder / (name + ".pvd"), folder / "summary.json", folder / "run.log",
+                            folder / "failure" / "last_good.vtu",
+                            folder / "failure" / "post_mortem.txt"};
+  for (const auto& entry : fs::directory_iterator(folder / "frames"))
+    if (is_frame(entry.path()))
+      old.push_back(entry.path());
+  std::error_code error;
+  for (const fs::path& file : old)
+    if (!fs::remove(file, error) && error && error != std::errc::no_such_file_or_directory)
+      throw Error(Fault::input_output, file.string(),
+                  "of an earlier run, cannot be removed: " + error.message(),
+                  "choose another folder with -o");
+  fs::remove(folder / "failure", error); // stays if it holds anything of the user's
+}
+
+} // namespace
+
+RunWriter::RunWriter(std::filesystem::path folder,
+                     std::string name,
+                     const Case& content,
+                     RunFacts facts)
+    : folder_(std::move(folder)), name_(std::move(name)), content_(&content),
+      facts_(std::move(facts)), settings_{content.units, analysis_name(content.analysis),
+                                          content.title},
+      every_(content.output.every.value_or(content.time.end / frames_by_default)) {
+  make_folder(folder_ / "frames");
+  write_file(folder_ / "case.resolved.toml", resolved_toml(content));
+  // Only now that the folder has proved writable.
+  remove_earlier_run(folder_, name_);
+}
+
+void RunWriter::started(const process::Process& process) {
+  history_.emplace(folder_ / "history.csv", history_columns(process.scene()));
+  iterations_.emplace(
+      folder_ / "iterations.csv",
+      std::vector<std::string>{"increment", "time", "iteration", "residual", "correction", "step"});
+  write_frame(process);
+}
+
+bool RunWriter::frame_due(double time) const {
+  constexpr double rounding = 1e-9;
+  const double slack = rounding * content_->time.end;
+  if (std::floor((time + slack) / every_) > std::floor((last_frame_ + slack) / every_))
+    return true;
+  for (const double at : content_->output.at)
+    if (std::abs(at - time) <= slack)
+      return true;
+  return false;
+}
+
+void RunWriter::incremented(const process::Process& process,
+                            const process::IncrementReport& report) {
+  history_->row(history_row(process, report));
+  for (const mechanics::IterationRecord& record : report.records)
+    iterations_->row(std::array<double, 6>{static_cast<double>(report.increment), report.time,
+                                           static_cast<double>(record.iteration), record.residual,
+                                           record.correction, record.step});
+  largest_penetration_ = std::max(largest_penetration_, report.max_penetration);
+  largest_share_ = std::max(largest_share_, report.penetration_share);
+  last_ = report;
+  if (frame_due(report.time))
+    write_frame(process);
+}
+
+void RunWriter::write_frame(const process::Process& process) {
+  const std::vector<Vec3> points = points_of(process.positions(), process.scene().mesh.dimension());
+  const std::string number = fmt::format("{:04d}", frames_++);
+  const auto add = [&](const std::string& part, const std::string& suffix) {
+    const std::filesystem::path file =
+        std::filesystem::path("frames") / (part + "_" + number + suffix);
+    entries_.push_back({process.time(), part, file});
+    return folder_ / file;
+  };
+  WorkpieceFrame workpiece = workpiece_frame(process, points, settings_);
+  select_fields(workpiece.point_fields, content_->output);
+  select_fields(workpiece.cell_fields, content_->output);
+  write_vtu(add("workpiece", ".vtu"), workpiece);
+  if (process.contact() != nullptr) {
+    SurfaceFrame contact = contact_frame(process, points, settings_);
+    select_fields(contact.cell_fields, content_->output);
+    write_vtp(add("contact", ".vtp"), contact);
+  }
+  for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
+    write_vtp(add("tool-" + process.scene().tools[t].name, ".vtp"),
+              tool_frame(process, t, points, settings_));
+  write_pvd(folder_ / (name_ + ".pvd"), entries_);
+  last_frame_ = process.time();
+}
+
+void RunWriter::failed(const process::Process& process, const process::PostMortem& post) {
+  post_ = post;
+  make_folder(folder_ / "failure");
+  const std::vector<Vec3> points = points_of(process.positions(), process.scene().mesh.dimension());
+  write_vtu(folder_ / "failure" / "last_good.vtu", workpiece_frame(process, points, settings_));
+  std::string text = fmt::format("time {:.10g} could not be reached (increment {:.4g}): {}\n",
+                                 post.time, post.dt, post.reason);
+  text +=
+      fmt::format("largest residual at node {} near ({:.6g}, {:.6g}, {:.6g})\n", post.worst_node,
+                  post.worst_position[0], post.worst_position[1], post.worst_position[2]);
+  text += "tried:\n";
+  for (const std::string& line : post.tried)
+    text += "  " + line + "\n";
+  text += "iterations of the last try (residual, correction, step, solver):\n";
+  for (const mechanics::IterationRecord& r : post.records)
+    text += fmt::format("  {:3d} {:.3e} {:.3e} {:.3f} {}\n", r.iteration, r.residual, r.correction,
+                        r.step, r.solver);
+  text += "what may help: a finer mesh where the worst node is, less deformation of one mesh "
+          "(remeshing is not available in this version), a check of the tools' motion there\n";
+  write_file(folder_ / "failure" / "post_mortem.txt", text);
+}
+
+void RunWriter::finished(const process::Process& process) {
+  if (process.time() > last_frame_)
+    write_frame(process);
+}
+
+std::string RunWriter::warning() const {
+  constexpr double tolerated = 0.02; // of the element beneath
+  if (largest_share_ <= tolerated)
+    return {};
+  return fmt::format(
+      "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
+      "{:.1f} % of the element beneath; a finer mesh there (for quad8 and hex20 also "
+      "contact.form = \"compatible\") lessens it",
+      largest_penetration_, content_->units.length, 100.0 * largest_share_);
+}
+
+void RunWriter::write_summary(const process::Process& process, const RunEnd& end) {
+  const mechanics::Mesh& mesh = process.scene().mesh;
+  ordered_json summary;
+  summary["title"] = content_->title;
+  summary["status"] = end.status;
+  summary["exit_status"] = end.exit_status;
+  summary["billet"] = facts_.version;
+  summary["units"] = content_->units.name;
+  summary["analysis"] = settings_.analysis;
+  summary["element"] = mechanics::name(mesh.kind);
+  summary["elements"] = mesh.n_elements();
+  summary["nodes"] = mesh.n_points();
+  summary["unknowns"] = mesh.n_points() * mesh.dimension();
+  summary["threads"] = facts_.threads;
+  summary["blas_kernels"] = facts_.blas_core;
+  summary["time"] = process.time();
+  summary["increments"] = process.increments();
+  summary["iterations"] = process.iterations();
+  summary["cutbacks"] = process.cutbacks();
+  summary["iterations_of_failed_tries"] = process.wasted_iterations();
+  if (last_) {
+    summary["volume"] = last_->volume;
+    summary["max_plastic_strain"] = last_->max_plastic_strain;
+    summary["min_quality"] = last_->min_quality;
+    summary["penetration"] = {{"last", last_->max_penetration},
+                              {"largest", largest_penetration_},
+                              {"largest_share_of_element", largest_share_},
+                              {"how", "sampled over whole faces in contact"}};
+  }
+  summary["energy"] = energy_json(process.energy());
+  summary["grounded_rigid_motions"] = process.grounded_motions();
+  summary["tools"] = tools_json(process);
+  if (post_)
+    summary["failure"] = {{"time", post_->time}, {"reason", post_->reason}};
+  summary["seconds"] = timings_json(process.times());
+  write_file(folder_ / "summary.json", summary.dump(2) + "\n");
+}
+
+} // namespace billet::io

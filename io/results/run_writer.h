@@ -1,0 +1,74 @@
+// Writes the results of a run as it goes: frames for ParaView, tables, the summary.
+//
+// DIR/<case>.pvd, DIR/frames/, DIR/history.csv, DIR/iterations.csv, DIR/summary.json,
+// DIR/case.resolved.toml; DIR/failure/ when an increment cannot be solved. Every file is written
+// under a temporary name and renamed, the tables grow by whole rows.
+
+#pragma once
+
+#include "io/case/case.h"
+#include "io/results/csv_writer.h"
+#include "io/results/frames.h"
+#include "io/results/pvd.h"
+#include "process/run.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace billet::io {
+
+/// Facts about the program and the machine for the summary.
+struct RunFacts {
+  std::string version;   ///< of billet
+  std::string blas_core; ///< kernels OpenBLAS chose
+  int threads = 1;
+};
+
+/// How a run ended, for the summary.
+struct RunEnd {
+  std::string status; ///< "done", "not-converged", "stopped"
+  int exit_status = 0;
+};
+
+class RunWriter final : public process::Observer {
+public:
+  /// Makes the folder and writes the resolved case.
+  /// @throws Error (Fault::input_output)
+  RunWriter(std::filesystem::path folder, std::string name, const Case& content, RunFacts facts);
+
+  void started(const process::Process& process) override;
+  void incremented(const process::Process& process,
+                   const process::IncrementReport& report) override;
+  void failed(const process::Process& process, const process::PostMortem& post) override;
+  void finished(const process::Process& process) override;
+
+  /// Writes summary.json; last of all.
+  void write_summary(const process::Process& process, const RunEnd& end);
+
+  /// What a person should know about the quality of the result; empty: nothing.
+  [[nodiscard]] std::string warning() const;
+
+private:
+  void write_frame(const process::Process& process);
+  [[nodiscard]] bool frame_due(double time) const;
+
+  std::filesystem::path folder_;
+  std::string name_;
+  const Case* content_;
+  RunFacts facts_;
+  FrameSettings settings_;
+  double every_;
+  std::optional<CsvWriter> history_;
+  std::optional<CsvWriter> iterations_;
+  std::vector<PvdEntry> entries_;
+  int frames_ = 0;
+  double last_frame_ = 0.0;
+  std::optional<process::IncrementReport> last_;
+  std::optional<process::PostMortem> post_;
+  double largest_penetration_ = 0.0;
+  double largest_share_ = 0.0;
+};
+
+} // namespace billet::io

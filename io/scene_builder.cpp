@@ -1,0 +1,358 @@
+#include "io/scene_builder.h"
+
+#include "geometry/base/error.h"
+#include "io/mesh/read_mesh.h"
+#include "io/tool_builder.h"
+#include "mechanics/loads.h"
+#include "mechanics/mesh_check.h"
+#include "mechanics/mesh_generators.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace billet::io {
+
+namespace {
+
+using mechanics::ElementKind;
+using mechanics::Face;
+using mechanics::Index;
+using mechanics::Mesh;
+
+std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
+ElementKind element_kind(const std::string& element) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                                 ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
+    if (mechanics::name(kind) == element)
+      return kind;
+  throw Error(Fault::case_file, "", "unknown element '" + element + "'");
+}
+
+/// Makes or reads the mesh of each kind of source.
+struct MeshMaker {
+  ElementKind kind;
+  std::vector<std::string>& notes;
+
+  Mesh operator()(const BoxMesh& box) const {
+    return mechanics::box_mesh({kind, box.low, box.high, box.cells, box.grading});
+  }
+  Mesh operator()(const CylinderMesh& c) const {
+    return mechanics::cylinder_mesh({kind, c.radius, c.height, c.cells[0], c.cells[1], c.sector});
+  }
+  Mesh operator()(const FileMesh& file) const {
+    MeshFile read = read_mesh(file.file.path);
+    for (const std::string& note : read.notes)
+      notes.push_back(file.file.given + ": " + note);
+    if (read.mesh.kind != kind)
+      throw Error(
+          Fault::geometry, file.file.given,
+          fmt::format("the mesh is of {} elements, the case says {}",
+                      mechanics::name(read.mesh.kind), mechanics::name(kind)),
+          fmt::format("set element = \"{}\" in [workpiece]", mechanics::name(read.mesh.kind)));
+    return std::move(read.mesh);
+  }
+  template <class Other> Mesh operator()(const Other&) const {
+    throw Error(Fault::case_file, "", "this kind of mesh is not available in this version");
+  }
+};
+
+/// Builds the law of each kind of flow; the reader has refused those not available.
+struct FlowMaker {
+  mechanics::AnyFlowLaw operator()(const PerfectFlow& f) const {
+    return mechanics::Perfect{f.yield};
+  }
+  mechanics::AnyFlowLaw operator()(const LinearFlow& f) const {
+    return mechanics::Linear{f.yield, f.hardening};
+  }
+  mechanics::AnyFlowLaw operator()(const SwiftFlow& f) const {
+    return mechanics::Swift{f.K, f.eps0, f.n};
+  }
+  mechanics::AnyFlowLaw operator()(const LudwikFlow& f) const {
+    return mechanics::Ludwik{f.yield, f.K, f.n};
+  }
+  mechanics::AnyFlowLaw operator()(const VoceFlow& f) const {
+    return mechanics::Voce{f.yield, f.saturation, f.rate};
+  }
+  mechanics::AnyFlowLaw operator()(const TableFlow& f) const {
+    return mechanics::FlowTable{f.points};
+  }
+  template <class Other> mechanics::AnyFlowLaw operator()(const Other&) const {
+    throw Error(Fault::case_file, "", "this flow law is not available in this version");
+  }
+};
+
+mechanics::AnyFlowLaw flow_law(const std::optional<FlowLaw>& flow) {
+  return flow ? std::visit(FlowMaker{}, *flow) : mechanics::AnyFlowLaw(mechanics::Elastic{});
+}
+
+/// Which nodes a `where` means, and which faces.
+class Selector {
+public:
+  Selector(const Mesh& mesh, const std::vector<Face>& boundary, std::string place)
+      : mesh_(mesh), boundary_(boundary), place_(std::move(place)) {
+    Box box;
+    for (const Vec3& p : mesh.points)
+      box.add(p);
+    size_ = box.size();
+  }
+
+  [[nodiscard]] std::vector<Index> nodes(const Where& where) const {
+    std::vector<Index> found;
+    if (std::holds_alternative<Everywhere>(where)) {
+      for (Index i = 0; i < mesh_.n_points(); ++i)
+        found.push_back(i);
+    } else if (const auto* plane = std::get_if<OnPlane>(&where)) {
+      constexpr double tolerance = 1e-6; // of the size of the mesh, as the case format says
+      for (Index i = 0; i < mesh_.n_points(); ++i)
+        if (std::abs(mesh_.points[idx(i)][plane->axis] - plane->value) <= tolerance * size_)
+          found.push_back(i);
+      if (found.empty())
+        throw Error(Fault::case_file, place_,
+                    fmt::format("where = \"{} = {}\": no node of the mesh lies there",
+                                "xyz"[plane->axis], plane -> value),
+                    "check the coordinate against the mesh ('billet check' prints its box)");
+    } else {
+      found = set(std::get<InSet>(where).name);
+    }
+    return found;
+  }
+
+  /// Boundary faces all of whose nodes are selected.
+  [[nodiscard]] std::vector<Face> faces(const Where& where) const {
+    std::vector<char> selected(mesh_.points.size(), 0);
+    for (const Index i : nodes(where))
+      selected[idx(i)] = 1;
+    std::vector<Face> found;
+    for (const Face& face : boundary_)
+      if (std::all_of(face.nodes.begin(), face.nodes.end(),
+                      [&](Index a) { return selected[idx(a)] != 0; }))
+        found.push_back(face);
+    if (found.empty())
+      throw Error(Fault::case_file, place_,
+                  "a load or contact surface is given on a place that holds no whole face");
+    return found;
+  }
+
+private:
+  [[nodiscard]] std::vector<Index> set(const std::string& name) const {
+    const auto found = mesh_.node_sets.find(name);
+    if (found != mesh_.node_sets.end())
+      return found->second;
+    std::string known;
+    for (const auto& [other, nodes] : mesh_.node_sets)
+      known += (known.empty() ? "" : ", ") + other;
+    throw Error(Fault::case_file, place_, "the mesh has no set named '" + name + "'",
+                known.empty() ? "the mesh has no sets" : "it has: " + known);
+  }
+
+  const Mesh& mesh_;
+  const std::vector<Face>& boundary_;
+  std::string place_;
+  double size_;
+};
+
+/// A face on a symmetry plane or on the axis: nothing can touch it.
+bool unreachable(const Mesh& mesh,
+                 const Face& face,
+                 const std::vector<std::array<char, 3>>& held,
+                 bool axisymmetric) {
+  if (axisymmetric && std::all_of(face.nodes.begin(), face.nodes.end(),
+                                  [&](Index a) { return mesh.points[idx(a)][0] == 0.0; }))
+    return true;
+  for (int c = 0; c < mesh.dimension(); ++c) {
+    const double level = mesh.points[idx(face.nodes.front())][c];
+    Box box;
+    bool all = true;
+    for (const Index a : face.nodes) {
+      all = all && held[idx(a)][idx(c)] != 0;
+      box.add(mesh.points[idx(a)]);
+    }
+    const bool flat = std::abs(box.high[c] - level) <= 1e-9 * box.size() &&
+                      std::abs(box.low[c] - level) <= 1e-9 * box.size();
+    if (all && flat)
+      return true;
+  }
+  return false;
+}
+
+std::vector<Face> candidates(const process::Scene& scene, const std::vector<Face>& boundary) {
+  std::vector<std::array<char, 3>> held(scene.mesh.points.size(), {0, 0, 0});
+  for (const process::Support& support : scene.supports)
+    for (const Index node : support.nodes)
+      held[idx(node)][idx(support.component)] = 1;
+  std::vector<Face> faces;
+  for (const Face& face : boundary)
+    if (!unreachable(scene.mesh, face, held, scene.analysis == mechanics::Analysis::axisymmetric))
+      faces.push_back(face);
+  return faces;
+}
+
+void add_supports(const Case& content, const Selector& select, process::Scene& scene) {
+  for (const Support& support : content.supports) {
+    const std::vector<Index> nodes = select.nodes(support.where);
+    for (int c = 0; c < content.dimension(); ++c) {
+      if (support.fix[idx(c)])
+        scene.supports.push_back({nodes, c, TimeFunction(0.0)});
+      else if (support.move[idx(c)])
+        scene.supports.push_back({nodes, c, *support.move[idx(c)]});
+    }
+  }
+}
+
+void add_loads(const Case& content, const Selector& select, process::Scene& scene) {
+  for (const Load& load : content.loads) {
+    if (const auto* pressure = std::get_if<PressureLoad>(&load.kind))
+      scene.loads.emplace_back(process::PressureOn{select.faces(load.where), pressure->pressure});
+    else if (const auto* traction = std::get_if<TractionLoad>(&load.kind))
+      scene.loads.emplace_back(process::DeadForces{
+          mechanics::traction_forces(scene.mesh, scene.analysis, select.faces(load.where),
+                                     traction->traction),
+          traction->amplitude});
+    else
+      scene.loads.emplace_back(process::DeadForces{
+          mechanics::body_forces(scene.mesh, scene.analysis, std::get<BodyForce>(load.kind).force),
+          TimeFunction(1.0)});
+  }
+}
+
+bool needs_shear_yield(const contact::AnyFrictionLaw& law) {
+  if (const auto* tresca = std::get_if<contact::Tresca>(&law))
+    return !tresca->k;
+  const auto* coulomb = std::get_if<contact::Coulomb>(&law);
+  return coulomb != nullptr && coulomb->cap_at_shear_yield;
+}
+
+void add_tools(const Case& content, BuiltScene& built, const std::string& place) {
+  process::Scene& scene = built.scene;
+  for (const Tool& tool : content.tools) {
+    scene.tools.push_back(build_tool(tool, content.analysis, built.notes));
+    scene.touch.push_back(tool.touch ? 1 : 0);
+    if (needs_shear_yield(scene.tools.back().friction) &&
+        std::holds_alternative<mechanics::Elastic>(scene.material.flow))
+      throw Error(Fault::case_file, place,
+                  fmt::format("tool '{}': its friction follows the shear yield stress, but the "
+                              "workpiece is elastic",
+                              tool.name),
+                  "give k (or cap) as a stress, or the material a flow law");
+  }
+}
+
+void add_stages(const Case& content, process::Scene& scene) {
+  const std::size_t n = content.tools.size();
+  if (content.stages.empty()) {
+    scene.stages.push_back({"", content.time.end, std::vector<char>(n, 1), false});
+    return;
+  }
+  for (const Stage& stage : content.stages) {
+    std::vector<char> act(n, stage.tools ? 0 : 1);
+    if (stage.tools)
+      for (std::size_t t = 0; t < n; ++t)
+        act[t] = std::count(stage.tools->begin(), stage.tools->end(), content.tools[t].name) > 0;
+    scene.stages.push_back({stage.name, stage.end, std::move(act), stage.unload});
+  }
+}
+
+void add_times(const TimeFunction& function, std::vector<double>& times) {
+  if (function.points().size() > 1)
+    for (const auto& [t, v] : function.points())
+      times.push_back(t);
+}
+
+/// Times of the frames asked for. Frames closer than increments are simply one an increment.
+std::vector<double> frame_times(const Case& content) {
+  std::vector<double> times = content.output.at;
+  const double end = content.time.end;
+  constexpr double most_increments = 1e6; // more than any run has
+  constexpr double default_share = 0.02;  // of an increment, as the run loop has it
+  const double longest = content.time.increments.max.value_or(default_share * end);
+  if (content.output.every && *content.output.every >= std::max(longest, end / most_increments))
+    for (int k = 1; k * *content.output.every < end; ++k)
+      times.push_back(k * *content.output.every);
+  return times;
+}
+
+/// Kinks of everything given over time, and the frames asked for: increments end there.
+std::vector<double> landing_times(const Case& content, const process::Scene& scene) {
+  std::vector<double> times = frame_times(content);
+  for (const process::Support& support : scene.supports)
+    add_times(support.displacement, times);
+  for (const process::LoadSpec& load : scene.loads) {
+    if (const auto* pressure = std::get_if<process::PressureOn>(&load))
+      add_times(pressure->pressure, times);
+    else
+      add_times(std::get<process::DeadForces>(load).amplitude, times);
+  }
+  for (const contact::Tool& tool : scene.tools) {
+    if (tool.motion.displacement)
+      for (const TimeFunction& component : *tool.motion.displacement)
+        add_times(component, times);
+    if (tool.motion.rotation)
+      add_times(tool.motion.rotation->speed, times);
+    for (const double t : {tool.active_from, tool.active_to})
+      if (std::isfinite(t))
+        times.push_back(t);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// Keys that are read and kept but change nothing in this version: said, not passed over.
+void note_keys_without_effect(const Case& content, std::vector<std::string>& notes) {
+  constexpr double default_feature_angle = 30.0;
+  for (const Tool& tool : content.tools)
+    if (const auto* stl = std::get_if<StlSurface>(&tool.surface))
+      if (stl->feature_angle != default_feature_angle)
+        notes.push_back(fmt::format("tool '{}': feature_angle has no effect in this version, no "
+                                    "surface is smoothed",
+                                    tool.name));
+  if (content.materials.at(content.workpiece.material).density)
+    notes.push_back("density has no effect in this version: there is no inertia");
+  if (content.solver.reproducible)
+    notes.push_back("reproducible = true changes nothing in this version: every run repeats to the "
+                    "bit");
+}
+
+} // namespace
+
+BuiltScene build_scene(const Case& content, const std::string& place) {
+  BuiltScene built;
+  process::Scene& scene = built.scene;
+  scene.title = content.title;
+  note_keys_without_effect(content, built.notes);
+  scene.analysis = static_cast<mechanics::Analysis>(content.analysis);
+  const ElementKind kind = element_kind(content.workpiece.element);
+  scene.mesh = std::visit(MeshMaker{kind, built.notes}, content.workpiece.mesh);
+  const geometry::Pose pose = pose_of(content.workpiece.place);
+  for (Vec3& p : scene.mesh.points)
+    p = pose.to_space(p);
+  mechanics::require_sound_mesh(scene.mesh, place,
+                                scene.analysis == mechanics::Analysis::axisymmetric);
+  const Material& material = content.materials.at(content.workpiece.material);
+  scene.material = {{material.elastic.young, material.elastic.poisson}, flow_law(material.flow)};
+  const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
+  const Selector select(scene.mesh, boundary, place);
+  add_supports(content, select, scene);
+  add_loads(content, select, scene);
+  add_tools(content, built, place);
+  scene.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)
+                                                : candidates(scene, boundary);
+  scene.contact = {content.contact.form == ContactForm::mixed ? contact::Form::mixed
+                                                              : contact::Form::compatible,
+                   content.contact.penalty, content.contact.penalty_tangent};
+  add_stages(content, scene);
+  scene.increments = {content.time.increments.first, content.time.increments.min,
+                      content.time.increments.max};
+  scene.landing_times = landing_times(content, scene);
+  scene.tolerance = content.solver.tolerance;
+  scene.solver = static_cast<mechanics::SolverChoice>(content.solver.linear);
+  return built;
+}
+
+} // namespace billet::io

@@ -1,0 +1,144 @@
+#include "io/tool_builder.h"
+
+#include "geometry/analytic_surfaces.h"
+#include "geometry/base/error.h"
+#include "geometry/profile.h"
+#include "geometry/triangle_surface.h"
+#include "io/profile.h"
+#include "io/stl.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace billet::io {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// Builds the shape of each kind of surface.
+struct SurfaceMaker {
+  const std::string& tool;
+  std::vector<std::string>& notes;
+
+  geometry::SurfacePtr operator()(const PlaneSurface& s) const {
+    return geometry::make_plane(s.point, s.normal);
+  }
+  geometry::SurfacePtr operator()(const CircleSurface& s) const {
+    return geometry::make_circle(s.centre, s.radius, s.inside);
+  }
+  geometry::SurfacePtr operator()(const CylinderSurface& s) const {
+    return geometry::make_cylinder(s.point, s.axis, s.radius, s.inside);
+  }
+  geometry::SurfacePtr operator()(const SphereSurface& s) const {
+    return geometry::make_sphere(s.centre, s.radius, s.inside);
+  }
+  geometry::SurfacePtr operator()(const ConeSurface& s) const {
+    return geometry::make_cone(s.apex, s.axis, s.half_angle * degree, s.inside);
+  }
+  geometry::SurfacePtr operator()(const TorusSurface& s) const {
+    return geometry::make_torus(s.centre, s.axis, s.major, s.minor, s.inside);
+  }
+  geometry::SurfacePtr operator()(const ProfileSurface& s) const {
+    return geometry::make_profile(read_profile(s.file.path));
+  }
+  geometry::SurfacePtr operator()(const PointsSurface& s) const {
+    std::vector<Vec2> points;
+    for (const Vec3& p : s.points)
+      points.emplace_back(p[0], p[1]);
+    return geometry::make_profile(geometry::polygon(points, s.closed));
+  }
+  geometry::SurfacePtr operator()(const StlSurface& s) const {
+    const StlFile file = read_stl(s.file.path);
+    const StlTool mesh = tool_mesh(file, s.unit_factor, s.flip);
+    notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
+    return geometry::make_triangle_surface(mesh.mesh);
+  }
+};
+
+double stress_or_infinite(const std::optional<ShearStrength>& strength) {
+  const double* stress = strength ? std::get_if<double>(&*strength) : nullptr;
+  return stress != nullptr ? *stress : std::numeric_limits<double>::infinity();
+}
+
+/// Builds the law of each kind of friction; the reader has refused those not available.
+struct FrictionMaker {
+  contact::AnyFrictionLaw operator()(const FrictionlessFriction&) const {
+    return contact::Frictionless{};
+  }
+  contact::AnyFrictionLaw operator()(const StickingFriction&) const { return contact::Sticking{}; }
+  contact::AnyFrictionLaw operator()(const CoulombFriction& f) const {
+    return contact::Coulomb{f.mu, f.threshold, stress_or_infinite(f.cap),
+                            f.cap && std::holds_alternative<ShearYield>(*f.cap)};
+  }
+  contact::AnyFrictionLaw operator()(const TrescaFriction& f) const {
+    const double* k = std::get_if<double>(&f.k);
+    return contact::Tresca{f.m, k != nullptr ? std::optional(*k) : std::nullopt};
+  }
+  template <class Other> contact::AnyFrictionLaw operator()(const Other&) const {
+    throw Error(Fault::case_file, "", "this friction law is not available in this version");
+  }
+};
+
+geometry::Motion motion_of(const ToolMotion& motion) {
+  geometry::Motion result;
+  if (motion.translation) {
+    if (const auto* velocity = std::get_if<VelocityMotion>(&*motion.translation))
+      result.velocity = velocity->velocity;
+    else
+      result.displacement = std::get<DisplacementMotion>(*motion.translation).displacement;
+  }
+  if (motion.rotation) {
+    const auto& turn = std::get<RotationMotion>(*motion.rotation);
+    result.rotation = geometry::Rotation{turn.point, turn.axis.normalized(), turn.speed};
+  }
+  return result;
+}
+
+} // namespace
+
+geometry::Pose pose_of(const Place& place) {
+  geometry::Pose pose;
+  if (place.rotate)
+    pose = geometry::rotation_about(place.rotate->point, place.rotate->axis.normalized(),
+                                    place.rotate->degrees * degree);
+  pose.translation += place.translate;
+  return pose;
+}
+
+contact::Tool build_tool(const Tool& tool, Analysis analysis, std::vector<std::string>& notes) {
+  contact::Tool result;
+  result.name = tool.name;
+  if (analysis != Analysis::solid && std::holds_alternative<StlSurface>(tool.surface))
+    throw Error(Fault::geometry, "",
+                fmt::format("tool '{}': an STL is a surface in space; this scene is in the plane",
+                            tool.name),
+                "give the tool as a profile, or make the analysis 3d");
+  try {
+    result.surface = std::visit(SurfaceMaker{tool.name, notes}, tool.surface);
+  } catch (const Error& error) {
+    if (error.fault() != Fault::geometry)
+      throw;
+    std::vector<Complaint> complaints = error.complaints();
+    for (Complaint& complaint : complaints)
+      complaint.message = fmt::format("tool '{}': {}", tool.name, complaint.message);
+    throw Error(Fault::geometry, std::move(complaints));
+  }
+  result.motion = motion_of(tool.motion);
+  result.motion.place = pose_of(tool.place);
+  if (result.motion.rotation)
+    result.reference = result.motion.place.to_tool(result.motion.rotation->point);
+  result.friction = std::visit(FrictionMaker{}, tool.friction.law);
+  if (tool.active) {
+    result.active_from = (*tool.active)[0];
+    result.active_to = (*tool.active)[1];
+  }
+  return result;
+}
+
+} // namespace billet::io

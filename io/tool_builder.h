@@ -1,0 +1,22 @@
+// From a case's tool to a rigid tool of the scene.
+
+#pragma once
+
+#include "contact/tool.h"
+#include "io/case/case.h"
+
+#include <string>
+#include <vector>
+
+namespace billet::io {
+
+/// Builds a tool; what an STL's health check found is added to `notes`.
+///
+/// @throws Error with Fault::geometry
+[[nodiscard]] contact::Tool
+build_tool(const Tool& tool, Analysis analysis, std::vector<std::string>& notes);
+
+/// A place as a rigid placement.
+[[nodiscard]] geometry::Pose pose_of(const Place& place);
+
+} // namespace billet::io

@@ -1,0 +1,178 @@
+#include "mechanics/bulk.h"
+
+#include "mechanics/elements/elements.h"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace billet::mechanics {
+
+namespace {
+
+std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
+/// Elements a task should have at least: below it the threads cost more than they save.
+constexpr std::size_t grain = 16;
+
+} // namespace
+
+/// Local arrays of one thread.
+struct Bulk::Scratch {
+  std::vector<double> x_old;
+  std::vector<double> x;
+  std::vector<double> force;
+  std::vector<double> tangent;
+
+  explicit Scratch(std::size_t size) : x_old(size), x(size), force(size), tangent(size * size) {}
+};
+
+void gather(std::span<const double> x, std::span<const Index> nodes, int dim, double* out) {
+  for (const Index a : nodes)
+    for (int i = 0; i < dim; ++i)
+      *out++ = x[idx(a * dim + i)];
+}
+
+Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPattern& pattern)
+    : mesh_(&mesh), pattern_(&pattern), analysis_(analysis), material_(std::move(material)),
+      kernel_(element_kernel(mesh.kind, analysis)),
+      scatter_(pattern, mesh.cells, nodes_per_element(mesh.kind)) {
+  const int dim = mesh.dimension();
+  std::vector<double> x;
+  for (const Vec3& p : mesh.points)
+    x.insert(x.end(), p.data(), p.data() + dim);
+  std::vector<double> local(idx(nodes_per_element(mesh.kind) * dim));
+  points_ = points_per_element(mesh.kind);
+  volumes_.resize(idx(mesh.n_elements() * points_));
+  for (Index e = 0; e < mesh.n_elements(); ++e) {
+    gather(x, mesh.cell(e), dim, local.data());
+    point_volumes(mesh.kind, analysis, local.data(),
+                  std::span(volumes_).subspan(idx(e * points_), idx(points_)));
+  }
+  states_.resize(volumes_.size());
+  trial_states_ = states_;
+  increments_.resize(idx(mesh.n_elements()));
+}
+
+ElementStatus
+Bulk::assemble_element(Index element, const Trial& trial, System& system, Scratch& scratch) {
+  const int dim = pattern_->dim;
+  gather(trial.x_old, mesh_->cell(element), dim, scratch.x_old.data());
+  gather(trial.x, mesh_->cell(element), dim, scratch.x.data());
+  const std::size_t first = idx(element * points_);
+  const auto n = idx(points_);
+  const ElementInput in{scratch.x_old.data(), scratch.x.data(),
+                        std::span(volumes_).subspan(first, n),
+                        std::span<const PointState>(states_).subspan(first, n)};
+  ElementOutput out{scratch.force.data(), scratch.tangent.data(),
+                    std::span(trial_states_).subspan(first, n), 0.0};
+  const ElementStatus status = kernel_(material_, in, out);
+  if (status != ElementStatus::good)
+    return status;
+  increments_[idx(element)] = out.largest_plastic_increment;
+  scatter_.add(dim, element, out.force, system.residual);
+  scatter_.add(*pattern_, element, out.tangent, system.tangent.values);
+  return status;
+}
+
+Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
+  constexpr Index none = std::numeric_limits<Index>::max();
+  std::atomic<Index> bad{none};
+  const auto size = idx(scatter_.size() * pattern_->dim);
+  tbb::enumerable_thread_specific<Scratch> scratch([size] { return Scratch(size); });
+  const auto& order = scatter_.order();
+  const auto work = [&](const tbb::blocked_range<std::size_t>& range) {
+    Scratch& mine = scratch.local();
+    for (std::size_t k = range.begin(); k < range.end(); ++k)
+      if (assemble_element(order[k], trial, system, mine) != ElementStatus::good) {
+        // The lowest number wins whatever the order in which threads meet bad elements.
+        Index known = bad.load();
+        while (order[k] < known && !bad.compare_exchange_weak(known, order[k])) {
+        }
+      }
+  };
+  const auto& start = scatter_.colour_start();
+  for (std::size_t c = 0; c + 1 < start.size() && bad.load() == none; ++c)
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(idx(start[c]), idx(start[c + 1]), grain),
+                      work);
+  if (bad.load() != none)
+    return Failure{fmt::format("element {} is inverted or distorted beyond use", bad.load())};
+  largest_plastic_increment_ = *std::max_element(increments_.begin(), increments_.end());
+  return Assembled{};
+}
+
+void Bulk::commit(const Trial&) {
+  for (std::size_t k = 0; k < states_.size(); ++k)
+    plastic_work_ +=
+        volumes_[k] * mechanics::plastic_work(material_.flow, states_[k].plastic_strain,
+                                              trial_states_[k].plastic_strain);
+  states_ = trial_states_;
+}
+
+double Bulk::elastic_energy(std::span<const double> x) const {
+  const int dim = pattern_->dim;
+  const auto n = idx(points_);
+  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
+  std::vector<double> current(n);
+  double sum = 0.0;
+  for (Index e = 0; e < mesh_->n_elements(); ++e) {
+    gather(x, mesh_->cell(e), dim, local.data());
+    point_volumes(mesh_->kind, analysis_, local.data(), current);
+    const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
+      const PointState& state = states_[idx(e) * n + k];
+      const double own = 0.5 * std::log(state.b_e.determinant());
+      sum += reference[k] * (mechanics::elastic_energy(material_.elasticity, state) +
+                             0.5 * material_.elasticity.bulk() * (log_J * log_J - own * own));
+    }
+  }
+  return sum;
+}
+
+std::vector<Mat3> Bulk::stresses(std::span<const double> x) const {
+  const int dim = pattern_->dim;
+  const auto n = idx(points_);
+  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
+  std::vector<double> current(n);
+  std::vector<Mat3> sigma(states_.size());
+  for (Index e = 0; e < mesh_->n_elements(); ++e) {
+    gather(x, mesh_->cell(e), dim, local.data());
+    point_volumes(mesh_->kind, analysis_, local.data(), current);
+    const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Mat3 tau = kirchhoff_stress(material_.elasticity, states_[idx(e) * n + k]);
+      const double theta = pressure_ratio(mesh_->kind, current, reference, k);
+      const double J = current[k] / reference[k];
+      const double p = material_.elasticity.bulk() * std::log(theta) / theta;
+      sigma[idx(e) * n + k] =
+          (tau - tau.trace() / 3.0 * Mat3::Identity()) / J + p * Mat3::Identity();
+    }
+  }
+  return sigma;
+}
+
+double Bulk::volume(std::span<const double> x) const {
+  const int dim = pattern_->dim;
+  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
+  std::vector<double> current(idx(points_));
+  double sum = 0.0;
+  for (Index e = 0; e < mesh_->n_elements(); ++e) {
+    gather(x, mesh_->cell(e), dim, local.data());
+    point_volumes(mesh_->kind, analysis_, local.data(), current);
+    for (const double v : current)
+      sum += v;
+  }
+  return sum;
+}
+
+} // namespace billet::mechanics

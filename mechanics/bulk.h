@@ -1,0 +1,70 @@
+// The workpiece's own resistance: all elements of one material, with their history.
+//
+// Assembly runs over colours of elements that share no node, so the sums are the same to the bit
+// for any number of threads. Theory: docs/theory/mechanics.md.
+
+#pragma once
+
+#include "mechanics/element_kernel.h"
+#include "mechanics/force_term.h"
+#include "mechanics/materials/j2_hencky.h"
+#include "mechanics/mesh.h"
+#include "mechanics/sparse_matrix.h"
+
+#include <span>
+#include <vector>
+
+namespace billet::mechanics {
+
+/// Internal forces and the history of every integration point.
+class Bulk final : public ForceTerm {
+public:
+  /// @pre mesh and pattern outlive the term; the mesh has no inverted element
+  Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPattern& pattern);
+
+  [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override;
+  void commit(const Trial& trial) override;
+
+  [[nodiscard]] const Material& material() const { return material_; }
+  [[nodiscard]] Analysis analysis() const { return analysis_; }
+  /// Points an element.
+  [[nodiscard]] int points() const { return points_; }
+  /// Committed states, shape (n_elements, points).
+  [[nodiscard]] std::span<const PointState> states() const { return states_; }
+  /// Reference volumes, shape (n_elements, points) [mm^3].
+  [[nodiscard]] std::span<const double> volumes() const { return volumes_; }
+  /// Largest plastic strain increment of the last trial [-].
+  [[nodiscard]] double largest_plastic_increment() const { return largest_plastic_increment_; }
+  /// Plastic work of all commits [N mm].
+  [[nodiscard]] double plastic_work() const { return plastic_work_; }
+  /// Elastic energy of the committed states [N mm].
+  [[nodiscard]] double elastic_energy(std::span<const double> x) const;
+  /// Cauchy stress at every point of the committed states, shape (n_elements, points) [MPa].
+  [[nodiscard]] std::vector<Mat3> stresses(std::span<const double> x) const;
+  /// Current volume [mm^3].
+  [[nodiscard]] double volume(std::span<const double> x) const;
+
+private:
+  struct Scratch;
+  ElementStatus
+  assemble_element(Index element, const Trial& trial, System& system, Scratch& scratch);
+
+  const Mesh* mesh_;
+  const BlockPattern* pattern_;
+  Analysis analysis_;
+  Material material_;
+  int points_;
+  ElementKernel kernel_;
+  Scatter scatter_;
+  std::vector<double> volumes_;
+  std::vector<PointState> states_;
+  std::vector<PointState> trial_states_;
+  std::vector<double> increments_; ///< largest plastic increment of each element
+  double largest_plastic_increment_ = 0.0;
+  double plastic_work_ = 0.0;
+};
+
+/// Positions of a group's nodes, gathered; shape (nodes, dim).
+void gather(std::span<const double> x, std::span<const Index> nodes, int dim, double* out);
+
+} // namespace billet::mechanics

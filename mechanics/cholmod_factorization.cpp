@@ -1,0 +1,100 @@
+#include "mechanics/linear_solver.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <new>
+
+namespace billet::mechanics {
+
+namespace {
+
+/// Supernodal Cholesky factorization with the order given.
+class CholmodFactorization final : public Factorization {
+public:
+  CholmodFactorization(const BlockPattern& pattern, std::span<const Index> order)
+      : rows_(pattern.columns), start_(pattern.row_start), n_(pattern.n_dofs()) {
+    cholmod_start(&common_);
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_GIVEN;
+    common_.postorder = 1;
+    common_.print = 0;
+    common_.quick_return_if_not_posdef = 1;
+    std::vector<Index> permutation(order.begin(), order.end());
+    cholmod_sparse A = view(nullptr);
+    factor_ = cholmod_analyze_p(&A, permutation.data(), nullptr, 0, &common_);
+    if (factor_ == nullptr)
+      throw std::bad_alloc();
+  }
+  ~CholmodFactorization() override {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_free_dense(&solution_, &common_);
+    cholmod_free_dense(&work_y_, &common_);
+    cholmod_free_dense(&work_e_, &common_);
+    cholmod_finish(&common_);
+  }
+  CholmodFactorization(const CholmodFactorization&) = delete;
+  CholmodFactorization& operator=(const CholmodFactorization&) = delete;
+
+  [[nodiscard]] bool factorize(const SparseMatrix& matrix) override {
+    cholmod_sparse A = view(matrix.values.data());
+    const int ok = cholmod_factorize(&A, factor_, &common_);
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY)
+      throw std::bad_alloc();
+    return ok != 0 && common_.status == CHOLMOD_OK &&
+           factor_->minor == static_cast<std::size_t>(n_);
+  }
+
+  void solve(std::span<double> rhs) override {
+    cholmod_dense b{};
+    b.nrow = rhs.size();
+    b.ncol = 1;
+    b.nzmax = rhs.size();
+    b.d = rhs.size();
+    b.x = rhs.data();
+    b.xtype = CHOLMOD_REAL;
+    b.dtype = CHOLMOD_DOUBLE;
+    cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,
+                   &common_);
+    const auto* x = static_cast<const double*>(solution_->x);
+    std::copy(x, x + rhs.size(), rhs.begin());
+  }
+
+private:
+  /// The matrix as CHOLMOD sees it: its lower triangle by columns. Only read.
+  [[nodiscard]] cholmod_sparse view(const double* values) {
+    cholmod_sparse A{};
+    A.nrow = static_cast<std::size_t>(n_);
+    A.ncol = A.nrow;
+    A.nzmax = rows_.size();
+    A.p = start_.data();
+    A.i = rows_.data();
+    A.x = const_cast<double*>(values); // NOLINT: the C interface has no const
+    A.stype = -1;
+    A.itype = CHOLMOD_INT;
+    A.xtype = values == nullptr ? CHOLMOD_PATTERN : CHOLMOD_REAL;
+    A.dtype = CHOLMOD_DOUBLE;
+    A.sorted = 1;
+    A.packed = 1;
+    return A;
+  }
+
+  std::vector<Index> rows_;
+  std::vector<Index> start_;
+  Index n_;
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense* solution_ = nullptr;
+  cholmod_dense* work_y_ = nullptr;
+  cholmod_dense* work_e_ = nullptr;
+};
+
+} // namespace
+
+std::unique_ptr<Factorization> make_cholmod(const BlockPattern& pattern,
+                                            std::span<const Index> order) {
+  return std::make_unique<CholmodFactorization>(pattern, order);
+}
+
+} // namespace billet::mechanics

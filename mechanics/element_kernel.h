@@ -1,0 +1,56 @@
+// Forces and tangent of one element at a trial configuration.
+//
+// Virtual work of the Kirchhoff stress over the reference volume, f = sum_g dV0 tau : grad du, with
+// gradients with respect to the current positions (M.3). quad8 and hex20 evaluate the whole stress
+// at each point; quad4 and hex8 take the pressure from the dilatation of the whole element
+// (variational mean dilatation, M.11-M.13), which keeps the tangent symmetric.
+//
+// Shapes   positions (nodes, dim) row by row; local vectors (nodes * dim); local matrices
+//          (nodes * dim, nodes * dim) row by row.
+
+#pragma once
+
+#include "mechanics/force_term.h"
+#include "mechanics/materials/j2_hencky.h"
+#include "mechanics/mesh.h"
+
+#include <span>
+
+namespace billet::mechanics {
+
+/// What an element is given.
+struct ElementInput {
+  const double* x_old;             ///< committed positions of its nodes [mm]
+  const double* x;                 ///< positions tried [mm]
+  std::span<const double> volumes; ///< reference volume of each point [mm^3]
+  std::span<const PointState> old; ///< committed states
+};
+
+/// What an element gives; the arrays belong to the caller.
+struct ElementOutput {
+  double* force = nullptr;              ///< internal forces, overwritten
+  double* tangent = nullptr;            ///< overwritten; null: not wanted
+  std::span<PointState> trial;          ///< trial states
+  double largest_plastic_increment = 0; ///< over the points [-]
+};
+
+enum class ElementStatus { good, inverted, no_return };
+
+/// An element's kernel for one kind and analysis.
+using ElementKernel = ElementStatus (*)(const Material&, const ElementInput&, ElementOutput&);
+
+[[nodiscard]] ElementKernel element_kernel(ElementKind kind, Analysis analysis);
+
+/// Volume of each integration point in a configuration (of the full turn when axisymmetric).
+///
+/// @return the smallest volume; not positive for an inverted element
+double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::span<double> out);
+
+/// Volume ratio v / V0 that the pressure of each point goes with: the element's mean for elements
+/// with mean dilatation, the point's own otherwise. (M.12)
+[[nodiscard]] double pressure_ratio(ElementKind kind,
+                                    std::span<const double> current,
+                                    std::span<const double> reference,
+                                    std::size_t point);
+
+} // namespace billet::mechanics

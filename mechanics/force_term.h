@@ -1,0 +1,65 @@
+// What Newton's method sums: forces on the nodes and their derivatives.
+//
+// The bulk of the workpiece, loads, contact and the grounding of free bodies are all force terms.
+// The residual is the sum of internal minus external forces; at equilibrium it vanishes at every
+// unknown that is not prescribed. A term never changes its committed state while it assembles, so
+// any trial can be repeated to the bit.
+//
+// Units   forces N (plane strain: N per unit thickness; axisymmetric: of the full turn).
+
+#pragma once
+
+#include "geometry/base/outcome.h"
+#include "mechanics/sparse_matrix.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace billet::mechanics {
+
+/// Reduction of the scene to the unknowns it needs.
+enum class Analysis { plane_strain, axisymmetric, solid };
+
+/// The configuration being tried and the committed one it starts from.
+struct Trial {
+  double time_old;               ///< [s]
+  double time;                   ///< [s]
+  std::span<const double> x_old; ///< committed positions, shape (n_dofs) [mm]
+  std::span<const double> x;     ///< positions tried, shape (n_dofs) [mm]
+};
+
+/// Residual and tangent over the mesh's pattern.
+struct System {
+  SparseMatrix tangent;
+  std::vector<double> residual; ///< shape (n_dofs) [N]
+  bool symmetric = true;        ///< every term said that its tangent is symmetric
+
+  void clear() {
+    std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
+    std::fill(residual.begin(), residual.end(), 0.0);
+    symmetric = true;
+  }
+};
+
+/// Passed through by `assemble` when all went well.
+struct Assembled {};
+
+/// One contribution to equilibrium.
+class ForceTerm {
+public:
+  virtual ~ForceTerm() = default;
+
+  /// Adds residual and exact tangent at a trial. A failure (inverted element, return map) ends the
+  /// trial; nothing that matters later has changed.
+  [[nodiscard]] virtual Outcome<Assembled> assemble(const Trial& trial, System& system) = 0;
+  /// The last assembled trial becomes the committed state.
+  virtual void commit(const Trial& trial) = 0;
+
+protected:
+  ForceTerm() = default;
+  ForceTerm(const ForceTerm&) = default;
+  ForceTerm& operator=(const ForceTerm&) = default;
+};
+
+} // namespace billet::mechanics

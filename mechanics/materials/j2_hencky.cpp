@@ -1,0 +1,158 @@
+#include "mechanics/materials/j2_hencky.h"
+
+#include "mechanics/elements/quadrature.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <variant>
+
+namespace billet::mechanics {
+
+namespace {
+
+/// Plastic strain increment and the slope of the flow law at its end.
+struct Return {
+  double increment;
+  double slope;
+};
+
+/// Solves q - 3 mu d - sigma_y(old + d) = 0 for d in (0, q / 3 mu): Newton, kept in its bracket.
+///
+/// The residual is positive at 0 and not positive at the upper end for every law with
+/// sigma_y >= 0, whatever its slope.
+template <class Law>
+std::optional<Return> solve_return(const Law& law, double mu, double q, double old) {
+  double low = 0.0;
+  double high = q / (3.0 * mu);
+  const FlowStress start = law.flow_stress(old);
+  double d = (q - start.stress) / (3.0 * mu + (std::isfinite(start.slope) ? start.slope : 0.0));
+  if (!(d > low && d < high))
+    d = 0.5 * (low + high);
+  constexpr int most = 200; // bisection alone needs 60
+  constexpr double tolerance = 4.0 * std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < most; ++i) {
+    const FlowStress flow = law.flow_stress(old + d);
+    const double residual = q - 3.0 * mu * d - flow.stress;
+    if (!std::isfinite(residual))
+      return std::nullopt;
+    (residual > 0.0 ? low : high) = d;
+    if (std::abs(residual) <= tolerance * q || high - low <= tolerance * high)
+      return Return{d, flow.slope};
+    const double newton = d + residual / (3.0 * mu + flow.slope);
+    d = newton > low && newton < high ? newton : 0.5 * (low + high);
+  }
+  return std::nullopt;
+}
+
+/// Moduli in principal axes from the scaled elastic ones; `share` is (M.7)'s gamma-bar.
+void set_moduli(DeviatoricResponse& out,
+                double mu,
+                double beta,
+                double share,
+                const Vec3& direction) {
+  out.normal_moduli = 2.0 * mu * beta * (Mat3::Identity() - Mat3::Constant(1.0 / 3.0)) -
+                      2.0 * mu * share * direction * direction.transpose();
+  out.normal_moduli.diagonal() -= 2.0 * out.s;
+  const Vec3& b = out.predictor.values;
+  for (int k = 0; k < 3; ++k) {
+    const int i = k == 2 ? 0 : k;
+    const int j = k == 2 ? 2 : k + 1;
+    out.shear_moduli[k] = mu * beta * log_difference(b[i], b[j]) - out.s[j];
+  }
+}
+
+template <class Law>
+bool update_point(const Law& law,
+                  double mu,
+                  const Mat3& b_pred,
+                  const PointState& old,
+                  bool planar,
+                  DeviatoricResponse& out) {
+  out.predictor = planar ? spectral_plane(b_pred) : spectral(b_pred);
+  const Vec3& b = out.predictor.values;
+  if (!(b.minCoeff() > 0.0) || !std::isfinite(b.sum()))
+    return false;
+  Vec3 eps = 0.5 * b.array().log();
+  out.log_J = eps.sum();
+  eps.array() -= out.log_J / 3.0;
+  const Vec3 s_pred = 2.0 * mu * eps;
+  const double norm = s_pred.norm();
+  const double q = std::sqrt(1.5) * norm;
+  out.state.plastic_strain = old.plastic_strain;
+  out.plastic_increment = 0.0;
+  if (q <= law.flow_stress(old.plastic_strain).stress) {
+    out.s = s_pred;
+    out.state.b_e = b_pred;
+    set_moduli(out, mu, 1.0, 0.0, Vec3::Zero());
+    return true;
+  }
+  const std::optional<Return> plastic = solve_return(law, mu, q, old.plastic_strain);
+  if (!plastic)
+    return false;
+  const double beta = 1.0 - 3.0 * mu * plastic->increment / q;
+  out.s = beta * s_pred;
+  out.plastic_increment = plastic->increment;
+  out.state.plastic_strain += plastic->increment;
+  const Vec3 b_new = (2.0 * (beta * eps.array() + out.log_J / 3.0)).exp();
+  const Mat3& n = out.predictor.vectors;
+  out.state.b_e = n * b_new.asDiagonal() * n.transpose();
+  set_moduli(out, mu, beta, 3.0 * mu / (3.0 * mu + plastic->slope) - (1.0 - beta), s_pred / norm);
+  return true;
+}
+
+} // namespace
+
+bool update(const Material& material,
+            std::span<const Mat3> b_pred,
+            std::span<const PointState> old,
+            bool planar,
+            std::span<DeviatoricResponse> out) {
+  const double mu = material.elasticity.shear();
+  return std::visit(
+      [&](const auto& law) {
+        for (std::size_t i = 0; i < b_pred.size(); ++i)
+          if (!update_point(law, mu, b_pred[i], old[i], planar, out[i]))
+            return false;
+        return true;
+      },
+      material.flow);
+}
+
+double elastic_energy(const Elasticity& elasticity, const PointState& state) {
+  const Vec3 eps = 0.5 * spectral(state.b_e).values.array().log();
+  const double log_J = eps.sum();
+  const double squares = (eps.array() - log_J / 3.0).square().sum();
+  return 0.5 * elasticity.bulk() * log_J * log_J + elasticity.shear() * squares;
+}
+
+double plastic_work(const AnyFlowLaw& flow, double from, double to) {
+  if (!(to > from))
+    return 0.0;
+  return std::visit(
+      [&](const auto& law) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double strain = from + 0.5 * (1.0 + GaussLine<3>::x[i]) * (to - from);
+          sum += 0.5 * GaussLine<3>::w[i] * law.flow_stress(strain).stress;
+        }
+        return sum * (to - from);
+      },
+      flow);
+}
+
+double yield_stress(const AnyFlowLaw& flow, double plastic_strain) {
+  return std::visit([&](const auto& law) { return law.flow_stress(plastic_strain).stress; }, flow);
+}
+
+Mat3 kirchhoff_stress(const Elasticity& elasticity, const PointState& state) {
+  const Spectral b = spectral(state.b_e);
+  Vec3 eps = 0.5 * b.values.array().log();
+  const double log_J = eps.sum();
+  const Vec3 tau =
+      2.0 * elasticity.shear() * (eps.array() - log_J / 3.0) + elasticity.bulk() * log_J;
+  return b.vectors * tau.asDiagonal() * b.vectors.transpose();
+}
+
+} // namespace billet::mechanics

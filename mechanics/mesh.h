@@ -1,0 +1,65 @@
+// The workpiece as a mesh: points, cells of one kind, named sets.
+//
+// Node numbering within a cell is VTK's (quad: corners counter-clockwise, then mid-sides in the
+// order of the sides 0-1, 1-2, ...; hexahedron: bottom 0-3, top 4-7, then mid-edges of the bottom
+// 8-11, of the top 12-15, vertical 16-19).
+
+#pragma once
+
+#include "geometry/base/vector.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace billet::mechanics {
+
+using Index = std::int32_t;
+
+/// Kinds of cell the solver knows by name.
+enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet10 };
+
+/// Number of nodes of a cell.
+[[nodiscard]] int nodes_per_element(ElementKind kind);
+/// 2 or 3.
+[[nodiscard]] int dimension(ElementKind kind);
+/// "quad4", ...
+[[nodiscard]] std::string_view name(ElementKind kind);
+
+/// A face of a cell: its nodes in the order of a line2/line3/quad4/quad8 with outward orientation
+/// (in the plane the body lies on the left of the direction of travel; in space the nodes turn
+/// counter-clockwise seen from outside). Corners first, then mid-sides.
+struct Face {
+  Index element;            ///< the cell it belongs to
+  std::vector<Index> nodes; ///< global node numbers
+};
+
+/// Points and cells of one kind.
+struct Mesh {
+  ElementKind kind = ElementKind::quad4;
+  std::vector<Vec3> points;                            ///< [mm]; z = 0 in the plane
+  std::vector<Index> cells;                            ///< shape (n_elements, nodes_per_element)
+  std::map<std::string, std::vector<Index>> node_sets; ///< sorted node numbers
+
+  [[nodiscard]] int dimension() const { return mechanics::dimension(kind); }
+  [[nodiscard]] Index n_points() const { return static_cast<Index>(points.size()); }
+  [[nodiscard]] Index n_elements() const {
+    return static_cast<Index>(cells.size()) / nodes_per_element(kind);
+  }
+  [[nodiscard]] std::span<const Index> cell(Index element) const {
+    const auto n = static_cast<std::size_t>(nodes_per_element(kind));
+    return std::span(cells).subspan(static_cast<std::size_t>(element) * n, n);
+  }
+};
+
+/// Local node numbers of each face of a cell, outward (see Face).
+[[nodiscard]] std::span<const std::vector<int>> face_nodes(ElementKind kind);
+
+/// Faces that belong to one cell only, ordered by cell and local face number.
+[[nodiscard]] std::vector<Face> boundary_faces(const Mesh& mesh);
+
+} // namespace billet::mechanics

@@ -1,0 +1,22 @@
+// Corners and edges of the kinds of cell, from which faces and mid-side nodes follow.
+
+#pragma once
+
+#include "mechanics/mesh.h"
+
+#include <array>
+#include <span>
+
+namespace billet::mechanics {
+
+/// Number of corners of a cell: 3, 4 or 8; nodes from there on are mid-side nodes.
+[[nodiscard]] int corners_per_element(ElementKind kind);
+
+/// True if the cell has a node in the middle of each edge.
+[[nodiscard]] bool is_quadratic(ElementKind kind);
+
+/// The two corners of each edge; in a quadratic cell node `corners_per_element(kind) + i` lies on
+/// edge i.
+[[nodiscard]] std::span<const std::array<int, 2>> element_edges(ElementKind kind);
+
+} // namespace billet::mechanics

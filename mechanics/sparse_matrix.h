@@ -1,0 +1,88 @@
+// The sparsity of a mesh, and a matrix over it that elements write to at known positions.
+//
+// Tools are rigid, so contact couples only nodes of one face: the pattern is the mesh's own and is
+// made once per mesh. Unknown i of node a has number a * dim + i. Rows are compressed; the pattern
+// is symmetric, its values need not be. Constrained unknowns stay in it as rows of the identity.
+
+#pragma once
+
+#include "mechanics/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace billet::mechanics {
+
+/// Which nodes are coupled, and where the entries of their blocks lie.
+struct BlockPattern {
+  int dim = 0;                        ///< unknowns a node
+  std::vector<Index> neighbour_start; ///< shape (n_nodes + 1)
+  std::vector<Index> neighbours;      ///< sorted within a node, the node itself included
+  std::vector<Index> row_start;       ///< shape (n_dofs + 1)
+  std::vector<Index> columns;         ///< shape (n_entries), sorted within a row
+
+  [[nodiscard]] Index n_nodes() const { return static_cast<Index>(neighbour_start.size()) - 1; }
+  [[nodiscard]] Index n_dofs() const { return n_nodes() * dim; }
+  [[nodiscard]] std::size_t n_entries() const { return columns.size(); }
+  /// Position of node b among the neighbours of node a. @pre they are coupled
+  [[nodiscard]] Index offset(Index a, Index b) const;
+};
+
+/// Pattern of a mesh whose every cell couples all its nodes.
+[[nodiscard]] BlockPattern block_pattern(const Mesh& mesh);
+
+/// Where the blocks of equally large groups of nodes (elements or faces) go in the matrix, and an
+/// order in which groups of one colour share no node: sums come out the same to the bit for any
+/// number of threads.
+class Scatter {
+public:
+  /// @param groups  shape (n_groups, size), node numbers
+  Scatter(const BlockPattern& pattern, std::vector<Index> groups, int size);
+  Scatter() = default;
+
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] Index n_groups() const {
+    return size_ == 0 ? 0 : static_cast<Index>(groups_.size()) / size_;
+  }
+  [[nodiscard]] std::span<const Index> nodes(Index group) const {
+    return std::span(groups_).subspan(at(group), static_cast<std::size_t>(size_));
+  }
+  /// Groups by colour: colour c holds order[colour_start[c] .. colour_start[c + 1]).
+  [[nodiscard]] const std::vector<Index>& order() const { return order_; }
+  [[nodiscard]] const std::vector<Index>& colour_start() const { return colour_start_; }
+
+  /// Adds a local matrix, shape (size * dim, size * dim) row by row, to `values`.
+  void add(const BlockPattern& pattern,
+           Index group,
+           const double* local,
+           std::span<double> values) const;
+  /// Adds a local vector, shape (size * dim), to `vector`.
+  void add(int dim, Index group, const double* local, std::span<double> vector) const;
+
+private:
+  [[nodiscard]] std::size_t at(Index group) const {
+    return static_cast<std::size_t>(group) * static_cast<std::size_t>(size_);
+  }
+  void colour(Index n_nodes);
+
+  int size_ = 0;
+  std::vector<Index> groups_;
+  std::vector<Index> offsets_; ///< shape (n_groups, size, size)
+  std::vector<Index> order_;
+  std::vector<Index> colour_start_;
+};
+
+/// Values over a pattern.
+struct SparseMatrix {
+  const BlockPattern* pattern = nullptr;
+  std::vector<double> values; ///< shape (n_entries)
+
+  /// y = A x, shapes (n_dofs).
+  void multiply(std::span<const double> x, std::span<double> y) const;
+  /// Largest |a_ij - a_ji| over the largest |a_ij|.
+  [[nodiscard]] double asymmetry() const;
+};
+
+} // namespace billet::mechanics

@@ -1,0 +1,32 @@
+// Spectral decomposition of symmetric 3x3 tensors, and the logarithm's divided difference.
+//
+// Theory: docs/theory/mechanics.md (M.5), (M.8).
+
+#pragma once
+
+#include "geometry/base/vector.h"
+
+#include <cmath>
+
+namespace billet::mechanics {
+
+/// A = sum_a values[a] n_a (x) n_a, n_a the columns of `vectors`.
+struct Spectral {
+  Vec3 values;  ///< eigenvalues, in no particular order
+  Mat3 vectors; ///< orthonormal columns
+};
+
+/// Decomposition of a symmetric tensor whose xz and yz entries vanish (plane and axisymmetric).
+[[nodiscard]] Spectral spectral_plane(const Mat3& A);
+
+/// Decomposition of a symmetric tensor.
+[[nodiscard]] Spectral spectral(const Mat3& A);
+
+/// (ln a - ln b) / (a - b) * b for a, b > 0: exact to rounding for equal and nearly equal
+/// arguments, which need no perturbation. (M.8)
+[[nodiscard]] inline double log_difference(double a, double b) {
+  const double x = (a - b) / b;
+  return x == 0.0 ? 1.0 : std::log1p(x) / x;
+}
+
+} // namespace billet::mechanics

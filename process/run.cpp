@@ -1,0 +1,447 @@
+#include "process/run.h"
+
+#include "geometry/base/error.h"
+#include "geometry/first_contact.h"
+#include "mechanics/mesh_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace billet::process {
+
+namespace {
+
+std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<Vec3> as_points(std::span<const double> x, int dim) {
+  std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
+  return points;
+}
+
+/// Size of a mesh: the diagonal of its box.
+double size_of(const mechanics::Mesh& mesh) {
+  Box box;
+  for (const Vec3& p : mesh.points)
+    box.add(p);
+  return box.size();
+}
+
+/// Steps as shares of a stage, when the case does not say.
+constexpr double first_share = 1.0 / 100.0;
+constexpr double largest_share = 1.0 / 50.0;
+constexpr double smallest_share = 1e-7;
+
+/// An increment with more plastic strain than this at a point is cut: the return map stays exact,
+/// but the path of strain is lost.
+constexpr double most_plastic_increment = 0.5;
+
+/// Why an increment is too long for the tools; empty: it is not. A tool that moves farther than
+/// this in one increment could pass the workpiece unseen.
+std::string leap(const Scene& scene, const Stage& stage, double from, double to) {
+  const double farthest = 0.5 * size_of(scene.mesh);
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    const contact::Tool& tool = scene.tools[t];
+    const double way = (tool.motion.translation(to) - tool.motion.translation(from)).norm();
+    if (!stage.unload && stage.tools[t] != 0 && tool.active(to) && way > farthest)
+      return fmt::format("tool '{}' moves by {:.3g}, more than half the size of the workpiece",
+                         tool.name, way);
+  }
+  return "";
+}
+
+} // namespace
+
+double EnergyBalance::error() const {
+  const double inside = elastic + plastic + friction + contact + grounding;
+  const double largest = std::max({std::abs(external), elastic, plastic, friction, contact});
+  return largest > 0.0 ? std::abs(external - inside) / largest : 0.0;
+}
+
+Process::Process(Scene scene)
+    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)) {
+  started_ = now();
+  for (const Vec3& p : scene_.mesh.points)
+    x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());
+  x_ = x0_;
+  trial_x_ = x0_;
+  velocity_.assign(x_.size(), 0.0);
+  reactions_.assign(x_.size(), 0.0);
+  make_terms();
+  bring_to_touch();
+  check_overlap();
+  if (contact_)
+    contact_->start(x_, 0.0);
+}
+
+Process::~Process() = default;
+
+void Process::make_terms() {
+  bulk_ =
+      std::make_unique<mechanics::Bulk>(scene_.mesh, scene_.analysis, scene_.material, pattern_);
+  plastic_rate_.assign(bulk_->states().size(), 0.0);
+  constexpr double strain_floor = 1e-7; // stresses below that share of E count as none
+  newton_ = std::make_unique<mechanics::Newton>(
+      pattern_, scene_.solver,
+      mechanics::NewtonSettings{.tolerance = scene_.tolerance,
+                                .force_floor =
+                                    strain_floor * body_stiffness() * size_of(scene_.mesh),
+                                .largest_correction = size_of(scene_.mesh)});
+  terms_ = {bulk_.get()};
+  make_loads();
+  if (!scene_.tools.empty()) {
+    surface_ = std::make_unique<contact::ContactSurface>(scene_.mesh, *bulk_, pattern_,
+                                                         scene_.contact_faces, scene_.contact);
+    contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
+                                                      4.0 * size_of(scene_.mesh));
+    terms_.push_back(contact_.get());
+  }
+  grounded_ = free_rigid_motions(scene_);
+  if (grounded_ > 0 && scene_.tools.empty())
+    throw Error(Fault::case_file, "",
+                fmt::format("the workpiece can move freely: {} rigid motion(s) are held by no "
+                            "support and there is no tool",
+                            grounded_),
+                "add a [[support]] that holds them");
+  if (grounded_ > 0) {
+    // Spread over all nodes it is a hundred-millionth of the body's own stiffness.
+    constexpr double share = 1e-8;
+    grounding_stiffness_ = share * body_stiffness() / scene_.mesh.n_points();
+    grounding_ = mechanics::make_grounding(grounding_stiffness_, pattern_);
+    terms_.push_back(grounding_.get());
+  }
+}
+
+double Process::body_stiffness() const {
+  const double young = scene_.material.elasticity.young;
+  // Force per length: in plane strain it is that of a slice of unit thickness.
+  return scene_.analysis == mechanics::Analysis::plane_strain ? young
+                                                              : young * size_of(scene_.mesh);
+}
+
+void Process::make_loads() {
+  for (const LoadSpec& spec : scene_.loads) {
+    if (const auto* pressure = std::get_if<PressureOn>(&spec))
+      loads_.push_back(mechanics::make_pressure(scene_.mesh, scene_.analysis, pattern_,
+                                                pressure->faces, pressure->pressure));
+    else
+      loads_.push_back(mechanics::make_dead_load(std::get<DeadForces>(spec).forces,
+                                                 std::get<DeadForces>(spec).amplitude));
+    terms_.push_back(loads_.back().get());
+  }
+}
+
+void Process::bring_to_touch() {
+  if (!contact_)
+    return;
+  std::vector<Vec3> points(surface_->n_points());
+  surface_->positions(x_, points);
+  for (Index f = 0; f < surface_->n_faces(); ++f)
+    for (const Index node : surface_->scatter().nodes(f))
+      points.push_back(scene_.mesh.points[idx(node)]);
+  const double reach = 100.0 * size_of(scene_.mesh);
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (scene_.touch[t] == 0)
+      continue;
+    contact::Tool& tool = scene_.tools[t];
+    const double end = scene_.stages.back().end;
+    Vec3 direction = Vec3::Zero();
+    for (int step = 1; step <= 100 && direction.isZero(0.0); ++step)
+      direction = tool.motion.translation(end * step / 100.0);
+    if (direction.isZero(0.0))
+      throw Error(Fault::case_file, "",
+                  fmt::format("tool '{}' has touch = true but does not move", tool.name),
+                  "give it a velocity or a displacement, or place it where it touches");
+    direction.normalize();
+    const auto distance = geometry::distance_to_contact(*tool.surface, tool.motion.pose(0.0),
+                                                        direction, points, reach);
+    if (!distance)
+      throw Error(Fault::geometry, "",
+                  fmt::format("tool '{}' cannot be brought to touch: {}", tool.name,
+                              distance.error().reason),
+                  "check its place, the direction of its motion and which way its surface faces "
+                  "(flip = true turns an STL)");
+    tool.motion.offset = *distance * direction;
+  }
+}
+
+void Process::check_overlap() const {
+  if (!contact_)
+    return;
+  for (const contact::Tool& tool : scene_.tools) {
+    if (!tool.active(0.0))
+      continue;
+    const geometry::Pose pose = tool.motion.pose(0.0);
+    for (Index f = 0; f < surface_->n_faces(); ++f) {
+      std::vector<Vec3> points = surface_->samples(x_, f);
+      for (Vec3& p : points)
+        p = pose.to_tool(p);
+      std::vector<geometry::Projection> feet(points.size());
+      tool.surface->project(points, size_of(scene_.mesh), feet);
+      // A chord of a curved face may lie a little inside a tool that touches its nodes.
+      constexpr double allowed_share = 0.02;
+      for (std::size_t i = 0; i < feet.size(); ++i)
+        if (-feet[i].gap > allowed_share * surface_->depth(f)) {
+          const Vec3 at = pose.to_space(points[i]);
+          throw Error(Fault::geometry, "",
+                      fmt::format("the workpiece overlaps tool '{}' before the start: {:.6g} deep "
+                                  "at ({:.6g}, {:.6g}, {:.6g})",
+                                  tool.name, -feet[i].gap, at[0], at[1], at[2]),
+                      "move the tool or the workpiece apart, or give the tool touch = true");
+        }
+    }
+  }
+}
+
+void Process::start_stage(const Stage& stage) {
+  last_step_.clear();
+  if (contact_)
+    contact_->enable(stage.unload ? std::vector<char>(scene_.tools.size(), 0) : stage.tools);
+}
+
+void Process::release_tools(double next_time, double gone_time) {
+  if (!contact_)
+    return;
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (!contact_->leaves(t, next_time))
+      continue;
+    // Its forces stay as they are and fade: equilibrium without them is reached on the way.
+    const double stored = contact_->work().stored;
+    std::vector<double> forces = contact_->release(t);
+    tool_energy_ += stored - contact_->work().stored;
+    fading_.push_back(mechanics::make_dead_load(std::move(forces),
+                                                TimeFunction({{time_, 1.0}, {gone_time, 0.0}})));
+    terms_.push_back(fading_.back().get());
+    last_step_.clear();
+  }
+}
+
+mechanics::Prescribed Process::prescribed(double time) const {
+  std::map<Index, double> wanted;
+  const int dim = scene_.mesh.dimension();
+  for (const Support& support : scene_.supports)
+    for (const Index node : support.nodes) {
+      const Index i = node * dim + support.component;
+      wanted[i] = x0_[idx(i)] + support.displacement(time);
+    }
+  mechanics::Prescribed result;
+  for (const auto& [unknown, position] : wanted) {
+    result.unknowns.push_back(unknown);
+    result.positions.push_back(position);
+  }
+  return result;
+}
+
+bool Process::try_increment(double dt, std::string& why) {
+  trial_x_ = x_;
+  if (!last_step_.empty()) {
+    const double factor = dt / last_dt_;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      trial_x_[i] += factor * last_step_[i];
+  }
+  const auto outcome =
+      newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_);
+  const int spent = static_cast<int>(newton_->records().size()) - 1;
+  if (!outcome) {
+    why = outcome.error().reason;
+    wasted_iterations_ += spent;
+    return false;
+  }
+  if (bulk_->largest_plastic_increment() > most_plastic_increment) {
+    why = fmt::format("plastic strain increment {:.3g} is too large",
+                      bulk_->largest_plastic_increment());
+    wasted_iterations_ += spent;
+    return false;
+  }
+  if (grounding_) {
+    // The grounding may carry rounding, never a load.
+    constexpr double most_share = 1e-3;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      sum += (trial_x_[i] - x_[i]) * (trial_x_[i] - x_[i]);
+    if (grounding_stiffness_ * std::sqrt(sum) > most_share * outcome->force_scale) {
+      why = "the workpiece moves away freely: neither supports nor contact hold it";
+      wasted_iterations_ += spent;
+      return false;
+    }
+  }
+  last_iterations_ = outcome->iterations;
+  last_residual_ = outcome->residual;
+  return true;
+}
+
+void Process::accept(double dt) {
+  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  std::vector<double> strain_old(bulk_->states().size());
+  for (std::size_t k = 0; k < strain_old.size(); ++k)
+    strain_old[k] = bulk_->states()[k].plastic_strain;
+  for (mechanics::ForceTerm* term : terms_)
+    term->commit(trial);
+  for (std::size_t k = 0; k < strain_old.size(); ++k)
+    plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
+  for (const Index i : prescribed(time_ + dt).unknowns) {
+    const double reaction = newton_->residual()[idx(i)];
+    support_work_ += 0.5 * (reactions_[idx(i)] + reaction) * (trial_x_[idx(i)] - x_[idx(i)]);
+    reactions_[idx(i)] = reaction;
+  }
+  last_step_.resize(x_.size());
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    last_step_[i] = trial_x_[i] - x_[i];
+    velocity_[i] = last_step_[i] / dt;
+  }
+  last_dt_ = dt;
+  x_ = trial_x_;
+  time_ += dt;
+  ++increment_;
+  iterations_ += last_iterations_;
+  update_energy();
+}
+
+void Process::update_energy() {
+  energy_.elastic = bulk_->elastic_energy(x_);
+  energy_.plastic = bulk_->plastic_work();
+  energy_.external = support_work_ - tool_energy_;
+  for (const auto& load : loads_)
+    energy_.external += load->work();
+  for (const auto& load : fading_)
+    energy_.external += load->work();
+  if (contact_) {
+    energy_.external += contact_->work().external;
+    energy_.friction = contact_->work().friction;
+    energy_.contact = contact_->work().stored;
+  }
+  if (grounding_)
+    for (const double step : last_step_)
+      energy_.grounding += grounding_stiffness_ * step * step;
+}
+
+IncrementReport Process::report(double dt, int cutbacks) const {
+  IncrementReport r;
+  r.increment = increment_;
+  r.time = time_;
+  r.dt = dt;
+  r.iterations = last_iterations_;
+  r.residual = last_residual_;
+  r.cutbacks = cutbacks;
+  r.volume = bulk_->volume(x_);
+  if (contact_) {
+    const contact::Penetration worst = contact_->penetration({time_ - dt, time_, x_, x_});
+    r.max_penetration = worst.deepest;
+    r.penetration_share = worst.share;
+    r.contact_area = contact_->area();
+  }
+  for (const auto& state : bulk_->states())
+    r.max_plastic_strain = std::max(r.max_plastic_strain, state.plastic_strain);
+  const auto qualities =
+      mechanics::element_qualities(scene_.mesh, as_points(x_, scene_.mesh.dimension()));
+  r.min_quality = *std::min_element(qualities.begin(), qualities.end());
+  r.wall_time = now() - started_;
+  r.energy = energy_;
+  r.records = newton_->records();
+  return r;
+}
+
+double Process::next_landing(double stage_end) const {
+  // Times closer than rounding count as reached.
+  const double slack = 1e-9 * stage_end;
+  for (const double t : scene_.landing_times)
+    if (t > time_ + slack && t < stage_end - slack)
+      return t;
+  return stage_end;
+}
+
+void Process::notify(const std::vector<Observer*>& observers, const IncrementReport& report) {
+  const double before = now();
+  for (Observer* observer : observers)
+    observer->incremented(*this, report);
+  times_.output += now() - before;
+}
+
+RunStatus
+Process::run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers) {
+  const double length = stage.end - start;
+  const double smallest = scene_.increments.min.value_or(smallest_share * length);
+  const double largest = scene_.increments.max.value_or(largest_share * length);
+  double dt = std::clamp(scene_.increments.first.value_or(first_share * length),
+                         std::min(smallest, largest), largest);
+  start_stage(stage);
+  constexpr double fade_share = 0.05; // of a stage that goes on without the tool
+  std::vector<std::string> tried;
+  int failures = 0;
+  while (time_ < stage.end) {
+    const double landing = next_landing(stage.end);
+    // Two equal steps to a landing rather than a long and a tiny one.
+    double step = std::min(dt, landing - time_);
+    if (step < landing - time_ && step > 0.5 * (landing - time_))
+      step = 0.5 * (landing - time_);
+    const bool lands = step == landing - time_;
+    const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
+    release_tools(time_ + step, gone);
+    std::string why = leap(scene_, stage, time_, time_ + step);
+    if (why.empty() && try_increment(step, why)) {
+      accept(step);
+      if (lands)
+        time_ = landing;
+      notify(observers, report(step, failures));
+      if (last_iterations_ <= 5)
+        dt = std::min(std::max(dt, step) * 1.5, largest);
+      else if (last_iterations_ > 9)
+        dt = std::max(0.7 * step, smallest);
+      failures = 0;
+      tried.clear();
+      for (const Observer* observer : observers)
+        if (observer->stop_requested())
+          return RunStatus::stopped;
+      continue;
+    }
+    ++failures;
+    ++cutbacks_;
+    tried.push_back(fmt::format("dt = {:.4g}: {}", step, why));
+    // The last step remains the better guess for a shorter one, but for a start that fails again.
+    constexpr int tries_with_last_step = 3;
+    if (failures >= tries_with_last_step)
+      last_step_.clear();
+    dt = 0.5 * step;
+    if (dt < smallest) {
+      PostMortem post{time_ + step, step, why, -1, Vec3::Zero(), tried, newton_->records()};
+      post.worst_node = newton_->worst_unknown() / scene_.mesh.dimension();
+      post.worst_position = as_points(x_, scene_.mesh.dimension())[idx(post.worst_node)];
+      for (Observer* observer : observers)
+        observer->failed(*this, post);
+      return RunStatus::not_converged;
+    }
+  }
+  return RunStatus::done;
+}
+
+RunStatus Process::run(const std::vector<Observer*>& observers) {
+  const double begun = now();
+  for (Observer* observer : observers)
+    observer->started(*this);
+  RunStatus status = RunStatus::done;
+  double start = 0.0;
+  for (const Stage& stage : scene_.stages) {
+    status = run_stage(stage, start, observers);
+    if (status != RunStatus::done)
+      break;
+    start = stage.end;
+  }
+  times_.assembly = newton_->times().assembly;
+  times_.solve = newton_->times().solve;
+  times_.total = now() - begun;
+  for (Observer* observer : observers)
+    observer->finished(*this);
+  return status;
+}
+
+} // namespace billet::process

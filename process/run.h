@@ -1,0 +1,178 @@
+// The run loop: a scene through its stages, increment by increment.
+//
+// An increment moves the tools, solves for equilibrium with contact found anew in every iteration,
+// and is accepted or cut back; the step grows on easy increments. Observers look at each accepted
+// increment and change nothing. Theory: docs/theory/process.md (P.1)-(P.6).
+
+#pragma once
+
+#include "contact/contact_term.h"
+#include "mechanics/loads.h"
+#include "mechanics/newton.h"
+#include "process/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace billet::process {
+
+/// Energies of the run so far [N mm].
+struct EnergyBalance {
+  double external = 0.0;  ///< work of tools, supports and loads
+  double elastic = 0.0;   ///< stored in the workpiece
+  double plastic = 0.0;   ///< dissipated in it
+  double friction = 0.0;  ///< dissipated on its surface
+  double contact = 0.0;   ///< stored in the penalties
+  double grounding = 0.0; ///< lost to the grounding of free motions
+
+  /// |external - sum of the rest| over the largest of them [-].
+  [[nodiscard]] double error() const;
+};
+
+/// One accepted increment.
+struct IncrementReport {
+  int increment = 0; ///< from 1
+  double time = 0.0; ///< at its end [s]
+  double dt = 0.0;   ///< [s]
+  int iterations = 0;
+  double residual = 0.0;           ///< relative [-]
+  int cutbacks = 0;                ///< tries that failed before it
+  double volume = 0.0;             ///< [mm^3]
+  double max_penetration = 0.0;    ///< sampled over whole faces in contact [mm]
+  double penetration_share = 0.0;  ///< the largest, relative to the element beneath [-]
+  double contact_area = 0.0;       ///< [mm^2]
+  double max_plastic_strain = 0.0; ///< [-]
+  double min_quality = 0.0;        ///< scaled Jacobian [-]
+  double wall_time = 0.0;          ///< since the start of the run [s]
+  EnergyBalance energy;
+  std::vector<mechanics::IterationRecord> records;
+};
+
+/// Why an increment could not be solved, for the post-mortem.
+struct PostMortem {
+  double time = 0.0; ///< that could not be reached [s]
+  double dt = 0.0;   ///< shortest increment tried [s]
+  std::string reason;
+  Index worst_node = -1;                           ///< with the largest residual
+  Vec3 worst_position = Vec3::Zero();              ///< of that node [mm]
+  std::vector<std::string> tried;                  ///< one line a try
+  std::vector<mechanics::IterationRecord> records; ///< of the last try
+};
+
+class Process;
+
+/// Looks at a run.
+class Observer {
+public:
+  virtual ~Observer() = default;
+  virtual void started(const Process&) {}
+  virtual void incremented(const Process&, const IncrementReport&) {}
+  virtual void failed(const Process&, const PostMortem&) {}
+  virtual void finished(const Process&) {}
+  /// True ends the run after this increment (a signal).
+  [[nodiscard]] virtual bool stop_requested() const { return false; }
+};
+
+enum class RunStatus { done, not_converged, stopped };
+
+/// Time spent by part of the program [s].
+struct PhaseTimes {
+  double total = 0.0;
+  double assembly = 0.0; ///< elements, contact search, contact elements
+  double solve = 0.0;    ///< analysis, factorization, back substitution
+  double output = 0.0;   ///< observers
+};
+
+class Process {
+public:
+  /// Prepares a scene: brings tools to touch, checks that nothing overlaps and that all is held.
+  /// @throws Error (Fault::geometry, Fault::case_file)
+  explicit Process(Scene scene);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Runs to the end, or to where it cannot go on.
+  RunStatus run(const std::vector<Observer*>& observers);
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] const mechanics::Bulk& bulk() const { return *bulk_; }
+  [[nodiscard]] const contact::ContactTerm* contact() const { return contact_.get(); }
+  [[nodiscard]] const contact::ContactSurface* surface() const { return surface_.get(); }
+  /// Committed positions, shape (n_dofs) [mm].
+  [[nodiscard]] std::span<const double> positions() const { return x_; }
+  /// Positions of the last trial, shape (n_dofs) [mm]; of interest after a failure.
+  [[nodiscard]] std::span<const double> trial_positions() const { return trial_x_; }
+  /// Displacement rate of the last increment, shape (n_dofs) [mm/s].
+  [[nodiscard]] std::span<const double> velocity() const { return velocity_; }
+  /// Plastic strain rate of the last increment at the points, shape (n_elements, points) [1/s].
+  [[nodiscard]] std::span<const double> plastic_rate() const { return plastic_rate_; }
+  /// Forces of the supports on the workpiece, shape (n_dofs) [N].
+  [[nodiscard]] std::span<const double> reactions() const { return reactions_; }
+  [[nodiscard]] const EnergyBalance& energy() const { return energy_; }
+  [[nodiscard]] const PhaseTimes& times() const { return times_; }
+  [[nodiscard]] int increments() const { return increment_; }
+  [[nodiscard]] int iterations() const { return iterations_; }
+  [[nodiscard]] int cutbacks() const { return cutbacks_; }
+  /// Iterations that went into tries that failed.
+  [[nodiscard]] int wasted_iterations() const { return wasted_iterations_; }
+  /// Rigid motions held by grounding alone.
+  [[nodiscard]] int grounded_motions() const { return grounded_; }
+
+private:
+  void bring_to_touch();
+  void check_overlap() const;
+  void make_terms();
+  void make_loads();
+  /// Force per displacement of the size of the body's own stiffness [N/mm].
+  [[nodiscard]] double body_stiffness() const;
+  void start_stage(const Stage& stage);
+  /// Lets the forces of tools that touch now and do not act at `next_time` fade until `gone_time`.
+  void release_tools(double next_time, double gone_time);
+  [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
+  [[nodiscard]] bool try_increment(double dt, std::string& why);
+  void accept(double dt);
+  void update_energy();
+  [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
+  [[nodiscard]] RunStatus
+  run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers);
+  [[nodiscard]] double next_landing(double stage_end) const;
+  void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
+
+  Scene scene_;
+  mechanics::BlockPattern pattern_;
+  std::unique_ptr<mechanics::Bulk> bulk_;
+  std::unique_ptr<contact::ContactSurface> surface_;
+  std::unique_ptr<contact::ContactTerm> contact_;
+  std::vector<std::unique_ptr<mechanics::Load>> loads_;
+  std::unique_ptr<mechanics::Load> grounding_;
+  std::vector<std::unique_ptr<mechanics::Load>> fading_; ///< forces of tools that have left
+  std::vector<mechanics::ForceTerm*> terms_;
+  std::unique_ptr<mechanics::Newton> newton_;
+  std::vector<double> x0_;
+  std::vector<double> x_;
+  std::vector<double> trial_x_;
+  std::vector<double> last_step_; ///< x_new - x_old of the last increment; empty: none
+  double last_dt_ = 0.0;
+  std::vector<double> velocity_;
+  std::vector<double> plastic_rate_;
+  std::vector<double> reactions_;
+  EnergyBalance energy_;
+  double support_work_ = 0.0;
+  double tool_energy_ = 0.0; ///< of penalties, gone with tools that left
+  double grounding_stiffness_ = 0.0;
+  double time_ = 0.0;
+  PhaseTimes times_;
+  double started_ = 0.0;
+  int increment_ = 0;
+  int iterations_ = 0;
+  int cutbacks_ = 0;
+  int wasted_iterations_ = 0;
+  int grounded_ = 0;
+  int last_iterations_ = 0;
+  double last_residual_ = 0.0;
+};
+
+} // namespace billet::process

@@ -1,0 +1,80 @@
+// A scene: everything a forming process needs, in plain values, checked before it gets here.
+//
+// Units are those of the case; results do not depend on which.
+
+#pragma once
+
+#include "contact/contact_surface.h"
+#include "contact/tool.h"
+#include "geometry/base/time_function.h"
+#include "mechanics/bulk.h"
+#include "mechanics/linear_solver.h"
+#include "mechanics/mesh.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace billet::process {
+
+using mechanics::Index;
+
+/// Nodes of which one component follows a displacement over time (0: fixed).
+struct Support {
+  std::vector<Index> nodes;
+  int component;
+  TimeFunction displacement; ///< [mm]
+};
+
+/// Pressure on faces, following them.
+struct PressureOn {
+  std::vector<mechanics::Face> faces;
+  TimeFunction pressure; ///< [MPa]
+};
+
+/// Nodal forces with an amplitude over time.
+struct DeadForces {
+  std::vector<double> forces; ///< shape (n_dofs) [N]
+  TimeFunction amplitude;     ///< [-]
+};
+
+using LoadSpec = std::variant<PressureOn, DeadForces>;
+
+/// One operation; it lasts from the end of the one before.
+struct Stage {
+  std::string name;
+  double end;              ///< [s]
+  std::vector<char> tools; ///< which tools act, one flag a tool
+  bool unload = false;     ///< the tools leave and the part springs back
+};
+
+/// Sizes of increments; what is absent follows from the length of the stage.
+struct IncrementLimits {
+  std::optional<double> first; ///< [s]
+  std::optional<double> min;   ///< [s]
+  std::optional<double> max;   ///< [s]
+};
+
+struct Scene {
+  std::string title;
+  mechanics::Analysis analysis = mechanics::Analysis::plane_strain;
+  mechanics::Mesh mesh;
+  mechanics::Material material;
+  std::vector<Support> supports;
+  std::vector<LoadSpec> loads;
+  std::vector<contact::Tool> tools;
+  std::vector<char> touch; ///< tools to be brought to first contact, one flag a tool
+  std::vector<mechanics::Face> contact_faces;
+  contact::ContactSettings contact;
+  std::vector<Stage> stages; ///< at least one
+  IncrementLimits increments;
+  std::vector<double> landing_times; ///< times an increment must end at, sorted [s]
+  double tolerance = 1e-6;
+  mechanics::SolverChoice solver = mechanics::SolverChoice::automatic;
+};
+
+/// Rigid motions that the supports leave free (the contact may still stop them).
+[[nodiscard]] int free_rigid_motions(const Scene& scene);
+
+} // namespace billet::process

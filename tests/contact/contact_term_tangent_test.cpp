@@ -1,0 +1,136 @@
+// The whole contact tangent against differences of the residual, column by column.
+
+#include "contact/contact_term.h"
+#include "tests/support/contact_bench.h"
+#include "tests/support/contact_laws.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+#include <string>
+#include <tuple>
+
+namespace billet::contact {
+namespace {
+
+constexpr double tolerance = 1e-6; // DESIGN: tangents to 1e-6 of their norm
+
+/// The face y = 0 of the body lies 0.02 deep on this tool at its lowest.
+geometry::SurfacePtr tool_below(bool curved) {
+  return curved ? geometry::make_sphere({2.0, -3.98, 0.4}, 4.0, false)
+                : geometry::make_plane({2, 0.02, 0}, {0.05, 1.0, 0});
+}
+
+/// The tool beneath a body of a kind in the plane: its section is a circle.
+geometry::SurfacePtr tool_for(const BodyKind& body, bool curved) {
+  if (curved && !body.solid())
+    return geometry::make_circle({2.0, -3.98, 0.0}, 4.0, false);
+  return tool_below(curved);
+}
+
+std::vector<double>
+shaken(const std::vector<double>& x, double size, double drift, std::mt19937& generator, int dim) {
+  std::uniform_real_distribution<double> component(-1.0, 1.0);
+  std::vector<double> moved = x;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    moved[i] +=
+        size * component(generator) + (i % static_cast<std::size_t>(dim) == 0 ? drift : 0.0);
+  return moved;
+}
+
+/// Central differences of the residual; empty if a point changes its status on the way.
+Eigen::MatrixXd
+differences(ContactBench& bench, const std::vector<double>& at, double time, double h) {
+  const auto n = static_cast<Eigen::Index>(at.size());
+  Eigen::MatrixXd K(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    std::vector<double> x = at;
+    x[static_cast<std::size_t>(j)] += h;
+    bench.assemble(x, time);
+    const Eigen::VectorXd above = bench.force();
+    int changed = bench.term.changes();
+    x[static_cast<std::size_t>(j)] -= 2.0 * h;
+    bench.assemble(x, time);
+    changed += bench.term.changes();
+    K.col(j) = (bench.force() - above) / (2.0 * h);
+    if (changed != 0)
+      return {};
+  }
+  return K;
+}
+
+struct Count {
+  int stick = 0, slip = 0;
+};
+
+Count statuses(const ContactTerm& term) {
+  Count count;
+  for (const PointResult& point : term.results()) {
+    count.stick += point.status == Status::stick ? 1 : 0;
+    count.slip += point.status == Status::slip ? 1 : 0;
+  }
+  return count;
+}
+
+using Choice = std::tuple<int, Form, bool>;
+
+class WholeTangent : public testing::TestWithParam<Choice> {
+protected:
+  /// Two increments with history, then the tangent of a third; drift makes points slide.
+  void check(const NamedLaw& law, double drift) {
+    const auto [kind, form, curved] = GetParam();
+    const BodyKind& body = body_kinds()[static_cast<std::size_t>(kind)];
+    mechanics::Mesh mesh = bench_mesh(body);
+    const auto faces = mechanics::boundary_faces(mesh);
+    const ContactSettings settings{form, 1.0, 0.7};
+    ContactBench bench(std::move(mesh), body.analysis, bench_material(),
+                       one_tool(still_tool(tool_for(body, curved), law.second)), settings, faces);
+    std::mt19937 generator(17);
+    const int dim = bench.mesh.dimension();
+    bench.commit(shaken(bench.x, 2e-3, 0.0, generator, dim), 1.0);
+    bench.commit(shaken(bench.x, 2e-3, 0.0, generator, dim), 2.0);
+    const std::vector<double> trial = shaken(bench.x, 2e-3, drift, generator, dim);
+    bench.assemble(trial, 3.0);
+    const Eigen::MatrixXd K = bench.tangent();
+    const Count count = statuses(bench.term);
+    double best = std::numeric_limits<double>::infinity();
+    for (const double h : {1e-6, 1e-7, 1e-8}) {
+      bench.assemble(trial, 3.0);
+      const Eigen::MatrixXd difference = differences(bench, trial, 3.0, h);
+      if (difference.size() != 0)
+        best = std::min(best, (difference - K).norm() / K.norm());
+    }
+    EXPECT_GT(count.stick + count.slip, 0);
+    EXPECT_LT(best, tolerance) << body.name() << ' ' << law.first << " drift " << drift;
+    worst_ = std::max(worst_, best);
+    seen_.stick += count.stick;
+    seen_.slip += count.slip;
+  }
+  double worst_ = 0.0;
+  Count seen_;
+};
+
+TEST_P(WholeTangent, AgreesWithDifferencesOfTheResidual) {
+  for (const NamedLaw& law : every_law())
+    for (const double drift : {0.0, 0.05})
+      check(law, drift);
+  const auto [kind, form, curved] = GetParam();
+  std::printf("%-20s %-10s %-6s stick %3d slip %3d: largest error %.1e (<= 1e-6)\n",
+              body_kinds()[static_cast<std::size_t>(kind)].name().c_str(),
+              form == Form::mixed ? "mixed" : "compatible", curved ? "curved" : "plane",
+              seen_.stick, seen_.slip, worst_);
+  EXPECT_GT(seen_.stick, 0);
+  EXPECT_GT(seen_.slip, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryElement,
+                         WholeTangent,
+                         testing::Combine(testing::Range(0, 6),
+                                          testing::Values(Form::mixed, Form::compatible),
+                                          testing::Bool()));
+
+} // namespace
+} // namespace billet::contact

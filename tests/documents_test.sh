@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# The words keep step with the code: an equation tag such as (F.3) in a source stands in
+# docs/theory/, and a link from one page to another leads somewhere.
+set -euo pipefail
+cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
+export LC_ALL=C.UTF-8
+
+readonly folders=(geometry mechanics contact process io app)
+
+tags() { # FILE...: "file:tag", as (F.3) or, in a formula, \tag{F.3}
+  grep -HoE '\([A-Z]{1,2}\.[0-9]+[a-z]?\)|\\tag\{[A-Z]{1,2}\.[0-9]+[a-z]?\}' "$@" |
+    sed -E 's/\\tag\{(.*)\}/(\1)/' || true
+}
+
+unknown_tags() {
+  local known
+  known=$(tags docs/theory/*.md 2>/dev/null | sed 's/.*://' | sort -u)
+  find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort | while read -r source; do
+    tags "$source" | sort -u | while IFS=: read -r file tag; do
+      grep -qxF -- "$tag" <<<"$known" || echo "$file: equation $tag is not in docs/theory/"
+    done
+  done
+}
+
+pages() { find . -name '*.md' -not -path './build/*' -not -path './results/*' -not -path './.git/*'; }
+
+dead_links() {
+  local page target
+  pages | sort | while read -r page; do
+    grep -oE '\]\([^)[:space:]]+\)' "$page" | sed -E 's/^\]\((.*)\)$/\1/; s/#.*//' | sort -u |
+      while read -r target; do
+        [[ -z $target || $target =~ ^[a-z]+: || -e $(dirname "$page")/$target ]] ||
+          echo "${page#./}: a link leads nowhere: $target"
+      done || true
+  done
+}
+
+complaints=$(unknown_tags; dead_links)
+[[ -z $complaints ]] && exit 0
+printf '%s\n' "$complaints"
+exit 1

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Holds the architecture: includes follow base <- geometry <- mechanics <- contact <- process <- io
+# <- app, our headers show no third party but Eigen, and every law has its test.
+set -euo pipefail
+cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
+export LC_ALL=C
+
+readonly folders=(geometry mechanics contact process io app)
+
+includes() { # FILE-PATTERN...: "file:line: <header>" or "file:line: "header"" of each #include
+  find "${folders[@]}" -type f \( "$@" \) -exec grep -HnoE '^ *# *include *[<"][^>"]+[>"]' {} + |
+    sed -E 's/: *# *include */: /' | sort
+}
+
+against_the_arrow() {
+  includes -name '*.h' -o -name '*.cpp' | awk '
+    function room(path) { return path ~ /^geometry\/base\// ? "base" : substr(path, 1, index(path, "/") - 1) }
+    BEGIN { split("base geometry mechanics contact process io app", rooms)
+            for (i in rooms) rank[rooms[i]] = i + 0 }
+    $2 ~ /^"/ {
+      split($1, place, ":"); from = room(place[1])
+      header = substr($2, 2, length($2) - 2); to = room(header)
+      if (!(to in rank))
+        print place[1] ":" place[2] ": " $2 " must be named from the root, as in \"geometry/motion.h\""
+      else if (rank[to] > rank[from])
+        print place[1] ":" place[2] ": " from " may not include " to " (" $2 ")"
+    }'
+}
+
+third_party_in_headers() { # but for billet-render, a program about VTK whose headers nobody else sees
+  includes -name '*.h' -not -path 'app/render/*' | awk '
+    $2 ~ /^</ && $2 !~ /^<[a-z0-9_]+>$/ && $2 !~ /^<Eigen\/[A-Za-z]+>$/ {
+      split($1, place, ":")
+      print place[1] ":" place[2] ": " $2 " belongs in a .cpp; headers show only Eigen and the standard library"
+    }'
+}
+
+laws_without_test() { # a law is what has a name in case files
+  local header partner
+  find mechanics/materials contact/friction -name '*.h' 2>/dev/null | sort | while read -r header; do
+    grep -qE 'static constexpr [a-z_:* ]+ name\b' "$header" || continue
+    partner=tests/${header%.h}_test.cpp
+    [[ -f $partner ]] || echo "$header: a law without its test, $partner"
+  done
+}
+
+complaints=$(against_the_arrow; third_party_in_headers; laws_without_test)
+[[ -z $complaints ]] && exit 0
+printf '%s\n' "$complaints"
+exit 1

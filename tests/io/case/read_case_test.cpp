@@ -1,0 +1,164 @@
+#include "io/case/read_case.h"
+#include "tests/io/case/case_text.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace billet::io::testing {
+namespace {
+
+TEST(ReadCase, reads_the_whole_of_a_case_in_the_plane) {
+  const Case content = read(plane_case);
+  EXPECT_EQ(content.title, "upsetting");
+  EXPECT_EQ(content.analysis, Analysis::axisymmetric);
+  EXPECT_EQ(content.dimension(), 2);
+  const auto& box = std::get<BoxMesh>(content.workpiece.mesh);
+  EXPECT_EQ(box.high, Vec3(5, 7.5, 0));
+  EXPECT_EQ(box.cells, (std::array{12, 18, 1}));
+  EXPECT_EQ(box.grading, (std::array{1.0, 2.0, 1.0}));
+  EXPECT_EQ(content.workpiece.place.rotate->axis, Vec3::UnitZ());
+  const Material& steel = content.materials.at("steel");
+  EXPECT_EQ(steel.elastic.young, 210000.0);
+  EXPECT_EQ(*steel.density, 7.85e-9);
+  EXPECT_DOUBLE_EQ(*steel.hardness, 3 * 740 * std::pow(0.01, 0.2));
+  EXPECT_FALSE(content.materials.at("spring").flow);
+  EXPECT_FALSE(content.materials.at("spring").hardness);
+  EXPECT_EQ(std::get<InSet>(content.supports[1].where).name, "bottom");
+  EXPECT_EQ((*content.supports[1].move[1])(0.5), -0.25);
+  EXPECT_EQ(std::get<PressureLoad>(content.loads[0].kind).pressure(1.0), 10.0);
+  EXPECT_EQ(std::get<OnPlane>(content.loads[0].where).value, 7.5);
+  EXPECT_EQ(std::get<TractionLoad>(content.loads[1].kind).traction, Vec3(1, 2, 0));
+}
+
+TEST(ReadCase, reads_tools_and_settings) {
+  const Case content = read(plane_case);
+  const Tool& punch = content.tools.at(0);
+  EXPECT_EQ(std::get<VelocityMotion>(*punch.motion.translation).velocity, Vec3(0, -1, 0));
+  EXPECT_TRUE(punch.touch);
+  EXPECT_EQ(std::get<double>(std::get<TrescaFriction>(punch.friction.law).k), 100.0);
+  EXPECT_EQ(*punch.active, (std::array{0.0, 2.0}));
+  const Tool& roll = content.tools.at(1);
+  EXPECT_DOUBLE_EQ(std::get<RotationMotion>(*roll.motion.rotation).speed(0.0), std::numbers::pi);
+  EXPECT_EQ(std::get<DisplacementMotion>(*roll.motion.translation).displacement[0](1.0), 0.5);
+  const auto& coulomb = std::get<CoulombFriction>(roll.friction.law);
+  EXPECT_TRUE(std::holds_alternative<ShearYield>(*coulomb.cap));
+  EXPECT_EQ(content.contact.form, ContactForm::compatible);
+  EXPECT_EQ(std::get<InSet>(*content.contact.surface).name, "skin");
+  EXPECT_EQ(content.time.end, 3.0);
+  EXPECT_EQ(*content.time.increments.first, 0.1);
+  EXPECT_EQ(*content.stages[0].tools, (std::vector<std::string>{"punch", "die"}));
+  EXPECT_TRUE(content.stages[1].unload);
+  EXPECT_EQ(content.solver.linear, LinearSolverChoice::mumps);
+  EXPECT_EQ(*content.solver.threads, 2);
+  EXPECT_EQ(content.output.at, (std::vector{0.25, 1.75}));
+}
+
+TEST(ReadCase, reads_the_shapes_of_space) {
+  const Case content = read(space_case);
+  EXPECT_EQ(content.workpiece.element, "hex20");
+  EXPECT_EQ(std::get<CylinderMesh>(content.workpiece.mesh).sector, 90);
+  EXPECT_EQ(*content.materials.at("lead").hardness, 30.0);
+  EXPECT_TRUE(std::get<SphereSurface>(content.tools[1].surface).inside);
+  EXPECT_EQ(std::get<ConeSurface>(content.tools[2].surface).half_angle, 30.0);
+  EXPECT_TRUE(std::get<TorusSurface>(content.tools[3].surface).inside);
+  EXPECT_NEAR(content.tools[3].place.rotate->degrees, 90 / std::numbers::pi, 1e-13);
+  EXPECT_TRUE(std::holds_alternative<FrictionlessFriction>(content.tools[0].friction.law));
+}
+
+TEST(ReadCase, fills_in_the_defaults_of_the_format) {
+  const Case content = read(space_case);
+  EXPECT_EQ(content.units.name, "mm-N-s-MPa-degC");
+  EXPECT_EQ(content.temperature, 20.0);
+  EXPECT_EQ(content.contact, ContactSettings{});
+  EXPECT_EQ(content.contact.penalty, 100.0);
+  EXPECT_EQ(content.contact.penalty_tangent, 10.0);
+  EXPECT_EQ(content.solver.tolerance, 1e-6);
+  EXPECT_FALSE(content.remesh);
+}
+
+TEST(ReadCase, converts_to_the_other_unit_system) {
+  const Case content = read("units = \"m-N-s-Pa-degC\"\n" + space_case,
+                            {"material.lead.elastic.young=16 GPa", "tool.a.touch=false",
+                             "workpiece.mesh.cylinder.radius=10 mm"});
+  EXPECT_EQ(content.materials.at("lead").elastic.young, 16e9);
+  EXPECT_EQ(std::get<CylinderMesh>(content.workpiece.mesh).radius, 0.01);
+  EXPECT_EQ(content.units.stress, "Pa");
+}
+
+TEST(ReadCase, reads_every_available_flow_law) {
+  const std::string flow = R"(law = "table", points = [[0, 10], [0.1, 20]])";
+  const auto law = [&](const std::string& keys) {
+    return *read(replaced(space_case, flow, keys)).materials.at("lead").flow;
+  };
+  EXPECT_EQ(law(R"(law = "perfect", yield = 5)"), FlowLaw(PerfectFlow{5}));
+  EXPECT_EQ(law(R"(law = "linear", yield = 5, hardening = 0)"), FlowLaw(LinearFlow{5, 0}));
+  EXPECT_EQ(law(R"(law = "ludwik", yield = 5, K = 7, n = 0.5)"), FlowLaw(LudwikFlow{5, 7, 0.5}));
+  EXPECT_EQ(law(R"(law = "voce", yield = 5, saturation = 9, rate = 3)"),
+            FlowLaw(VoceFlow{5, 9, 3}));
+}
+
+TEST(ReadCase, finds_files_beside_the_case) {
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
+  write_file(folder / "die.stl", "solid");
+  write_file(folder / "part.msh", "");
+  write_file(folder / "case.toml",
+             replaced(replaced(space_case,
+                               "cylinder = { radius = 10, height = 30 }, cells = [4, 10], "
+                               "sector = 90",
+                               "file = \"part.msh\""),
+                      "sphere = { centre = [0, 0, 40], radius = 5 }, inside = true",
+                      "stl = \"die.stl\", unit = \"in\", flip = true"));
+  const Case content = read_case(folder / "case.toml");
+  const auto& stl = std::get<StlSurface>(content.tools[1].surface);
+  EXPECT_EQ(stl.file.given, "die.stl");
+  EXPECT_TRUE(std::filesystem::equivalent(stl.file.path, folder / "die.stl"));
+  EXPECT_EQ(stl.unit_factor, 25.4);
+  EXPECT_EQ(stl.feature_angle, 30.0);
+  EXPECT_FALSE(stl.smooth);
+}
+
+TEST(ReadCase, leaves_the_folder_of_the_case_only_when_asked) {
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
+  std::filesystem::create_directory(folder / "inner");
+  write_file(folder / "part.msh", "");
+  const std::string text =
+      replaced(space_case, "cylinder = { radius = 10, height = 30 }, cells = [4, 10], sector = 90",
+               "file = \"../part.msh\"");
+  write_file(folder / "inner" / "case.toml", text);
+  std::filesystem::create_symlink(folder / "part.msh", folder / "inner" / "link.msh");
+  const auto file = folder / "inner" / "case.toml";
+  EXPECT_THROW((void)read_case(file), Error);
+  EXPECT_THROW((void)read_case(file, {"workpiece.mesh.file=link.msh"}), Error);
+  EXPECT_THROW((void)read_case(file, {"workpiece.mesh.file=" + (folder / "part.msh").string()}),
+               Error);
+  EXPECT_NO_THROW((void)read_case(file, {}, {.allow_outside = true}));
+}
+
+TEST(ReadCase, names_a_case_file_that_is_missing_or_a_folder) {
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
+  for (const auto& file : {folder / "none.toml", folder}) {
+    try {
+      (void)read_case(file);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault(), Fault::case_file);
+      EXPECT_EQ(error.complaints().at(0).place, file.string());
+    }
+  }
+}
+
+TEST(ReadCase, takes_a_byte_order_mark_and_dos_line_ends) {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : plane_case)
+    text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(read(text), read(plane_case));
+}
+
+} // namespace
+} // namespace billet::io::testing

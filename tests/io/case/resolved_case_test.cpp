@@ -1,0 +1,90 @@
+#include "tests/io/case/case_text.h"
+
+#include <gtest/gtest.h>
+
+namespace billet::io::testing {
+namespace {
+
+void expect_round_trip(const Case& content) {
+  const std::string text = resolved_toml(content);
+  try {
+    const Case again = read(text);
+    EXPECT_EQ(again, content) << text;
+    EXPECT_EQ(resolved_toml(again), text);
+  } catch (const Error& error) {
+    ADD_FAILURE() << error.what() << "\n" << text;
+  }
+}
+
+TEST(ResolvedCase, reads_back_equal) {
+  expect_round_trip(read(plane_case));
+  expect_round_trip(read(space_case));
+  expect_round_trip(read("units = \"m-N-s-Pa-degC\"\n" + space_case));
+}
+
+TEST(ResolvedCase, keeps_every_bit_of_a_number) {
+  Case content = read(space_case);
+  content.time.end = 0.1 + 0.2;
+  content.temperature = 1.0 / 3.0;
+  content.solver.tolerance = 4.9406564584124654e-324;
+  content.contact.penalty = 1.7976931348623157e308;
+  content.contact.penalty_tangent = 1234567890123456789.0;
+  expect_round_trip(content);
+}
+
+TEST(ResolvedCase, escapes_text_and_names) {
+  Case content = read(space_case);
+  content.title = "a \"quoted\" \\ title\n\twith \x01 \u00e4";
+  content.materials["spring steel"] = content.materials.at("lead");
+  expect_round_trip(content);
+}
+
+/// A case with everything that this version knows and cannot do yet, in space or in the plane.
+Case future_case() {
+  Case content = read(space_case);
+  content.workpiece.element = "tet10";
+  Material& lead = content.materials.at("lead");
+  lead.flow = NortonHoffFlow{1, 0.1, 0.2, 0.3, 4};
+  content.materials["a"] = lead;
+  content.materials["a"].flow = PerzynaFlow{SwiftFlow{1, 0.1, 0.2}, 3, 4};
+  content.materials["b"] = lead;
+  content.materials["b"].flow = JohnsonCookFlow{1, 2, 3, 4, 5, 6, 20, 600};
+  content.materials["c"] = lead;
+  content.materials["c"].flow = HanselSpittelFlow{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0.01};
+  content.tools[0].motion = {ForceMotion{{0, 0, 1}, 3.0}, TorqueMotion{{0, 0, 0}, {0, 0, 1}, 4.0}};
+  content.tools[0].friction.law = ShawFriction{3.0, 0.5};
+  content.tools[0].friction.tensor = {{{1, 0}, {0, 2}}};
+  content.tools[0].friction.direction = Vec3(1, 0, 0);
+  content.tools[1].friction.law = AsperityFriction{0.1, ShearYield{}, 0.3};
+  content.tools[1].friction.evolution = {{0, 1}, {1, 2}};
+  content.tools[2].friction.law = ThickFilmFriction{1, 2};
+  content.tools[2].friction.table = {{0, 0.1}, {100, 0.2}};
+  content.tools[3].friction.law = ViscoplasticFriction{1, 2, 0.5};
+  content.tools[3].wear = Wear{1e-4, 700};
+  content.contact.method = ContactMethod::augmented;
+  content.contact.integrator = ContactIntegrator::midpoint;
+  content.contact.substeps = 5;
+  content.contact.max_penetration = 1e-3;
+  content.solver.accuracy = Accuracy::draft;
+  content.remesh = Remesh{0.1, 1, 2, 3, 4, 5, 6, "tet10", {"top"}};
+  content.output.checkpoint_every = 1;
+  return content;
+}
+
+TEST(ResolvedCase, is_well_formed_even_where_this_version_cannot_run_it) {
+  const std::vector<Complaint> complaints = complaints_of(resolved_toml(future_case()));
+  EXPECT_EQ(complaints.size(), 23U);
+  for (const Complaint& complaint : complaints)
+    EXPECT_TRUE(complaint.message.ends_with("not available in this version")) << complaint.text();
+}
+
+TEST(ResolvedCase, states_the_defaults) {
+  const std::string text = resolved_toml(read(space_case));
+  EXPECT_NE(text.find("penalty = 100\n"), std::string::npos);
+  EXPECT_NE(text.find("element = \"hex20\"\n"), std::string::npos);
+  EXPECT_NE(text.find("friction = { law = \"frictionless\" }\n"), std::string::npos);
+  EXPECT_NE(text.find("hardness = 30\n"), std::string::npos);
+}
+
+} // namespace
+} // namespace billet::io::testing

@@ -1,0 +1,218 @@
+#include "mechanics/linear_solver.h"
+#include "mechanics/mesh_generators.h"
+#include "tests/support/figures.h"
+#include "tests/support/tensors.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace billet::mechanics {
+namespace {
+
+enum class Sort { positive, indefinite, unsymmetric };
+
+/// A pattern, a matrix over it, the same matrix dense.
+struct Problem {
+  explicit Problem(Sort sort) {
+    const auto n = static_cast<std::size_t>(pattern.n_dofs());
+    const Eigen::MatrixXd random_part = Eigen::Map<Eigen::MatrixXd>(
+        random.list(n * n, 1.0).data(), pattern.n_dofs(), pattern.n_dofs());
+    matrix.values.resize(pattern.n_entries());
+    for (Index i = 0; i < pattern.n_dofs(); ++i)
+      for (Index k = row(i); k < row(i + 1); ++k) {
+        const Index j = pattern.columns[static_cast<std::size_t>(k)];
+        double value = sort == Sort::unsymmetric ? random_part(i, j)
+                                                 : random_part(std::min(i, j), std::max(i, j));
+        if (i == j)
+          value = sort == Sort::indefinite && i % 3 == 0 ? -30.0 : 30.0;
+        matrix.values[static_cast<std::size_t>(k)] = value;
+      }
+    refresh();
+    rhs = random.list(n, 1.0);
+    x.resize(n);
+  }
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+
+  [[nodiscard]] Index row(Index i) const { return pattern.row_start[static_cast<std::size_t>(i)]; }
+  void refresh() {
+    dense = Eigen::MatrixXd::Zero(pattern.n_dofs(), pattern.n_dofs());
+    for (Index i = 0; i < pattern.n_dofs(); ++i)
+      for (Index k = row(i); k < row(i + 1); ++k)
+        dense(i, pattern.columns[static_cast<std::size_t>(k)]) =
+            matrix.values[static_cast<std::size_t>(k)];
+  }
+  /// Multiplies row and column i by `factor`.
+  void scale(Index i, double factor) {
+    for (Index a = 0; a < pattern.n_dofs(); ++a)
+      for (Index k = row(a); k < row(a + 1); ++k) {
+        const Index b = pattern.columns[static_cast<std::size_t>(k)];
+        matrix.values[static_cast<std::size_t>(k)] *=
+            (a == i ? factor : 1.0) * (b == i ? factor : 1.0);
+      }
+    refresh();
+  }
+  /// Relative error of x against the dense solution.
+  [[nodiscard]] double error(const std::vector<double>& solution) const {
+    const Eigen::VectorXd reference =
+        dense.fullPivLu().solve(Eigen::Map<const Eigen::VectorXd>(rhs.data(), pattern.n_dofs()));
+    return (Eigen::Map<const Eigen::VectorXd>(solution.data(), reference.size()) - reference)
+               .norm() /
+           reference.norm();
+  }
+
+  BlockPattern pattern = block_pattern(box_mesh({.kind = ElementKind::quad8, .cells = {5, 4, 1}}));
+  support::Random random{17};
+  SparseMatrix matrix{&pattern, {}};
+  Eigen::MatrixXd dense;
+  std::vector<double> rhs;
+  std::vector<double> x;
+};
+
+constexpr double accuracy = 1e-11; // condition numbers here are below 100
+
+TEST(LinearSolver, every_backend_agrees_with_the_dense_solution) {
+  struct Backend {
+    std::string name;
+    Sort sort;
+    std::unique_ptr<Factorization> (*make)(const BlockPattern&, std::span<const Index>);
+  };
+  const auto ldlt = [](const BlockPattern& p, std::span<const Index> o) {
+    return make_mumps(p, o, true);
+  };
+  const auto lu = [](const BlockPattern& p, std::span<const Index> o) {
+    return make_mumps(p, o, false);
+  };
+  const std::array<Backend, 7> backends{{{"cholmod", Sort::positive, &make_cholmod},
+                                         {"mumps-ldlt", Sort::positive, ldlt},
+                                         {"mumps-ldlt", Sort::indefinite, ldlt},
+                                         {"mumps-lu", Sort::unsymmetric, lu},
+                                         {"mumps-lu", Sort::indefinite, lu},
+                                         {"umfpack", Sort::unsymmetric, &make_umfpack},
+                                         {"umfpack", Sort::indefinite, &make_umfpack}}};
+  for (const Backend& backend : backends) {
+    Problem problem(backend.sort);
+    const auto order = fill_reducing_order(problem.pattern);
+    const auto factorization = backend.make(problem.pattern, order);
+    for (int again = 0; again < 2; ++again) { // the analysis serves new values
+      ASSERT_TRUE(factorization->factorize(problem.matrix)) << backend.name;
+      problem.x = problem.rhs;
+      factorization->solve(problem.x);
+      support::show_error("solver", backend.name, problem.error(problem.x), accuracy);
+      EXPECT_LE(problem.error(problem.x), accuracy) << backend.name;
+      problem.scale(7, 1.5);
+    }
+  }
+}
+
+TEST(LinearSolver, chooses_by_what_the_matrix_is) {
+  struct Expected {
+    Sort sort;
+    SolverChoice choice;
+    std::string_view method;
+  };
+  for (const Expected& expected :
+       {Expected{Sort::positive, SolverChoice::automatic, "cholmod"},
+        Expected{Sort::positive, SolverChoice::cholmod, "cholmod"},
+        Expected{Sort::indefinite, SolverChoice::automatic, "mumps-ldlt"},
+        Expected{Sort::indefinite, SolverChoice::cholmod, "mumps-ldlt"},
+        Expected{Sort::positive, SolverChoice::mumps, "mumps-ldlt"},
+        Expected{Sort::unsymmetric, SolverChoice::automatic, "mumps-lu"},
+        Expected{Sort::unsymmetric, SolverChoice::umfpack, "umfpack"},
+        Expected{Sort::indefinite, SolverChoice::umfpack, "umfpack"}}) {
+    Problem problem(expected.sort);
+    LinearSolver solver(problem.pattern, expected.choice);
+    const auto report =
+        solver.solve(problem.matrix, expected.sort != Sort::unsymmetric, problem.rhs, problem.x);
+    ASSERT_TRUE(report) << report.error().reason;
+    EXPECT_EQ(report->method, expected.method);
+    EXPECT_LE(problem.error(problem.x), accuracy) << expected.method;
+    EXPECT_LE(report->relative_residual, 1e-10);
+  }
+}
+
+TEST(LinearSolver, comes_back_to_cholmod_after_an_indefinite_matrix) {
+  Problem indefinite(Sort::indefinite);
+  Problem positive(Sort::positive);
+  LinearSolver solver(positive.pattern, SolverChoice::automatic);
+  ASSERT_TRUE(solver.solve(indefinite.matrix, true, indefinite.rhs, indefinite.x));
+  const auto report = solver.solve(positive.matrix, true, positive.rhs, positive.x);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->method, "cholmod");
+  EXPECT_LE(positive.error(positive.x), accuracy);
+}
+
+TEST(LinearSolver, gives_the_exact_reason_for_a_singular_matrix) {
+  for (const SolverChoice choice :
+       {SolverChoice::automatic, SolverChoice::cholmod, SolverChoice::mumps, SolverChoice::umfpack})
+    for (const Sort sort : {Sort::positive, Sort::unsymmetric}) {
+      Problem problem(sort);
+      problem.scale(11, 0.0); // an unknown that nothing holds
+      LinearSolver solver(problem.pattern, choice);
+      const auto report =
+          solver.solve(problem.matrix, sort == Sort::positive, problem.rhs, problem.x);
+      ASSERT_FALSE(report) << static_cast<int>(choice);
+      EXPECT_NE(report.error().reason.find("singular"), std::string::npos) << report.error().reason;
+    }
+}
+
+TEST(LinearSolver, refuses_values_that_are_not_finite) {
+  for (const SolverChoice choice :
+       {SolverChoice::automatic, SolverChoice::mumps, SolverChoice::umfpack}) {
+    Problem problem(Sort::positive);
+    problem.matrix.values[5] = std::numeric_limits<double>::quiet_NaN();
+    LinearSolver solver(problem.pattern, choice);
+    EXPECT_FALSE(solver.solve(problem.matrix, false, problem.rhs, problem.x))
+        << static_cast<int>(choice);
+  }
+}
+
+TEST(LinearSolver, bears_unknowns_of_very_different_stiffness) {
+  for (const Sort sort : {Sort::positive, Sort::unsymmetric}) {
+    Problem problem(sort);
+    for (Index i = 0; i < problem.pattern.n_dofs(); i += 3)
+      problem.scale(i, i % 2 == 0 ? 1e4 : 1e-4);
+    LinearSolver solver(problem.pattern, SolverChoice::automatic);
+    const auto report =
+        solver.solve(problem.matrix, sort == Sort::positive, problem.rhs, problem.x);
+    ASSERT_TRUE(report) << report.error().reason;
+    // Condition 1e16: only the backward error can be small.
+    const Eigen::Map<const Eigen::VectorXd> x(problem.x.data(), problem.pattern.n_dofs());
+    const Eigen::Map<const Eigen::VectorXd> b(problem.rhs.data(), x.size());
+    constexpr double rounding = 1e-14;
+    EXPECT_LE((problem.dense * x - b).norm(), rounding * problem.dense.norm() * x.norm());
+  }
+}
+
+TEST(LinearSolver, solves_for_a_right_hand_side_of_zero) {
+  Problem problem(Sort::positive);
+  std::fill(problem.rhs.begin(), problem.rhs.end(), 0.0);
+  LinearSolver solver(problem.pattern, SolverChoice::automatic);
+  ASSERT_TRUE(solver.solve(problem.matrix, true, problem.rhs, problem.x));
+  for (const double value : problem.x)
+    EXPECT_EQ(value, 0.0);
+}
+
+TEST(FillReducingOrder, is_a_permutation_that_keeps_the_unknowns_of_a_node_together) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::hex20}) {
+    const BlockPattern pattern = block_pattern(box_mesh({.kind = kind, .cells = {3, 4, 2}}));
+    const auto order = fill_reducing_order(pattern);
+    std::vector<Index> sorted = order;
+    std::sort(sorted.begin(), sorted.end());
+    ASSERT_EQ(static_cast<Index>(sorted.size()), pattern.n_dofs());
+    for (Index i = 0; i < pattern.n_dofs(); ++i)
+      ASSERT_EQ(sorted[static_cast<std::size_t>(i)], i);
+    for (std::size_t i = 0; i < order.size(); i += static_cast<std::size_t>(pattern.dim))
+      EXPECT_EQ(order[i] + 1, order[i + 1]);
+    EXPECT_EQ(order, fill_reducing_order(pattern)); // repeats
+  }
+}
+
+} // namespace
+} // namespace billet::mechanics

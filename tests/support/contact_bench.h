@@ -1,0 +1,156 @@
+// A small body under tools, without a run loop: what the tests of contact/ need.
+//
+// Units: mm, MPa.
+
+#pragma once
+
+#include "contact/contact_surface.h"
+#include "contact/contact_term.h"
+#include "geometry/analytic_surfaces.h"
+#include "mechanics/bulk.h"
+#include "mechanics/mesh.h"
+#include "mechanics/mesh_generators.h"
+#include "mechanics/sparse_matrix.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace billet::contact {
+
+/// An element kind in an analysis it can serve.
+struct BodyKind {
+  mechanics::ElementKind kind;
+  mechanics::Analysis analysis;
+
+  [[nodiscard]] bool solid() const { return analysis == mechanics::Analysis::solid; }
+  [[nodiscard]] std::string name() const {
+    const std::string element(mechanics::name(kind));
+    return solid() ? element
+                   : element + (analysis == mechanics::Analysis::axisymmetric ? " axisymmetric"
+                                                                              : " plane strain");
+  }
+};
+
+inline const std::vector<BodyKind>& body_kinds() {
+  using mechanics::Analysis;
+  using mechanics::ElementKind;
+  static const std::vector<BodyKind> kinds{
+      {ElementKind::quad4, Analysis::plane_strain}, {ElementKind::quad8, Analysis::plane_strain},
+      {ElementKind::quad4, Analysis::axisymmetric}, {ElementKind::quad8, Analysis::axisymmetric},
+      {ElementKind::hex8, Analysis::solid},         {ElementKind::hex20, Analysis::solid}};
+  return kinds;
+}
+
+inline std::size_t as_size(mechanics::Index i) { return static_cast<std::size_t>(i); }
+
+/// Positions of all nodes, shape (n_dofs).
+inline std::vector<double> flat_positions(const mechanics::Mesh& mesh) {
+  std::vector<double> x;
+  for (const Vec3& p : mesh.points)
+    x.insert(x.end(), p.data(), p.data() + mesh.dimension());
+  return x;
+}
+
+/// Faces of the boundary all of whose nodes have the coordinate `value` along `axis`.
+inline std::vector<mechanics::Face> faces_at(const mechanics::Mesh& mesh, int axis, double value) {
+  std::vector<mechanics::Face> found;
+  for (const mechanics::Face& face : mechanics::boundary_faces(mesh))
+    if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](mechanics::Index a) {
+          return std::abs(mesh.points[as_size(a)][axis] - value) < 1e-9;
+        }))
+      found.push_back(face);
+  return found;
+}
+
+/// Body, pattern, contact surface and term; the tools may be changed before `begin`.
+class ContactBench {
+public:
+  ContactBench(mechanics::Mesh body,
+               mechanics::Analysis analysis,
+               const mechanics::Material& material,
+               std::vector<Tool> all_tools,
+               const ContactSettings& settings,
+               const std::vector<mechanics::Face>& faces)
+      : mesh(std::move(body)), tools(std::move(all_tools)), pattern(mechanics::block_pattern(mesh)),
+        bulk(mesh, analysis, material, pattern), surface(mesh, bulk, pattern, faces, settings),
+        term(surface, bulk, pattern, tools, reach), x(flat_positions(mesh)) {
+    system.tangent.pattern = &pattern;
+    system.tangent.values.resize(pattern.n_entries());
+    system.residual.resize(static_cast<std::size_t>(pattern.n_dofs()));
+    term.start(x, 0.0);
+  }
+
+  /// Residual and tangent of contact at a trial.
+  const mechanics::System& assemble(const std::vector<double>& trial, double time) {
+    system.clear();
+    ok = term.assemble({time_old, time, x, trial}, system).has_value();
+    return system;
+  }
+  /// Assembles a trial and makes it the committed state.
+  void commit(const std::vector<double>& trial, double time) {
+    assemble(trial, time);
+    term.commit({time_old, time, x, trial});
+    x = trial;
+    time_old = time;
+  }
+  /// Dense copy of the tangent.
+  [[nodiscard]] Eigen::MatrixXd tangent() const {
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(pattern.n_dofs(), pattern.n_dofs());
+    for (mechanics::Index i = 0; i < pattern.n_dofs(); ++i)
+      for (mechanics::Index k = pattern.row_start[as_size(i)];
+           k < pattern.row_start[as_size(i) + 1]; ++k)
+        K(i, pattern.columns[as_size(k)]) = system.tangent.values[as_size(k)];
+    return K;
+  }
+  /// Force on the nodes.
+  [[nodiscard]] Eigen::VectorXd force() const {
+    return -Eigen::Map<const Eigen::VectorXd>(system.residual.data(), pattern.n_dofs());
+  }
+
+  static constexpr double reach = 100.0;
+  mechanics::Mesh mesh;
+  std::vector<Tool> tools;
+  mechanics::BlockPattern pattern;
+  mechanics::Bulk bulk;
+  ContactSurface surface;
+  ContactTerm term;
+  std::vector<double> x;
+  mechanics::System system;
+  double time_old = 0.0;
+  bool ok = false;
+};
+
+/// A tool that stands still.
+inline Tool still_tool(geometry::SurfacePtr surface, AnyFrictionLaw friction) {
+  Tool tool;
+  tool.name = "tool";
+  tool.surface = std::move(surface);
+  tool.friction = friction;
+  return tool;
+}
+
+inline std::vector<Tool> one_tool(Tool tool) {
+  std::vector<Tool> tools;
+  tools.push_back(std::move(tool));
+  return tools;
+}
+
+/// Steel, elastic below 700 MPa.
+inline mechanics::Material bench_material() {
+  return {{200e3, 0.3}, mechanics::Linear{700.0, 300.0}};
+}
+
+/// A box of 2 x 1 (x 1) elements on y = 0, off the axis; in space its thickness is 1.
+inline mechanics::Mesh bench_mesh(const BodyKind& body) {
+  const std::array<int, 3> cells{2, 1, 1};
+  return mechanics::box_mesh({body.kind, Vec3(1, 0, 0), Vec3(3, 1, 1), cells, {1, 1, 1}});
+}
+
+} // namespace billet::contact

@@ -1,0 +1,116 @@
+// One element by itself: forces and tangent at any nodal positions, with its history.
+
+#pragma once
+
+#include "mechanics/element_kernel.h"
+#include "mechanics/elements/elements.h"
+#include "tests/support/tensors.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace billet::support {
+
+struct ElementCase {
+  mechanics::ElementKind kind;
+  mechanics::Analysis analysis;
+
+  [[nodiscard]] int dim() const { return mechanics::dimension(kind); }
+  [[nodiscard]] bool planar() const { return dim() == 2; }
+  [[nodiscard]] std::string name() const {
+    constexpr std::array suffix{"plane strain", "axisymmetric", "solid"};
+    return std::string(mechanics::name(kind)) + " " + suffix[static_cast<std::size_t>(analysis)];
+  }
+};
+
+/// Every element in every analysis it serves.
+inline constexpr std::array every_element{
+    ElementCase{mechanics::ElementKind::quad4, mechanics::Analysis::plane_strain},
+    ElementCase{mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain},
+    ElementCase{mechanics::ElementKind::quad4, mechanics::Analysis::axisymmetric},
+    ElementCase{mechanics::ElementKind::quad8, mechanics::Analysis::axisymmetric},
+    ElementCase{mechanics::ElementKind::hex8, mechanics::Analysis::solid},
+    ElementCase{mechanics::ElementKind::hex20, mechanics::Analysis::solid},
+};
+
+/// Nodes of an element of size 2, at radii 2 to 4, each moved at random by up to `shift`.
+inline std::vector<double> distorted_nodes(const ElementCase& element, double shift) {
+  Random random(7);
+  std::vector<double> x;
+  mechanics::visit_element(element.kind, [&](auto e) {
+    for (const auto& node : decltype(e)::Shape::corners)
+      for (std::size_t i = 0; i < node.size(); ++i)
+        x.push_back(node[i] + (i == 0 ? 3.0 : 0.0) + random.number(-shift, shift));
+  });
+  return x;
+}
+
+/// Positions F X + d of nodes; shapes (nodes, dim).
+inline std::vector<double>
+moved(const std::vector<double>& X, int dim, const Mat3& F, const Vec3& d = Vec3::Zero()) {
+  std::vector<double> x(X.size());
+  for (std::size_t a = 0; a < X.size(); a += static_cast<std::size_t>(dim)) {
+    Vec3 p = Vec3::Zero();
+    for (int i = 0; i < dim; ++i)
+      p[i] = X[a + static_cast<std::size_t>(i)];
+    p = (F * p + d).eval();
+    for (int i = 0; i < dim; ++i)
+      x[a + static_cast<std::size_t>(i)] = p[i];
+  }
+  return x;
+}
+
+class ElementProbe {
+public:
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  ElementProbe(const ElementCase& element, mechanics::Material material, std::vector<double> X)
+      : kernel_(mechanics::element_kernel(element.kind, element.analysis)),
+        material_(std::move(material)), x_(std::move(X)),
+        states_(static_cast<std::size_t>(mechanics::points_per_element(element.kind))),
+        trial_(states_), volumes_(states_.size()), force_(size()), tangent_(size(), size()) {
+    mechanics::point_volumes(element.kind, element.analysis, x_.data(), volumes_);
+  }
+
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(x_.size()); }
+
+  /// Evaluates forces, tangent and trial states at nodal positions.
+  mechanics::ElementStatus evaluate(const std::vector<double>& x) {
+    mechanics::ElementOutput out{force_.data(), tangent_.data(), trial_, 0.0};
+    const auto status = kernel_(material_, {x_.data(), x.data(), volumes_, states_}, out);
+    plastic_increment_ = out.largest_plastic_increment;
+    return status;
+  }
+  /// Evaluates and keeps the trial states.
+  mechanics::ElementStatus commit(const std::vector<double>& x) {
+    const auto status = evaluate(x);
+    states_ = trial_;
+    x_ = x;
+    return status;
+  }
+
+  [[nodiscard]] const std::vector<double>& x() const { return x_; }
+  [[nodiscard]] const Eigen::VectorXd& force() const { return force_; }
+  [[nodiscard]] const Matrix& tangent() const { return tangent_; }
+  [[nodiscard]] const std::vector<mechanics::PointState>& states() const { return states_; }
+  [[nodiscard]] const std::vector<mechanics::PointState>& trial() const { return trial_; }
+  [[nodiscard]] const std::vector<double>& volumes() const { return volumes_; }
+  [[nodiscard]] double plastic_increment() const { return plastic_increment_; }
+
+private:
+  mechanics::ElementKernel kernel_;
+  mechanics::Material material_;
+  std::vector<double> x_;
+  std::vector<mechanics::PointState> states_;
+  std::vector<mechanics::PointState> trial_;
+  std::vector<double> volumes_;
+  Eigen::VectorXd force_;
+  Matrix tangent_;
+  double plastic_increment_ = 0.0;
+};
+
+} // namespace billet::support

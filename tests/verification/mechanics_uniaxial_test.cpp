@@ -1,0 +1,136 @@
+// Bars under uniaxial stress, one element each: VALIDATION MAT-01, MAT-09; supports and energy.
+
+#include "geometry/base/error.h"
+#include "tests/support/element_probe.h"
+#include "tests/support/figures.h"
+#include "tests/support/problems.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace billet::process {
+namespace {
+
+using mechanics::Analysis;
+using mechanics::ElementKind;
+
+/// A bar of one element, axis y in the plane (axisymmetric) and z in space, unit length.
+Scene bar(ElementKind kind, const mechanics::Material& material, double strain, int increments) {
+  Scene scene;
+  const bool solid = mechanics::dimension(kind) == 3;
+  scene.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
+  scene.mesh = mechanics::box_mesh({.kind = kind});
+  support::support(scene, "x-min", 0);
+  support::support(scene, "y-min", 1);
+  if (solid)
+    support::support(scene, "z-min", 2);
+  support::support(scene, solid ? "z-max" : "y-max", solid ? 2 : 1,
+                   TimeFunction({{0.0, 0.0}, {1.0, std::exp(strain) - 1.0}}));
+  scene.material = material;
+  scene.tolerance = 1e-10;
+  support::one_stage(scene, 1.0, increments);
+  return scene;
+}
+
+/// Pull of the moved end per initial area [MPa].
+double nominal_stress(const Process& process) {
+  const bool solid = process.scene().analysis == Analysis::solid;
+  const int axis = solid ? 2 : 1;
+  const int dim = process.scene().mesh.dimension();
+  double force = 0.0;
+  for (const Index node : process.scene().mesh.node_sets.at(solid ? "z-max" : "y-max"))
+    force += process.reactions()[static_cast<std::size_t>(node * dim + axis)];
+  return force / (solid ? 1.0 : std::numbers::pi);
+}
+
+constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::hex8,
+                           ElementKind::hex20};
+
+// Column B_F_over_A0 of mat01_uniaxial_linear_hardening.csv.
+TEST(Uniaxial, MAT_01_one_element_gives_the_closed_form_for_any_number_of_increments) {
+  struct Row {
+    double strain, nominal;
+  };
+  constexpr std::array rows{Row{0.1, 659.542}, Row{0.5, 514.77889}, Row{-0.5, -1399.3141},
+                            Row{-0.91629073, -2433.5677}};
+  constexpr double tolerance = 1e-6; // VALIDATION
+  for (const ElementKind kind : kinds)
+    for (const Row& row : rows)
+      for (const int increments : {5, 20}) {
+        Process process(
+            bar(kind, {{200e3, 0.3}, mechanics::Linear{700.0, 300.0}}, row.strain, increments));
+        support::Recorder recorder;
+        support::run_to_end(process, recorder);
+        const double nominal = nominal_stress(process);
+        if (increments == 5)
+          support::show("MAT-01", fmt::format("{} F/A0 at {}", mechanics::name(kind), row.strain),
+                        nominal, row.nominal);
+        EXPECT_NEAR(nominal, row.nominal, tolerance * std::abs(row.nominal));
+      }
+}
+
+TEST(Uniaxial, MAT_09_the_load_is_largest_where_strain_equals_the_exponent) {
+  // Hollomon K eps^n through Ludwik without yield stress; UTS = K n^n exp(-n).
+  constexpr double K = 500.0;
+  constexpr double n = 0.2;
+  const double uts = K * std::pow(n, n) * std::exp(-n);
+  double largest = 0.0;
+  double at = 0.0;
+  support::Recorder recorder([&](const Process& process, const IncrementReport&) {
+    const double stress = nominal_stress(process);
+    if (stress > largest) {
+      largest = stress;
+      at = process.bulk().states()[0].plastic_strain;
+    }
+  });
+  Process process(bar(ElementKind::quad8, {{200e3, 0.3}, mechanics::Ludwik{0.0, K, n}}, 0.3, 300));
+  support::run_to_end(process, recorder);
+  constexpr double tolerance = 0.01; // VALIDATION
+  support::show("MAT-09", "uniform strain", at, n);
+  support::show("MAT-09", "tensile strength", largest, uts);
+  EXPECT_NEAR(at, n, tolerance * n);
+  // The bar is also longer by its elastic strain, sigma / E = 0.18 %.
+  constexpr double elastic = 2.5e-3;
+  EXPECT_NEAR(largest, uts, elastic * uts);
+}
+
+TEST(Uniaxial, the_work_of_the_supports_is_stored_or_dissipated) {
+  constexpr double tolerance = 0.005; // VALIDATION; trapezoidal sums over 100 increments
+  for (const ElementKind kind : kinds) {
+    Process process(bar(kind, {{200e3, 0.3}, mechanics::Linear{700.0, 300.0}}, -0.6, 100));
+    support::Recorder recorder;
+    support::run_to_end(process, recorder);
+    support::show_error("energy", std::string(mechanics::name(kind)) + " bar",
+                        process.energy().error(), tolerance);
+    EXPECT_LT(process.energy().error(), tolerance);
+    EXPECT_GT(process.energy().plastic, 100.0);
+  }
+}
+
+TEST(Uniaxial, supports_end_exactly_where_they_are_told) {
+  Process process(bar(ElementKind::hex8, {{200e3, 0.3}, mechanics::Perfect{300.0}}, 0.2, 7));
+  support::Recorder recorder;
+  support::run_to_end(process, recorder);
+  for (const Index node : process.scene().mesh.node_sets.at("z-max"))
+    EXPECT_EQ(process.positions()[static_cast<std::size_t>(3 * node + 2)],
+              1.0 + (std::exp(0.2) - 1.0));
+  EXPECT_EQ(process.grounded_motions(), 0);
+}
+
+TEST(Uniaxial, a_body_that_nothing_holds_is_refused) {
+  Scene scene = bar(ElementKind::quad8, {{200e3, 0.3}, mechanics::Perfect{300.0}}, 0.1, 2);
+  scene.supports.clear();
+  try {
+    const Process process(std::move(scene));
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::case_file);
+    EXPECT_NE(std::string(error.what()).find("move freely"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace billet::process
