@@ -62,11 +62,11 @@ template <class Element, Analysis analysis> struct Kernel {
   using Positions = Eigen::Matrix<double, nodes, dim, Eigen::RowMajor>;
   using Square = Eigen::Matrix<double, dim, dim>;
   using Gradient = Eigen::Matrix<double, nodes, dim>;
-  using Strain = Eigen::Matrix<double, n_strains, 1>;
   using Moduli = Eigen::Matrix<double, n_strains, n_strains>;
-  using StrainMatrix = Eigen::Matrix<double, n_strains, size>;
+  using StrainMatrix = Eigen::Matrix<double, n_strains, size, Eigen::RowMajor>;
   using Vector = Eigen::Matrix<double, size, 1>;
   using Matrix = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
+  using Pairs = Eigen::Matrix<double, nodes, nodes, Eigen::RowMajor>;
 
   std::array<Gradient, points> gradient;                    ///< d N / d x, current
   std::array<Eigen::Matrix<double, nodes, 1>, points> hoop; ///< N / r, current
@@ -139,19 +139,6 @@ template <class Element, Analysis analysis> struct Kernel {
     return B;
   }
 
-  static Strain components(const Mat3& tensor) {
-    Strain v;
-    v[0] = tensor(0, 0);
-    v[1] = tensor(1, 1);
-    v[2] = tensor(2, 2);
-    v[3] = tensor(0, 1);
-    if constexpr (dim == 3) {
-      v[4] = tensor(1, 2);
-      v[5] = tensor(0, 2);
-    }
-    return v;
-  }
-
   /// Components that turn strains in space into strains in the principal axes.
   static Moduli to_principal(const Mat3& n) {
     Moduli T;
@@ -172,11 +159,12 @@ template <class Element, Analysis analysis> struct Kernel {
   /// Deviatoric spatial moduli in space. (M.8)
   static Moduli moduli(const DeviatoricResponse& at) {
     const Moduli T = to_principal(at.predictor.vectors);
-    Moduli D = Moduli::Zero();
-    D.template topLeftCorner<3, 3>() = at.normal_moduli;
+    Moduli DT;
+    for (int a = 0; a < 3; ++a)
+      DT.row(a) = at.normal_moduli(a, 0) * T.row(0) + at.normal_moduli(a, 1) * T.row(1) +
+                  at.normal_moduli(a, 2) * T.row(2);
     for (int i = 3; i < n_strains; ++i)
-      D(i, i) = at.shear_moduli[i - 3];
-    const Moduli DT = D.lazyProduct(T);
+      DT.row(i) = at.shear_moduli[i - 3] * T.row(i);
     return T.transpose().lazyProduct(DT);
   }
 
@@ -187,18 +175,52 @@ template <class Element, Analysis analysis> struct Kernel {
       D(i, i) -= (i < 3 ? 2.0 : 1.0) * unit_part;
   }
 
-  void add_geometric(Matrix& K, std::size_t k, const Mat3& tau) const {
-    const Square t = tau.template topLeftCorner<dim, dim>();
-    const Gradient dt = gradient[k].lazyProduct(t);
-    const Eigen::Matrix<double, nodes, nodes> G = dt.lazyProduct(gradient[k].transpose());
-    for (int a = 0; a < nodes; ++a)
-      for (int b = 0; b < nodes; ++b)
-        for (int i = 0; i < dim; ++i)
-          K(a * dim + i, b * dim + i) += G(a, b);
+  /// Adds the products of stress and gradients at point k, one for each pair of nodes: `G` acts on
+  /// each component alike, `hoops` on the radial one only.
+  void add_geometric(Pairs& G, Pairs& hoops, std::size_t k, const Mat3& tau) const {
+    const Gradient dt = gradient[k].lazyProduct(tau.template topLeftCorner<dim, dim>());
+    for (int i = 0; i < dim; ++i)
+      for (int a = 0; a < nodes; ++a)
+        G.row(a) += dt(a, i) * gradient[k].col(i).transpose();
     if constexpr (axisymmetric)
       for (int a = 0; a < nodes; ++a)
-        for (int b = 0; b < nodes; ++b)
-          K(a * dim, b * dim) += tau(2, 2) * hoop[k][a] * hoop[k][b];
+        hoops.row(a) += tau(2, 2) * hoop[k][a] * hoop[k].transpose();
+  }
+
+  static void spread(Matrix& K, const Pairs& G, const Pairs& hoops) {
+    for (int a = 0; a < nodes; ++a)
+      for (int b = 0; b < nodes; ++b) {
+        for (int i = 0; i < dim; ++i)
+          K(a * dim + i, b * dim + i) += G(a, b);
+        if constexpr (axisymmetric)
+          K(a * dim, b * dim) += hoops(a, b);
+      }
+  }
+
+  /// Adds B^T DB at point k: every row of B^T has three entries at most, so whole rows of DB are
+  /// summed up. `DB` holds dV D B.
+  void add_material(Matrix& K, std::size_t k, const StrainMatrix& DB) const {
+    const Gradient& d = gradient[k];
+    for (int a = 0; a < nodes; ++a) {
+      const int r = a * dim;
+      if constexpr (dim == 3) {
+        K.row(r) += d(a, 0) * DB.row(0) + d(a, 1) * DB.row(3) + d(a, 2) * DB.row(5);
+        K.row(r + 1) += d(a, 1) * DB.row(1) + d(a, 0) * DB.row(3) + d(a, 2) * DB.row(4);
+        K.row(r + 2) += d(a, 2) * DB.row(2) + d(a, 1) * DB.row(4) + d(a, 0) * DB.row(5);
+      } else {
+        K.row(r) += d(a, 0) * DB.row(0) + d(a, 1) * DB.row(3);
+        if constexpr (axisymmetric)
+          K.row(r) += hoop[k][a] * DB.row(2);
+        K.row(r + 1) += d(a, 1) * DB.row(1) + d(a, 0) * DB.row(3);
+      }
+    }
+  }
+
+  /// Adds the nodal forces of the stress at point k.
+  void add_force(Eigen::Map<Positions>& force, std::size_t k, const Mat3& tau) const {
+    force += gradient[k].lazyProduct(tau.template topLeftCorner<dim, dim>());
+    if constexpr (axisymmetric)
+      force.col(0) += tau(2, 2) * hoop[k];
   }
 
   /// Nodal coefficients of the divergence at point k.
@@ -215,11 +237,16 @@ template <class Element, Analysis analysis> struct Kernel {
       return ElementStatus::inverted;
     if (!update(material, b_pred, in.old, planar, response))
       return ElementStatus::no_return;
-    Eigen::Map<Vector> force(out.force);
+    Eigen::Map<Positions> force(out.force);
     force.setZero();
     Matrix K;
-    if (out.tangent != nullptr)
+    Pairs G;
+    Pairs hoops;
+    if (out.tangent != nullptr) {
       K.setZero();
+      G.setZero();
+      hoops.setZero();
+    }
     const double kappa = material.elasticity.bulk();
     const double V0 = std::accumulate(in.volumes.begin(), in.volumes.end(), 0.0);
     const double v = std::accumulate(volume.begin(), volume.end(), 0.0);
@@ -233,25 +260,35 @@ template <class Element, Analysis analysis> struct Kernel {
       // Pressure times J: of the element's mean dilatation, or of the point's own.
       const double p = Element::mean_dilatation ? kappa * std::log(theta) / theta * volume[k] / dV
                                                 : kappa * at.log_J;
-      const Mat3 tau = at.predictor.vectors * at.s.asDiagonal() * at.predictor.vectors.transpose() +
-                       p * Mat3::Identity();
-      const StrainMatrix B = strain_matrix(k);
-      force += B.transpose().lazyProduct(Strain(dV * components(tau)));
-      if constexpr (Element::mean_dilatation)
-        dilatation += volume[k] * divergence(k);
+      const Mat3& n = at.predictor.vectors;
+      Mat3 tau = n * at.s.asDiagonal() * n.transpose();
+      tau.diagonal().array() += p;
+      tau *= dV;
+      add_force(force, k, tau);
       if (out.tangent == nullptr)
         continue;
+      if constexpr (Element::mean_dilatation)
+        dilatation += volume[k] * divergence(k);
       Moduli D = moduli(at);
       add_pressure(D, Element::mean_dilatation ? p : kappa, p);
       D *= dV;
-      const StrainMatrix DB = D.lazyProduct(B);
-      K += B.transpose().lazyProduct(DB);
-      add_geometric(K, k, dV * tau);
+      const StrainMatrix B = strain_matrix(k);
+      StrainMatrix DB;
+      for (int r = 0; r < n_strains; ++r) {
+        DB.row(r) = D(r, 0) * B.row(0);
+        for (int s = 1; s < n_strains; ++s)
+          DB.row(r) += D(r, s) * B.row(s);
+      }
+      add_material(K, k, DB);
+      add_geometric(G, hoops, k, tau);
     }
     if (out.tangent != nullptr) {
-      if constexpr (Element::mean_dilatation)
-        K += (kappa * (1.0 - std::log(theta)) / (theta * theta * V0) * dilatation)
-                 .lazyProduct(dilatation.transpose());
+      spread(K, G, hoops);
+      if constexpr (Element::mean_dilatation) {
+        const double scale = kappa * (1.0 - std::log(theta)) / (theta * theta * V0);
+        for (int r = 0; r < size; ++r)
+          K.row(r) += scale * dilatation[r] * dilatation.transpose();
+      }
       Eigen::Map<Matrix>(out.tangent) = K;
     }
     return ElementStatus::good;

@@ -145,7 +145,8 @@ Outcome<Newton::Evaluation> Newton::search(std::span<ForceTerm* const> terms,
                                            std::vector<double>& x,
                                            const Norms& before,
                                            double& step) {
-  constexpr double enough = 0.8; // of the slope left after a full step
+  constexpr double shrunk = 0.6; // of the residual left after a full step: no search then
+  constexpr double enough = 0.5; // of the slope left after a full step: nor then
   constexpr double close = 0.2;  // of the slope left after closing in
   constexpr int most_trials = 10;
   base_ = x;
@@ -157,7 +158,7 @@ Outcome<Newton::Evaluation> Newton::search(std::span<ForceTerm* const> terms,
     step *= 0.5; // an element turned inside out: nothing but a shorter step can help
     now = try_step(terms, trial, x, step);
   }
-  if (!now || now->norms.residual <= 0.9 * before.residual ||
+  if (!now || now->norms.residual <= shrunk * before.residual ||
       std::abs(now->slope) <= enough * std::abs(start))
     return now;
   // The work of the correction changes its sign between low and high: close in on that place,

@@ -1,6 +1,9 @@
 #include "mechanics/spectral.h"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace billet::mechanics {
 
@@ -26,9 +29,102 @@ Spectral spectral_plane(const Mat3& A) {
   return S;
 }
 
+namespace {
+
+/// Matrices decomposed side by side: one processor vector of them.
+constexpr std::size_t lanes = 8;
+using Lanes = std::array<double, lanes>;
+
+/// Symmetric matrices and the rotations applied to them so far, entry by entry.
+struct JacobiBatch {
+  std::array<Lanes, 3> diagonal;            ///< entries 00, 11, 22
+  std::array<Lanes, 3> off;                 ///< off[r]: the entry of the two axes other than r
+  std::array<std::array<Lanes, 3>, 3> axes; ///< axes[k][i]: component i of column k
+
+  JacobiBatch(std::span<const Mat3> A) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const Mat3& M = A[std::min(l, A.size() - 1)];
+      for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        diagonal[i][l] = M(k, k);
+        off[i][l] = M((k + 1) % 3, (k + 2) % 3);
+        for (std::size_t j = 0; j < 3; ++j)
+          axes[i][j][l] = i == j ? 1.0 : 0.0;
+      }
+    }
+  }
+
+  /// Turns axes p and q so that their entry vanishes; r is the third one. (Jacobi 1846)
+  void rotate(std::size_t p, std::size_t q, std::size_t r) {
+    constexpr double tiny = 1e-300; // keeps 0 / 0 out of equal diagonals without an entry
+    Lanes t;
+    Lanes c;
+    Lanes s;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const double d = diagonal[q][l] - diagonal[p][l];
+      const double twice = 2.0 * off[r][l];
+      t[l] = twice / (d + std::copysign(std::sqrt(d * d + twice * twice) + tiny, d));
+      c[l] = 1.0 / std::sqrt(1.0 + t[l] * t[l]);
+      s[l] = t[l] * c[l];
+    }
+    for (std::size_t l = 0; l < lanes; ++l) {
+      diagonal[p][l] -= t[l] * off[r][l];
+      diagonal[q][l] += t[l] * off[r][l];
+      off[r][l] = 0.0;
+      turn(off[q][l], off[p][l], c[l], s[l]);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t l = 0; l < lanes; ++l)
+        turn(axes[p][i][l], axes[q][i][l], c[l], s[l]);
+  }
+
+  /// Largest entry off the diagonals, relative to its matrix; NaN stays out of it.
+  [[nodiscard]] double largest_off() const {
+    double most = 0.0;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const double size =
+          std::abs(diagonal[0][l]) + std::abs(diagonal[1][l]) + std::abs(diagonal[2][l]);
+      const double entries = std::abs(off[0][l]) + std::abs(off[1][l]) + std::abs(off[2][l]);
+      most = std::max(most, entries > 0.0 ? entries / size : 0.0);
+    }
+    return most;
+  }
+
+private:
+  static void turn(double& p, double& q, double c, double s) {
+    const double before = p;
+    p = c * before - s * q;
+    q = s * before + c * q;
+  }
+};
+
+} // namespace
+
+void spectral(std::span<const Mat3> A, std::span<Spectral> out) {
+  constexpr double converged = 1e-17; // of an entry: it cannot change a diagonal any more
+  constexpr int most_sweeps = 20;     // five do for any matrix met so far
+  for (std::size_t first = 0; first < A.size(); first += lanes) {
+    const std::size_t n = std::min(lanes, A.size() - first);
+    JacobiBatch batch(A.subspan(first, n));
+    for (int sweep = 0; sweep < most_sweeps && batch.largest_off() > converged; ++sweep) {
+      batch.rotate(0, 1, 2);
+      batch.rotate(1, 2, 0);
+      batch.rotate(2, 0, 1);
+    }
+    for (std::size_t l = 0; l < n; ++l)
+      for (int k = 0; k < 3; ++k) {
+        const auto column = static_cast<std::size_t>(k);
+        out[first + l].values[k] = batch.diagonal[column][l];
+        for (int i = 0; i < 3; ++i)
+          out[first + l].vectors(i, k) = batch.axes[column][static_cast<std::size_t>(i)][l];
+      }
+  }
+}
+
 Spectral spectral(const Mat3& A) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(A);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  Spectral S;
+  spectral(std::span(&A, 1), std::span(&S, 1));
+  return S;
 }
 
 } // namespace billet::mechanics

@@ -7,6 +7,7 @@
 #include "geometry/base/vector.h"
 
 #include <cmath>
+#include <span>
 
 namespace billet::mechanics {
 
@@ -21,6 +22,9 @@ struct Spectral {
 
 /// Decomposition of a symmetric tensor.
 [[nodiscard]] Spectral spectral(const Mat3& A);
+/// Decompositions of symmetric tensors, shape (n): Jacobi rotations of several side by side, which
+/// give small eigenvalues to the same relative accuracy as large ones.
+void spectral(std::span<const Mat3> A, std::span<Spectral> out);
 
 /// (ln a - ln b) / (a - b) * b for a, b > 0: exact to rounding for equal and nearly equal
 /// arguments, which need no perturbation. (M.8)

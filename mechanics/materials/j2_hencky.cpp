@@ -2,6 +2,8 @@
 
 #include "mechanics/elements/quadrature.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -68,9 +70,7 @@ bool update_point(const Law& law,
                   double mu,
                   const Mat3& b_pred,
                   const PointState& old,
-                  bool planar,
                   DeviatoricResponse& out) {
-  out.predictor = planar ? spectral_plane(b_pred) : spectral(b_pred);
   const Vec3& b = out.predictor.values;
   if (!(b.minCoeff() > 0.0) || !std::isfinite(b.sum()))
     return false;
@@ -102,6 +102,22 @@ bool update_point(const Law& law,
   return true;
 }
 
+void set_predictors(std::span<const Mat3> b_pred, bool planar, std::span<DeviatoricResponse> out) {
+  if (planar) {
+    for (std::size_t i = 0; i < b_pred.size(); ++i)
+      out[i].predictor = spectral_plane(b_pred[i]);
+    return;
+  }
+  constexpr std::size_t batch = 8;
+  std::array<Spectral, batch> predictors;
+  for (std::size_t first = 0; first < b_pred.size(); first += batch) {
+    const std::size_t n = std::min(batch, b_pred.size() - first);
+    spectral(b_pred.subspan(first, n), std::span(predictors).first(n));
+    for (std::size_t i = 0; i < n; ++i)
+      out[first + i].predictor = predictors[i];
+  }
+}
+
 } // namespace
 
 bool update(const Material& material,
@@ -110,10 +126,11 @@ bool update(const Material& material,
             bool planar,
             std::span<DeviatoricResponse> out) {
   const double mu = material.elasticity.shear();
+  set_predictors(b_pred, planar, out);
   return std::visit(
       [&](const auto& law) {
         for (std::size_t i = 0; i < b_pred.size(); ++i)
-          if (!update_point(law, mu, b_pred[i], old[i], planar, out[i]))
+          if (!update_point(law, mu, b_pred[i], old[i], out[i]))
             return false;
         return true;
       },
