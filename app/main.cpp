@@ -34,12 +34,13 @@ void open_streams() {
       std::exit(internal_error);
 }
 
-/// Starts the program anew with the right kernels when OpenBLAS chose wrong ones.
+/// Starts the program anew when OpenBLAS chose wrong kernels or started threads.
 void mend_blas(char** argv) {
-  const std::string core = billet::mechanics::better_blas_core();
-  if (core.empty())
+  const auto wanted = billet::mechanics::better_blas_environment();
+  if (wanted.empty())
     return;
-  setenv("OPENBLAS_CORETYPE", core.c_str(), 1);
+  for (const auto& [name, value] : wanted)
+    setenv(name.c_str(), value.c_str(), 1);
   execv("/proc/self/exe", argv); // on failure the slow kernels still give right results
 }
 

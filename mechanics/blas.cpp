@@ -15,16 +15,34 @@ namespace billet::mechanics {
 
 std::string blas_core() { return openblas_get_corename(); }
 
-std::string better_blas_core() {
-  if (std::getenv("OPENBLAS_CORETYPE") != nullptr || blas_core() != "Prescott")
-    return {};
+namespace {
+
+/// Kernels this processor can run better than those in use; empty: none.
+std::string better_core() {
+  [[maybe_unused]] const std::string core = blas_core();
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+  const bool avx2 = __builtin_cpu_supports("avx2") != 0;
+  const bool avx512 =
+      __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+  const bool without_avx512 = core == "Prescott" || core == "Haswell" || core == "Zen";
+  if (avx512 && without_avx512)
     return "SkylakeX";
-  if (__builtin_cpu_supports("avx2"))
+  if (avx2 && core == "Prescott")
     return "Haswell";
 #endif
   return {};
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, std::string>> better_blas_environment() {
+  std::vector<std::pair<std::string, std::string>> wanted;
+  const std::string core = better_core();
+  if (std::getenv("OPENBLAS_CORETYPE") == nullptr && !core.empty())
+    wanted.emplace_back("OPENBLAS_CORETYPE", core);
+  if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
+    wanted.emplace_back("OPENBLAS_NUM_THREADS", "1");
+  return wanted;
 }
 
 void flush_subnormal_numbers() {

@@ -123,6 +123,8 @@ double Bulk::elastic_energy(std::span<const double> x) const {
   const auto n = idx(points_);
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> current(n);
+  std::vector<double> stored(states_.size());
+  elastic_energies(material_.elasticity, states_, stored);
   double sum = 0.0;
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
     gather(x, mesh_->cell(e), dim, local.data());
@@ -130,9 +132,8 @@ double Bulk::elastic_energy(std::span<const double> x) const {
     const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
     for (std::size_t k = 0; k < n; ++k) {
       const double log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
-      const PointState& state = states_[idx(e) * n + k];
-      const double own = 0.5 * std::log(state.b_e.determinant());
-      sum += reference[k] * (mechanics::elastic_energy(material_.elasticity, state) +
+      const double own = 0.5 * std::log(states_[idx(e) * n + k].b_e.determinant());
+      sum += reference[k] * (stored[idx(e) * n + k] +
                              0.5 * material_.elasticity.bulk() * (log_J * log_J - own * own));
     }
   }
@@ -145,12 +146,13 @@ std::vector<Mat3> Bulk::stresses(std::span<const double> x) const {
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> current(n);
   std::vector<Mat3> sigma(states_.size());
+  kirchhoff_stresses(material_.elasticity, states_, sigma);
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
     gather(x, mesh_->cell(e), dim, local.data());
     point_volumes(mesh_->kind, analysis_, local.data(), current);
     const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
     for (std::size_t k = 0; k < n; ++k) {
-      const Mat3 tau = kirchhoff_stress(material_.elasticity, states_[idx(e) * n + k]);
+      const Mat3 tau = sigma[idx(e) * n + k];
       const double theta = pressure_ratio(mesh_->kind, current, reference, k);
       const double J = current[k] / reference[k];
       const double p = material_.elasticity.bulk() * std::log(theta) / theta;

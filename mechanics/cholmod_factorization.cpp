@@ -61,6 +61,8 @@ public:
     std::copy(x, x + rhs.size(), rhs.begin());
   }
 
+  [[nodiscard]] FactorCost cost() const override { return {common_.fl, common_.lnz}; }
+
 private:
   /// The matrix as CHOLMOD sees it: its lower triangle by columns. Only read.
   [[nodiscard]] cholmod_sparse view(const double* values) {

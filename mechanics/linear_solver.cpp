@@ -16,6 +16,20 @@ double norm(std::span<const double> v) {
   return std::sqrt(sum);
 }
 
+/// Solves that cost as much as a factorization; 0 where the difference is not worth a correction
+/// that is less than exact. Counted, not timed, so that a run repeats. The constants are measured:
+/// a factorization runs at the speed of matrix products plus some work for every entry, a solve at
+/// that of memory.
+int most_solves(const FactorCost& cost) {
+  constexpr double per_entry = 5.0;
+  constexpr double flops_per_entry = 50.0;
+  constexpr double fewest = 8.0;
+  constexpr double most = 40.0; // the directions are all kept
+  const double intensity = cost.entries > 0.0 ? cost.flops / cost.entries : 0.0;
+  const double solves = std::min(per_entry + intensity / flops_per_entry, most);
+  return solves < fewest ? 0 : static_cast<int>(solves);
+}
+
 } // namespace
 
 std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
@@ -51,6 +65,7 @@ Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
                                               const SparseMatrix& matrix,
                                               std::span<const double> rhs,
                                               std::span<double> x) {
+  last_ = nullptr;
   if (!factorization.factorize(matrix))
     return Failure{"the tangent is singular (" + std::string(method) + ")"};
   std::copy(rhs.begin(), rhs.end(), x.begin());
@@ -72,13 +87,29 @@ Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
   }
   if (!std::isfinite(report.relative_residual) || report.relative_residual > 1e-3)
     return Failure{"the linear system has no accurate solution (" + std::string(method) + ")"};
+  last_ = &factorization;
   return report;
 }
 
 Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
                                          bool symmetric,
                                          std::span<const double> rhs,
-                                         std::span<double> x) {
+                                         std::span<double> x,
+                                         double tolerance) {
+  const bool may_reuse = tolerance > 0.0 && choice_ == SolverChoice::automatic;
+  const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
+  if (most > 0) {
+    const GmresReport report = gmres_.solve(matrix, *last_, rhs, x, tolerance, most);
+    if (report.converged)
+      return SolveReport{"gmres", report.residual};
+  }
+  return factorize_and_solve(matrix, symmetric, rhs, x);
+}
+
+Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,
+                                                       bool symmetric,
+                                                       std::span<const double> rhs,
+                                                       std::span<double> x) {
   const bool fast = choice_ == SolverChoice::automatic || choice_ == SolverChoice::cholmod;
   if (symmetric && fast) {
     if (!cholmod_)

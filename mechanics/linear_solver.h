@@ -8,6 +8,7 @@
 #pragma once
 
 #include "geometry/base/outcome.h"
+#include "mechanics/gmres.h"
 #include "mechanics/sparse_matrix.h"
 
 #include <memory>
@@ -22,8 +23,14 @@ enum class SolverChoice { automatic, cholmod, mumps, umfpack };
 
 /// What the last solution did, for the log and the summary.
 struct SolveReport {
-  std::string_view method;      ///< "cholmod", "mumps-ldlt", "mumps-lu", "umfpack"
+  std::string_view method;      ///< "cholmod", "mumps-ldlt", "mumps-lu", "umfpack", "gmres"
   double relative_residual = 0; ///< of the linear system
+};
+
+/// Work of a factorization.
+struct FactorCost {
+  double flops = 0.0;   ///< floating-point operations
+  double entries = 0.0; ///< of the factors
 };
 
 /// One factorization method over one pattern; a detail of linear_solver.cpp and its companions.
@@ -34,6 +41,8 @@ public:
   [[nodiscard]] virtual bool factorize(const SparseMatrix& matrix) = 0;
   /// Overwrites the right-hand side with the solution.
   virtual void solve(std::span<double> rhs) = 0;
+  /// Work of the last factorization, as counted by the method.
+  [[nodiscard]] virtual FactorCost cost() const = 0;
 };
 
 /// Fill-reducing order of the unknowns: new position i holds unknown order[i].
@@ -54,10 +63,14 @@ public:
   LinearSolver(const BlockPattern& pattern, SolverChoice choice);
 
   /// Solves matrix * x = rhs; `symmetric` promises that the matrix is.
+  ///
+  /// @param tolerance  relative residual that will do [-]: where the last factorization reaches it
+  ///                   with less work than a new one, none is made. 0: as exact as can be
   [[nodiscard]] Outcome<SolveReport> solve(const SparseMatrix& matrix,
                                            bool symmetric,
                                            std::span<const double> rhs,
-                                           std::span<double> x);
+                                           std::span<double> x,
+                                           double tolerance = 0.0);
 
 private:
   [[nodiscard]] Outcome<SolveReport> solve_with(Factorization& factorization,
@@ -65,6 +78,10 @@ private:
                                                 const SparseMatrix& matrix,
                                                 std::span<const double> rhs,
                                                 std::span<double> x);
+  [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
+                                                         bool symmetric,
+                                                         std::span<const double> rhs,
+                                                         std::span<double> x);
 
   const BlockPattern* pattern_;
   SolverChoice choice_;
@@ -73,6 +90,8 @@ private:
   std::unique_ptr<Factorization> mumps_symmetric_;
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
+  Factorization* last_ = nullptr; ///< holds a factorization of an earlier matrix
+  Gmres gmres_;
   std::vector<double> residual_;
 };
 

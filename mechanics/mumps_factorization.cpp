@@ -59,6 +59,12 @@ public:
     call(3);
   }
 
+  [[nodiscard]] FactorCost cost() const override {
+    // INFOG(9) counts millions below zero when it does not fit.
+    const double entries = mumps_.infog[8];
+    return {mumps_.rinfog[2], entries >= 0.0 ? entries : -1e6 * entries};
+  }
+
 private:
   void list_entries(const BlockPattern& pattern) {
     for (Index i = 0; i < pattern.n_dofs(); ++i)

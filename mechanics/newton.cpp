@@ -49,6 +49,15 @@ bool hopeless(int iterations, double relative_residual) {
          (iterations >= 14 && relative_residual > 1e-2);
 }
 
+/// Relative residual a correction is solved to: so small that the iteration still converges
+/// quadratically, and no smaller than the increment needs. (N.6) Eisenstat and Walker (1996)
+double forcing(double relative_residual, double tolerance) {
+  constexpr double coarsest = 1e-3;
+  constexpr double below_tolerance = 0.1;
+  return std::min(coarsest,
+                  std::max(relative_residual, below_tolerance * tolerance / relative_residual));
+}
+
 } // namespace
 
 Newton::Newton(const BlockPattern& pattern, SolverChoice choice, NewtonSettings settings)
@@ -98,7 +107,8 @@ double Newton::slope() const {
   return sum;
 }
 
-Outcome<SolveReport> Newton::correct(const Prescribed& prescribed, std::span<const double> x) {
+Outcome<SolveReport>
+Newton::correct(const Prescribed& prescribed, std::span<const double> x, double tolerance) {
   const Stopwatch watch(times_.solve);
   auto& values = system_.tangent.values;
   std::fill(correction_.begin(), correction_.end(), 0.0);
@@ -125,7 +135,7 @@ Outcome<SolveReport> Newton::correct(const Prescribed& prescribed, std::span<con
     if (fixed_[i] == 0)
       rhs_[i] = -system_.residual[i] - lift;
   }
-  return solver_.solve(system_.tangent, system_.symmetric, rhs_, correction_);
+  return solver_.solve(system_.tangent, system_.symmetric, rhs_, correction_, tolerance);
 }
 
 Outcome<Newton::Evaluation> Newton::try_step(std::span<ForceTerm* const> terms,
@@ -228,7 +238,10 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     if (hopeless(iteration - 1, relative))
       return Failure{"no convergence"};
     before = relative;
-    const auto solved = correct(prescribed, x);
+    // After an event - a contact that opens or closes, a line search - nothing but the new
+    // tangent's own factorization will do.
+    const auto solved =
+        correct(prescribed, x, settled_ ? forcing(relative, settings_.tolerance) : 0.0);
     if (!solved)
       return solved.error();
     if (largest(correction_) > settings_.largest_correction)
@@ -243,6 +256,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
       for (std::size_t k = 0; k < prescribed.unknowns.size(); ++k)
         x[idx(prescribed.unknowns[k])] = prescribed.positions[k]; // to the bit
     norms = evaluation->norms;
+    constexpr double shrinks = 0.2;
+    settled_ = step == 1.0 && norms->residual < shrinks * relative * norms->scale;
     const double moved = largest_difference(x, x_old);
     taken = step * largest(correction_);
     correction = moved > 0.0 ? step * largest(correction_) / moved : 0.0;

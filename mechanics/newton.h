@@ -91,8 +91,8 @@ private:
     double slope; ///< work of the correction against the residual [N mm]
   };
   [[nodiscard]] Outcome<Norms> evaluate(std::span<ForceTerm* const> terms, const Trial& trial);
-  [[nodiscard]] Outcome<SolveReport> correct(const Prescribed& prescribed,
-                                             std::span<const double> x);
+  [[nodiscard]] Outcome<SolveReport>
+  correct(const Prescribed& prescribed, std::span<const double> x, double tolerance);
   [[nodiscard]] Outcome<Evaluation> search(std::span<ForceTerm* const> terms,
                                            const Trial& trial,
                                            std::vector<double>& x,
@@ -115,6 +115,7 @@ private:
   std::vector<double> base_;
   std::vector<IterationRecord> records_;
   NewtonTimes times_;
+  bool settled_ = false; ///< the last correction did what a quadratic iteration should
 };
 
 } // namespace billet::mechanics

@@ -32,8 +32,9 @@ public:
       check(umfpack_di_qsymbolic(n, n, start_.data(), columns_.data(), values_.data(),
                                  order_.data(), &symbolic_, control_.data(), nullptr));
     umfpack_di_free_numeric(&numeric_);
-    const int status = check(umfpack_di_numeric(start_.data(), columns_.data(), values_.data(),
-                                                symbolic_, &numeric_, control_.data(), nullptr));
+    const int status =
+        check(umfpack_di_numeric(start_.data(), columns_.data(), values_.data(), symbolic_,
+                                 &numeric_, control_.data(), info_.data()));
     return status == UMFPACK_OK;
   }
 
@@ -42,6 +43,10 @@ public:
     const std::vector<double> b(rhs.begin(), rhs.end());
     umfpack_di_solve(UMFPACK_At, start_.data(), columns_.data(), values_.data(), rhs.data(),
                      b.data(), numeric_, control_.data(), nullptr);
+  }
+
+  [[nodiscard]] FactorCost cost() const override {
+    return {info_[UMFPACK_FLOPS], info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ]};
   }
 
 private:
@@ -56,6 +61,7 @@ private:
   std::vector<Index> order_;
   std::vector<double> values_;
   std::array<double, UMFPACK_CONTROL> control_{};
+  std::array<double, UMFPACK_INFO> info_{};
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
 };

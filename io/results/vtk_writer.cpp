@@ -98,6 +98,7 @@ void write(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::pat
   writer.SetHeaderTypeToUInt64();
   writer.SetDataModeToBinary();
   writer.SetCompressorTypeToZLib();
+  writer.SetCompressionLevel(1); // half the time of the default, files a twentieth larger
   writer.WriteToOutputStringOn();
   if (writer.Write() == 0 || writer.GetErrorCode() != 0)
     throw Error(Fault::input_output, path.string(), "VTK could not write the frame",

@@ -102,6 +102,21 @@ bool update_point(const Law& law,
   return true;
 }
 
+/// Calls `visit(i, decomposition of b_e)` for every state.
+template <class Visit> void for_each_decomposed(std::span<const PointState> states, Visit visit) {
+  constexpr std::size_t batch = 8;
+  std::array<Mat3, batch> b;
+  std::array<Spectral, batch> decomposed;
+  for (std::size_t first = 0; first < states.size(); first += batch) {
+    const std::size_t n = std::min(batch, states.size() - first);
+    for (std::size_t i = 0; i < n; ++i)
+      b[i] = states[first + i].b_e;
+    spectral(std::span(b).first(n), std::span(decomposed).first(n));
+    for (std::size_t i = 0; i < n; ++i)
+      visit(first + i, decomposed[i]);
+  }
+}
+
 void set_predictors(std::span<const Mat3> b_pred, bool planar, std::span<DeviatoricResponse> out) {
   if (planar) {
     for (std::size_t i = 0; i < b_pred.size(); ++i)
@@ -137,11 +152,15 @@ bool update(const Material& material,
       material.flow);
 }
 
-double elastic_energy(const Elasticity& elasticity, const PointState& state) {
-  const Vec3 eps = 0.5 * spectral(state.b_e).values.array().log();
-  const double log_J = eps.sum();
-  const double squares = (eps.array() - log_J / 3.0).square().sum();
-  return 0.5 * elasticity.bulk() * log_J * log_J + elasticity.shear() * squares;
+void elastic_energies(const Elasticity& elasticity,
+                      std::span<const PointState> states,
+                      std::span<double> out) {
+  for_each_decomposed(states, [&](std::size_t i, const Spectral& b) {
+    const Vec3 eps = 0.5 * b.values.array().log();
+    const double log_J = eps.sum();
+    const double squares = (eps.array() - log_J / 3.0).square().sum();
+    out[i] = 0.5 * elasticity.bulk() * log_J * log_J + elasticity.shear() * squares;
+  });
 }
 
 double plastic_work(const AnyFlowLaw& flow, double from, double to) {
@@ -163,13 +182,16 @@ double yield_stress(const AnyFlowLaw& flow, double plastic_strain) {
   return std::visit([&](const auto& law) { return law.flow_stress(plastic_strain).stress; }, flow);
 }
 
-Mat3 kirchhoff_stress(const Elasticity& elasticity, const PointState& state) {
-  const Spectral b = spectral(state.b_e);
-  Vec3 eps = 0.5 * b.values.array().log();
-  const double log_J = eps.sum();
-  const Vec3 tau =
-      2.0 * elasticity.shear() * (eps.array() - log_J / 3.0) + elasticity.bulk() * log_J;
-  return b.vectors * tau.asDiagonal() * b.vectors.transpose();
+void kirchhoff_stresses(const Elasticity& elasticity,
+                        std::span<const PointState> states,
+                        std::span<Mat3> out) {
+  for_each_decomposed(states, [&](std::size_t i, const Spectral& b) {
+    const Vec3 eps = 0.5 * b.values.array().log();
+    const double log_J = eps.sum();
+    const Vec3 tau =
+        2.0 * elasticity.shear() * (eps.array() - log_J / 3.0) + elasticity.bulk() * log_J;
+    out[i] = b.vectors * tau.asDiagonal() * b.vectors.transpose();
+  });
 }
 
 } // namespace billet::mechanics

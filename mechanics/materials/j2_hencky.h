@@ -63,8 +63,10 @@ struct DeviatoricResponse {
                           bool planar,
                           std::span<DeviatoricResponse> out);
 
-/// Elastic energy per reference volume stored in a state [MPa]. (M.6)
-[[nodiscard]] double elastic_energy(const Elasticity& elasticity, const PointState& state);
+/// Elastic energies per reference volume stored in states, shape (n) [MPa]. (M.6)
+void elastic_energies(const Elasticity& elasticity,
+                      std::span<const PointState> states,
+                      std::span<double> out);
 
 /// Plastic work per reference volume from `from` to `to` at the flow stress [MPa]. (M.9)
 [[nodiscard]] double plastic_work(const AnyFlowLaw& flow, double from, double to);
@@ -72,7 +74,9 @@ struct DeviatoricResponse {
 /// Yield stress at a plastic strain [MPa]; infinite for an elastic body.
 [[nodiscard]] double yield_stress(const AnyFlowLaw& flow, double plastic_strain);
 
-/// Kirchhoff stress of a state [MPa]. (M.6)
-[[nodiscard]] Mat3 kirchhoff_stress(const Elasticity& elasticity, const PointState& state);
+/// Kirchhoff stresses of states, shape (n) [MPa]. (M.6)
+void kirchhoff_stresses(const Elasticity& elasticity,
+                        std::span<const PointState> states,
+                        std::span<Mat3> out);
 
 } // namespace billet::mechanics
