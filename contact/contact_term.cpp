@@ -107,7 +107,8 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
   }
 }
 
-void ContactTerm::evaluate(const Tool& tool, ToolState& state) {
+int ContactTerm::evaluate(const Tool& tool, ToolState& state) {
+  int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
     const geometry::Projection& foot = state.foot[k];
@@ -124,8 +125,9 @@ void ContactTerm::evaluate(const Tool& tool, ToolState& state) {
       state.trial[k] = traction(tool.friction, surface_->penalty(), old, in);
     }
     if (state.trial[k].status != before)
-      ++changes_;
+      ++changes;
   }
+  return changes;
 }
 
 void ContactTerm::sum(const ToolState& state, const geometry::Pose& pose) {
@@ -140,7 +142,6 @@ void ContactTerm::sum(const ToolState& state, const geometry::Pose& pose) {
 
 Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& trial,
                                                     mechanics::System& system) {
-  changes_ = 0;
   surface_->positions(trial.x, positions_);
   std::fill(traction_.begin(), traction_.end(), Vec3::Zero());
   std::fill(dtraction_.begin(), dtraction_.end(), Mat3::Zero());
@@ -153,7 +154,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     const geometry::Pose pose = tools_[t].motion.pose(trial.time);
     states_[t].rotation = pose.rotation;
     search(tools_[t], states_[t], pose);
-    evaluate(tools_[t], states_[t]);
+    system.contact_changes += evaluate(tools_[t], states_[t]);
     sum(states_[t], pose);
   }
   scatter(trial.x, system);

@@ -77,8 +77,6 @@ public:
   [[nodiscard]] double area() const { return area_; }
   /// Penetration of the faces in contact in a configuration.
   [[nodiscard]] Penetration penetration(const mechanics::Trial& trial) const;
-  /// Points that changed status in the last assembly against the one before.
-  [[nodiscard]] int changes() const { return changes_; }
   /// Whether a tool touches in the committed state but will not act at `time`.
   [[nodiscard]] bool leaves(std::size_t tool, double time) const;
   /// Takes a tool's contact away: returns its committed nodal forces on the workpiece, shape
@@ -101,7 +99,8 @@ private:
   };
 
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
-  void evaluate(const Tool& tool, ToolState& state);
+  /// @return points whose status is not that of the trial before
+  [[nodiscard]] int evaluate(const Tool& tool, ToolState& state);
   void sum(const ToolState& state, const geometry::Pose& pose);
   void scatter(std::span<const double> x, mechanics::System& system) const;
   void commit_tool(std::size_t t, const mechanics::Trial& trial);
@@ -123,7 +122,6 @@ private:
   std::vector<ToolLoad> loads_;
   ContactWork work_;
   double area_ = 0.0;
-  int changes_ = 0;
 };
 
 } // namespace billet::contact

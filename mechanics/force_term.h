@@ -34,11 +34,14 @@ struct System {
   SparseMatrix tangent;
   std::vector<double> residual; ///< shape (n_dofs) [N]
   bool symmetric = true;        ///< every term said that its tangent is symmetric
+  int contact_changes = 0; ///< contact points that opened, closed, stuck or slid since the last
+                           ///< trial: the iteration is not smooth where there are any
 
   void clear() {
     std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
     std::fill(residual.begin(), residual.end(), 0.0);
     symmetric = true;
+    contact_changes = 0;
   }
 };
 

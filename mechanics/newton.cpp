@@ -216,7 +216,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
       most = std::max(most, std::abs(prescribed.positions[k] - x[idx(prescribed.unknowns[k])]));
     return most;
   };
-  records_.push_back({0, norms->residual / norms->scale, 0.0, 0.0, ""});
+  records_.push_back({0, norms->residual / norms->scale, 0.0, 0.0, "", system_.contact_changes});
   // Stiff penalties and near incompressibility turn the rounding of coordinates into forces above
   // the tolerance; when the correction is no more than that rounding, no better x can be written.
   double taken = HUGE_VAL;
@@ -261,8 +261,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     const double moved = largest_difference(x, x_old);
     taken = step * largest(correction_);
     correction = moved > 0.0 ? step * largest(correction_) / moved : 0.0;
-    records_.push_back(
-        {iteration, norms->residual / norms->scale, correction, step, solved->method});
+    records_.push_back({iteration, norms->residual / norms->scale, correction, step, solved->method,
+                        system_.contact_changes});
   }
   if (norms->residual / norms->scale <= settings_.tolerance && missing() == 0.0)
     return NewtonReport{settings_.most_iterations, norms->residual / norms->scale, norms->scale};

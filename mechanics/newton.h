@@ -40,6 +40,7 @@ struct IterationRecord {
   double correction;       ///< largest correction over the largest displacement so far [-]
   double step;             ///< fraction of the correction taken [-]
   std::string_view solver; ///< factorization used
+  int contact_changes = 0; ///< contact points of another status than in the trial before
 };
 
 /// An increment solved.

@@ -163,9 +163,9 @@ RunWriter::RunWriter(std::filesystem::path folder,
 
 void RunWriter::started(const process::Process& process) {
   history_.emplace(folder_ / "history.csv", history_columns(process.scene()));
-  iterations_.emplace(
-      folder_ / "iterations.csv",
-      std::vector<std::string>{"increment", "time", "iteration", "residual", "correction", "step"});
+  iterations_.emplace(folder_ / "iterations.csv",
+                      std::vector<std::string>{"increment", "time", "iteration", "residual",
+                                               "correction", "step", "contact_changes"});
   write_frame(process);
 }
 
@@ -184,9 +184,10 @@ void RunWriter::incremented(const process::Process& process,
                             const process::IncrementReport& report) {
   history_->row(history_row(process, report));
   for (const mechanics::IterationRecord& record : report.records)
-    iterations_->row(std::array<double, 6>{static_cast<double>(report.increment), report.time,
+    iterations_->row(std::array<double, 7>{static_cast<double>(report.increment), report.time,
                                            static_cast<double>(record.iteration), record.residual,
-                                           record.correction, record.step});
+                                           record.correction, record.step,
+                                           static_cast<double>(record.contact_changes)});
   largest_penetration_ = std::max(largest_penetration_, report.max_penetration);
   largest_share_ = std::max(largest_share_, report.penetration_share);
   last_ = report;

@@ -118,7 +118,7 @@ void expect_good_summary(const std::filesystem::path& folder, const std::string&
   EXPECT_EQ(summary.at("iterations"), iterations);
   EXPECT_EQ(read_table(folder / "iterations.csv").columns,
             (std::vector<std::string>{"increment", "time", "iteration", "residual", "correction",
-                                      "step"}));
+                                      "step", "contact_changes"}));
 }
 
 TEST_F(Results, of_a_run_in_the_plane_are_whole) {

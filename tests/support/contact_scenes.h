@@ -243,19 +243,27 @@ inline double largest_position(const Entry& entry, int dim, int axis) {
   return most;
 }
 
-/// Orders of convergence log(r3 / r2) / log(r2 / r1) over the last residuals of each increment that
-/// full steps gave, that are above rounding (the penalty times that of a position: 1e7 MPa/mm,
-/// 1e-15 mm, of 1e3 MPa) and in the asymptotic range. The first guess is no iterate. Sorted.
-inline std::vector<double> newton_orders(const std::vector<Entry>& entries) {
-  constexpr double noise = 2e-10, asymptotic = 1e-1;
+/// Orders of convergence log(d3 / d2) / log(d2 / d1) over the last corrections of each increment:
+/// full steps, above rounding, in the asymptotic range and not parted by a contact point that
+/// changed its status, for the theorem is about smooth equations. Corrections and not residuals:
+/// they are the error of the iterate before, while a residual weighs a penetration a hundred times
+/// heavier than a strain of the same size. Sorted.
+///
+/// @param size   what of an iteration is compared: the corrections, or the residuals
+/// @param noise  values below are rounding; of residuals the penalty times that of a position
+inline std::vector<double>
+newton_orders(const std::vector<Entry>& entries,
+              double mechanics::IterationRecord::*size = &mechanics::IterationRecord::correction,
+              double noise = 1e-12) {
+  constexpr double asymptotic = 1e-1;
   std::vector<double> orders;
   for (const Entry& entry : entries) {
     std::vector<double> r;
     for (const auto& record : entry.report.records) {
-      if (record.step < 1.0)
+      if (record.step < 1.0 || record.contact_changes > 0)
         r.clear();
-      else if (record.residual > noise)
-        r.push_back(record.residual);
+      if (record.step == 1.0 && record.*size > noise)
+        r.push_back(record.*size);
     }
     if (r.size() < 3)
       continue;
