@@ -35,11 +35,12 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
                          const mechanics::Bulk& bulk,
                          const mechanics::BlockPattern& pattern,
                          std::span<const Tool> tools,
-                         double reach)
+                         double reach,
+                         const DriveScale& drives)
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
       enabled_(tools.size(), 1), positions_(surface.n_points()), areas_(surface.n_points()),
       traction_(surface.n_points()), dtraction_(surface.n_points()), touched_(surface.n_points()),
-      loads_(tools.size()) {
+      loads_(tools.size()), drives_(drive_unknowns(tools)), scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
   for (ToolState& state : states_) {
@@ -56,7 +57,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
 void ContactTerm::start(std::span<const double> x, double time) {
   surface_->positions(x, positions_);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
-    search(tools_[t], states_[t], tools_[t].motion.pose(time));
+    search(tools_[t], states_[t], pose(t, time, x));
     for (std::size_t k = 0; k < positions_.size(); ++k) {
       PointHistory& history = states_[t].history[k];
       const geometry::Projection& foot = states_[t].foot[k];
@@ -151,13 +152,15 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
       std::fill(states_[t].trial.begin(), states_[t].trial.end(), Traction{});
       continue;
     }
-    const geometry::Pose pose = tools_[t].motion.pose(trial.time);
-    states_[t].rotation = pose.rotation;
-    search(tools_[t], states_[t], pose);
+    const geometry::Pose place = pose(t, trial.time, trial.x);
+    states_[t].rotation = place.rotation;
+    search(tools_[t], states_[t], place);
     system.contact_changes += evaluate(tools_[t], states_[t]);
-    sum(states_[t], pose);
+    sum(states_[t], place);
   }
   scatter(trial.x, system);
+  add_loads(trial, system);
+  add_borders(trial, system);
   return mechanics::Assembled{};
 }
 
@@ -202,6 +205,106 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
   });
 }
 
+void ContactTerm::add_loads(const mechanics::Trial& trial, mechanics::System& system) const {
+  const auto n = idx(pattern_->n_dofs());
+  for (std::size_t j = 0; j < drives_.size(); ++j) {
+    const auto& [tool, turns] = drives_[j];
+    const geometry::Motion& motion = tools_[tool].motion;
+    const double load =
+        turns ? motion.torque->load(trial.time) / scale_.length : motion.force->load(trial.time);
+    system.residual[n + j] += scale_.stiffness * (trial.x[n + j] - trial.x_old[n + j]) -
+                              (acts(tool, trial.time) ? load : 0.0);
+    system.borders[j].corner[j] += scale_.stiffness;
+  }
+}
+
+void ContactTerm::add_borders(const mechanics::Trial& trial, mechanics::System& system) const {
+  visit_contact_face(surface_->kind(), surface_->form(), [&](auto shape, auto rule) {
+    for (std::size_t j = 0; j < drives_.size(); ++j)
+      if (acts(drives_[j].tool, trial.time))
+        add_border_of<decltype(shape), decltype(rule)>(j, trial, system);
+  });
+}
+
+/// Row, column and residual of a free degree of freedom q: with the velocity v of the tool's
+/// material at a point for dq = 1, r_q = sum dA T . v - load. (C.11)
+template <class Shape, class Rule>
+void ContactTerm::add_border_of(std::size_t drive,
+                                const mechanics::Trial& trial,
+                                mechanics::System& system) const {
+  constexpr int dim = Shape::dim + 1;
+  const auto n = idx(pattern_->n_dofs());
+  const std::size_t tool = drives_[drive].tool;
+  const ToolState& state = states_[tool];
+  mechanics::Border& border = system.borders[drive];
+  std::array<double, static_cast<std::size_t>(Shape::nodes * dim)> local{};
+  for (std::size_t k = 0; k < state.trial.size(); ++k) {
+    if (state.trial[k].status == Status::open)
+      continue;
+    const auto nodes = surface_->scatter().nodes(face_of(k));
+    const int i = static_cast<int>(k % idx(Rule::points));
+    mechanics::gather(trial.x, nodes, dim, local.data());
+    const FacePoint<Shape> at(surface_->analysis(), local.data(), Rule::point(i), Rule::weight(i));
+    const Vec3 T = state.rotation * state.trial[k].traction;
+    const Mat3 D = state.rotation * state.trial[k].dtraction_dx * state.rotation.transpose();
+    const DriveRate rate = drive_rate(drives_[drive], trial.time, trial.x, positions_[k]);
+    const Vec3 dT_dq = rate.spin.cross(T) - D * rate.velocity;
+    const Vec3 row = D.transpose() * rate.velocity + T.cross(rate.spin);
+    system.residual[n + drive] += at.measure * T.dot(rate.velocity);
+    for (std::size_t a = 0; a < Shape::nodes; ++a)
+      for (int d = 0; d < dim; ++d) {
+        const auto unknown = idx(nodes[a] * dim + d);
+        border.column[unknown] -= at.N[a] * at.measure * dT_dq[d];
+        border.row[unknown] +=
+            at.N[a] * at.measure * row[d] + T.dot(rate.velocity) * at.dmeasure[a][d];
+      }
+    for (std::size_t other = 0; other < drives_.size(); ++other) {
+      if (drives_[other].tool != tool)
+        continue;
+      const DriveRate by = drive_rate(drives_[other], trial.time, trial.x, positions_[k]);
+      // The axis of a turn travels with the tool.
+      const Vec3 dv =
+          drives_[other].turns ? Vec3(Vec3::Zero()) : Vec3(-rate.spin.cross(by.velocity));
+      border.corner[other] +=
+          at.measure * (rate.velocity.dot(by.spin.cross(T) - D * by.velocity) + T.dot(dv));
+    }
+  }
+}
+
+ContactTerm::DriveRate ContactTerm::drive_rate(const DriveUnknown& drive,
+                                               double time,
+                                               std::span<const double> x,
+                                               const Vec3& position) const {
+  const geometry::Motion& motion = tools_[drive.tool].motion;
+  if (!drive.turns)
+    return {motion.force->axis, Vec3::Zero()};
+  const Vec3 on_axis =
+      motion.torque->point + motion.offset + motion.translation(time, driven(drive.tool, x));
+  const Vec3 spin = motion.torque->axis / scale_.length;
+  return {spin.cross(position - on_axis), spin};
+}
+
+geometry::Driven ContactTerm::driven(std::size_t tool, std::span<const double> x) const {
+  const auto n = idx(pattern_->n_dofs());
+  geometry::Driven driven;
+  for (std::size_t j = 0; j < drives_.size(); ++j)
+    if (drives_[j].tool == tool)
+      (drives_[j].turns ? driven.turn : driven.travel) =
+          drives_[j].turns ? x[n + j] / scale_.length : x[n + j];
+  return driven;
+}
+
+std::vector<DriveUnknown> drive_unknowns(std::span<const Tool> tools) {
+  std::vector<DriveUnknown> drives;
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    if (tools[t].motion.force)
+      drives.push_back({t, false});
+    if (tools[t].motion.torque)
+      drives.push_back({t, true});
+  }
+  return drives;
+}
+
 void ContactTerm::commit(const mechanics::Trial& trial) {
   surface_->areas(trial.x, areas_);
   area_ = 0.0;
@@ -219,8 +322,8 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
 void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   ToolState& state = states_[t];
   const Tool& tool = tools_[t];
-  const geometry::Pose pose = tool.motion.pose(trial.time);
-  const geometry::Pose pose_old = tool.motion.pose(trial.time_old);
+  const geometry::Pose pose = this->pose(t, trial.time, trial.x);
+  const geometry::Pose pose_old = this->pose(t, trial.time_old, trial.x_old);
   const Vec3 reference = pose.to_space(tool.reference);
   const bool meridian = surface_->analysis() == mechanics::Analysis::axisymmetric;
   state.stored = 0.0;
@@ -284,7 +387,7 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial) const {
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (!acts(t, trial.time))
       continue;
-    const geometry::Pose pose = tools_[t].motion.pose(trial.time);
+    const geometry::Pose pose = this->pose(t, trial.time, trial.x);
     for (Index f = 0; f < surface_->n_faces(); ++f) {
       bool touches = false;
       for (std::size_t i = 0; i < n; ++i)
@@ -303,6 +406,11 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial) const {
     }
   }
   return worst;
+}
+
+bool ContactTerm::lies_on(std::size_t tool) const {
+  return std::any_of(states_[tool].history.begin(), states_[tool].history.end(),
+                     [](const PointHistory& history) { return history.closed(); });
 }
 
 bool ContactTerm::leaves(std::size_t tool, double time) const {

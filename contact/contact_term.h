@@ -49,6 +49,22 @@ struct ContactWork {
   double stored = 0.0;   ///< in the penalties now [N mm]
 };
 
+/// How the free degrees of freedom of driven tools enter the equations: as lengths, so that one
+/// norm serves them and the nodes.
+struct DriveScale {
+  double length = 1.0;    ///< arm at which a turn counts as a length [mm]
+  double stiffness = 0.0; ///< that holds a tool nothing else holds; far below the body's [N/mm]
+};
+
+/// A free degree of freedom of a tool, an unknown after those of the nodes.
+struct DriveUnknown {
+  std::size_t tool;
+  bool turns; ///< about an axis; else it travels along one
+};
+
+/// The free degrees of freedom of all tools, in the order of the tools, travel before turn.
+[[nodiscard]] std::vector<DriveUnknown> drive_unknowns(std::span<const Tool> tools);
+
 class ContactTerm final : public mechanics::ForceTerm {
 public:
   /// @pre surface, bulk, pattern and tools outlive the term
@@ -56,7 +72,8 @@ public:
               const mechanics::Bulk& bulk,
               const mechanics::BlockPattern& pattern,
               std::span<const Tool> tools,
-              double reach);
+              double reach,
+              const DriveScale& drives = {});
 
   /// Places the points at the start of the run; histories begin here.
   void start(std::span<const double> x, double time);
@@ -64,6 +81,14 @@ public:
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
                                                        mechanics::System& system) override;
   void commit(const mechanics::Trial& trial) override;
+
+  /// Where a tool's free degrees of freedom are in a vector of unknowns.
+  [[nodiscard]] geometry::Driven driven(std::size_t tool, std::span<const double> x) const;
+  /// A tool's place at a time with those unknowns.
+  [[nodiscard]] geometry::Pose
+  pose(std::size_t tool, double time, std::span<const double> x) const {
+    return tools_[tool].motion.pose(time, driven(tool, x));
+  }
 
   /// Tools that may act now (a stage's choice), one flag a tool.
   void enable(std::vector<char> enabled) { enabled_ = std::move(enabled); }
@@ -77,6 +102,8 @@ public:
   [[nodiscard]] double area() const { return area_; }
   /// Penetration of the faces in contact in a configuration.
   [[nodiscard]] Penetration penetration(const mechanics::Trial& trial) const;
+  /// Whether a point lies on a tool in the committed state, with or without pressure.
+  [[nodiscard]] bool lies_on(std::size_t tool) const;
   /// Whether a tool touches in the committed state but will not act at `time`.
   [[nodiscard]] bool leaves(std::size_t tool, double time) const;
   /// Takes a tool's contact away: returns its committed nodal forces on the workpiece, shape
@@ -103,6 +130,20 @@ private:
   [[nodiscard]] int evaluate(const Tool& tool, ToolState& state);
   void sum(const ToolState& state, const geometry::Pose& pose);
   void scatter(std::span<const double> x, mechanics::System& system) const;
+  /// Velocity of a tool's material at a place, and its spin, for a unit rate of a drive.
+  struct DriveRate {
+    Vec3 velocity; ///< [-]
+    Vec3 spin;     ///< [1/mm]
+  };
+  [[nodiscard]] DriveRate drive_rate(const DriveUnknown& drive,
+                                     double time,
+                                     std::span<const double> x,
+                                     const Vec3& position) const;
+  void add_loads(const mechanics::Trial& trial, mechanics::System& system) const;
+  void add_borders(const mechanics::Trial& trial, mechanics::System& system) const;
+  template <class Shape, class Rule>
+  void
+  add_border_of(std::size_t drive, const mechanics::Trial& trial, mechanics::System& system) const;
   void commit_tool(std::size_t t, const mechanics::Trial& trial);
   [[nodiscard]] Index face_of(std::size_t point) const;
   [[nodiscard]] bool acts(std::size_t tool, double time) const;
@@ -120,6 +161,8 @@ private:
   std::vector<Mat3> dtraction_;
   std::vector<char> touched_;
   std::vector<ToolLoad> loads_;
+  std::vector<DriveUnknown> drives_;
+  DriveScale scale_;
   ContactWork work_;
   double area_ = 0.0;
 };

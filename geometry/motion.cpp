@@ -9,21 +9,28 @@ Pose rotation_about(const Vec3& point, const Vec3& axis, double angle) {
   return {R, point - R * point};
 }
 
-Vec3 Motion::translation(double time) const {
+Vec3 Motion::translation(double time, const Driven& driven) const {
   if (velocity)
     return *velocity * time;
   if (displacement)
     return {(*displacement)[0](time), (*displacement)[1](time), (*displacement)[2](time)};
-  return Vec3::Zero();
+  return force ? Vec3(driven.travel * force->axis) : Vec3(Vec3::Zero());
 }
 
-double Motion::angle(double time) const { return rotation ? rotation->speed.integral(time) : 0.0; }
+double Motion::angle(double time, const Driven& driven) const {
+  if (rotation)
+    return rotation->speed.integral(time);
+  return torque ? driven.turn : 0.0;
+}
 
-Pose Motion::pose(double time) const {
-  const Pose turned =
-      rotation ? rotation_about(rotation->point, rotation->axis, angle(time)) : Pose{};
+Pose Motion::pose(double time, const Driven& driven) const {
+  Pose turned;
+  if (rotation)
+    turned = rotation_about(rotation->point, rotation->axis, angle(time));
+  else if (torque)
+    turned = rotation_about(torque->point, torque->axis, driven.turn);
   return {turned.rotation * place.rotation,
-          turned.to_space(place.translation) + offset + translation(time)};
+          turned.to_space(place.translation) + offset + translation(time, driven)};
 }
 
 } // namespace billet::geometry

@@ -36,7 +36,21 @@ struct Rotation {
   TimeFunction speed;        ///< [rad/s]
 };
 
-/// Prescribed motion of a tool: a translation over time, a rotation over time, or both.
+/// A degree of freedom that a load drives: along an axis, or about it.
+struct Drive {
+  Vec3 point = Vec3::Zero(); ///< on the axis; of no meaning for a travel
+  Vec3 axis = Vec3::UnitZ(); ///< unit vector
+  TimeFunction load;         ///< [N], or [N mm]
+};
+
+/// Where the driven degrees of freedom of a tool are.
+struct Driven {
+  double travel = 0.0; ///< along the axis of the force [mm]
+  double turn = 0.0;   ///< about the axis of the torque [rad]
+};
+
+/// Motion of a tool: prescribed (a translation over time, a rotation over time, or both), or driven
+/// by a force in place of the translation and a torque in place of the rotation.
 ///
 /// The tool is placed first, then turned, then shifted; the rotation axis is given in space at time
 /// 0 and travels with the translation. `offset` is the displacement by which `touch` brought the
@@ -46,13 +60,15 @@ struct Motion {
   std::optional<Vec3> velocity;                            ///< [mm/s]
   std::optional<std::array<TimeFunction, 3>> displacement; ///< [mm]; instead of velocity
   std::optional<Rotation> rotation;
+  std::optional<Drive> force;  ///< instead of velocity and displacement
+  std::optional<Drive> torque; ///< instead of rotation
   Vec3 offset = Vec3::Zero();
 
-  [[nodiscard]] Pose pose(double time) const;
+  [[nodiscard]] Pose pose(double time, const Driven& driven = {}) const;
   /// Displacement of the tool's reference point (without offset) [mm].
-  [[nodiscard]] Vec3 translation(double time) const;
+  [[nodiscard]] Vec3 translation(double time, const Driven& driven = {}) const;
   /// Angle turned since time 0 [rad].
-  [[nodiscard]] double angle(double time) const;
+  [[nodiscard]] double angle(double time, const Driven& driven = {}) const;
 };
 
 } // namespace billet::geometry

@@ -90,12 +90,16 @@ geometry::Motion motion_of(const ToolMotion& motion) {
   if (motion.translation) {
     if (const auto* velocity = std::get_if<VelocityMotion>(&*motion.translation))
       result.velocity = velocity->velocity;
+    else if (const auto* force = std::get_if<ForceMotion>(&*motion.translation))
+      result.force = geometry::Drive{Vec3::Zero(), force->direction.normalized(), force->value};
     else
       result.displacement = std::get<DisplacementMotion>(*motion.translation).displacement;
   }
   if (motion.rotation) {
-    const auto& turn = std::get<RotationMotion>(*motion.rotation);
-    result.rotation = geometry::Rotation{turn.point, turn.axis.normalized(), turn.speed};
+    if (const auto* turn = std::get_if<RotationMotion>(&*motion.rotation))
+      result.rotation = geometry::Rotation{turn->point, turn->axis.normalized(), turn->speed};
+    else if (const auto* torque = std::get_if<TorqueMotion>(&*motion.rotation))
+      result.torque = geometry::Drive{torque->point, torque->axis.normalized(), torque->value};
   }
   return result;
 }
@@ -133,6 +137,8 @@ contact::Tool build_tool(const Tool& tool, Analysis analysis, std::vector<std::s
   result.motion.place = pose_of(tool.place);
   if (result.motion.rotation)
     result.reference = result.motion.place.to_tool(result.motion.rotation->point);
+  if (result.motion.torque)
+    result.reference = result.motion.place.to_tool(result.motion.torque->point);
   result.friction = std::visit(FrictionMaker{}, tool.friction.law);
   if (tool.active) {
     result.active_from = (*tool.active)[0];

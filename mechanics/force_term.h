@@ -25,14 +25,23 @@ enum class Analysis { plane_strain, axisymmetric, solid };
 struct Trial {
   double time_old;               ///< [s]
   double time;                   ///< [s]
-  std::span<const double> x_old; ///< committed positions, shape (n_dofs) [mm]
-  std::span<const double> x;     ///< positions tried, shape (n_dofs) [mm]
+  std::span<const double> x_old; ///< committed positions, shape (n_dofs + n_extra) [mm]
+  std::span<const double> x;     ///< positions tried, shape (n_dofs + n_extra) [mm]
+};
+
+/// Row and column of the tangent for an unknown that belongs to no node: a tool's free degree of
+/// freedom. They stay beside the matrix, which they would fill.
+struct Border {
+  std::vector<double> column; ///< d residual / d unknown, shape (n_dofs) [N/mm]
+  std::vector<double> row;    ///< d residual of the unknown / d x, shape (n_dofs) [N/mm]
+  std::vector<double> corner; ///< the same by all such unknowns, shape (n_extra) [N/mm]
 };
 
 /// Residual and tangent over the mesh's pattern.
 struct System {
   SparseMatrix tangent;
-  std::vector<double> residual; ///< shape (n_dofs) [N]
+  std::vector<Border> borders;  ///< shape (n_extra)
+  std::vector<double> residual; ///< shape (n_dofs + n_extra) [N]
   bool symmetric = true;        ///< every term said that its tangent is symmetric
   int contact_changes = 0; ///< contact points that opened, closed, stuck or slid since the last
                            ///< trial: the iteration is not smooth where there are any
@@ -40,6 +49,9 @@ struct System {
   void clear() {
     std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
     std::fill(residual.begin(), residual.end(), 0.0);
+    for (Border& border : borders)
+      for (std::vector<double>* part : {&border.column, &border.row, &border.corner})
+        std::fill(part->begin(), part->end(), 0.0);
     symmetric = true;
     contact_changes = 0;
   }

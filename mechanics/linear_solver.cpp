@@ -68,6 +68,19 @@ Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
   last_ = nullptr;
   if (!factorization.factorize(matrix))
     return Failure{"the tangent is singular (" + std::string(method) + ")"};
+  auto report = back_substitute(factorization, method, matrix, rhs, x);
+  if (report) {
+    last_ = &factorization;
+    current_ = true;
+  }
+  return report;
+}
+
+Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
+                                                   std::string_view method,
+                                                   const SparseMatrix& matrix,
+                                                   std::span<const double> rhs,
+                                                   std::span<double> x) {
   std::copy(rhs.begin(), rhs.end(), x.begin());
   factorization.solve(x);
   // Backward stable factorizations leave 1e-14 or so; one refinement mends a poor pivot order.
@@ -87,7 +100,6 @@ Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
   }
   if (!std::isfinite(report.relative_residual) || report.relative_residual > 1e-3)
     return Failure{"the linear system has no accurate solution (" + std::string(method) + ")"};
-  last_ = &factorization;
   return report;
 }
 
@@ -96,6 +108,7 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
                                          std::span<const double> rhs,
                                          std::span<double> x,
                                          double tolerance) {
+  current_ = false;
   const bool may_reuse = tolerance > 0.0 && choice_ == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
   if (most > 0) {
@@ -104,6 +117,16 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
       return SolveReport{"gmres", report.residual};
   }
   return factorize_and_solve(matrix, symmetric, rhs, x);
+}
+
+Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
+                                               bool symmetric,
+                                               std::span<const double> rhs,
+                                               std::span<double> x,
+                                               double tolerance) {
+  if (current_)
+    return back_substitute(*last_, "again", matrix, rhs, x);
+  return solve(matrix, symmetric, rhs, x, tolerance);
 }
 
 Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,

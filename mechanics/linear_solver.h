@@ -72,12 +72,24 @@ public:
                                            std::span<double> x,
                                            double tolerance = 0.0);
 
+  /// Solves for another right-hand side, just after `solve` with the same matrix.
+  [[nodiscard]] Outcome<SolveReport> solve_again(const SparseMatrix& matrix,
+                                                 bool symmetric,
+                                                 std::span<const double> rhs,
+                                                 std::span<double> x,
+                                                 double tolerance);
+
 private:
   [[nodiscard]] Outcome<SolveReport> solve_with(Factorization& factorization,
                                                 std::string_view method,
                                                 const SparseMatrix& matrix,
                                                 std::span<const double> rhs,
                                                 std::span<double> x);
+  [[nodiscard]] Outcome<SolveReport> back_substitute(Factorization& factorization,
+                                                     std::string_view method,
+                                                     const SparseMatrix& matrix,
+                                                     std::span<const double> rhs,
+                                                     std::span<double> x);
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
                                                          bool symmetric,
                                                          std::span<const double> rhs,
@@ -91,6 +103,7 @@ private:
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
   Factorization* last_ = nullptr; ///< holds a factorization of an earlier matrix
+  bool current_ = false;          ///< ... of the last matrix `solve` was given
   Gmres gmres_;
   std::vector<double> residual_;
 };

@@ -1,5 +1,7 @@
 #include "mechanics/newton.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -34,6 +36,13 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
   return largest;
 }
 
+double product(std::span<const double> a, std::span<const double> b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
 double largest(std::span<const double> v) {
   double most = 0.0;
   for (const double value : v)
@@ -60,15 +69,24 @@ double forcing(double relative_residual, double tolerance) {
 
 } // namespace
 
-Newton::Newton(const BlockPattern& pattern, SolverChoice choice, NewtonSettings settings)
+Newton::Newton(const BlockPattern& pattern,
+               SolverChoice choice,
+               NewtonSettings settings,
+               std::size_t n_extra)
     : pattern_(&pattern), settings_(settings), solver_(pattern, choice) {
   const auto n = idx(pattern.n_dofs());
   system_.tangent.pattern = &pattern;
   system_.tangent.values.resize(pattern.n_entries());
-  system_.residual.resize(n);
-  fixed_.resize(n);
+  system_.borders.resize(n_extra);
+  for (Border& border : system_.borders) {
+    border.column.resize(n);
+    border.row.resize(n);
+    border.corner.resize(n_extra);
+  }
+  system_.residual.resize(n + n_extra);
+  fixed_.resize(n + n_extra);
   rhs_.resize(n);
-  correction_.resize(n);
+  correction_.resize(n + n_extra);
 }
 
 void Newton::mark(const Prescribed& prescribed) {
@@ -117,7 +135,7 @@ Newton::correct(const Prescribed& prescribed, std::span<const double> x, double 
     correction_[i] = prescribed.positions[k] - x[i];
   }
   // Prescribed unknowns become rows and columns of the identity, scaled like their neighbours.
-  for (std::size_t i = 0; i < fixed_.size(); ++i) {
+  for (std::size_t i = 0; i < rhs_.size(); ++i) {
     double lift = 0.0;
     for (Index k = pattern_->row_start[i]; k < pattern_->row_start[i + 1]; ++k) {
       const auto j = idx(pattern_->columns[idx(k)]);
@@ -135,7 +153,46 @@ Newton::correct(const Prescribed& prescribed, std::span<const double> x, double 
     if (fixed_[i] == 0)
       rhs_[i] = -system_.residual[i] - lift;
   }
-  return solver_.solve(system_.tangent, system_.symmetric, rhs_, correction_, tolerance);
+  return solve_bordered(tolerance);
+}
+
+/// Eliminates the nodes: one more right-hand side for each unknown that belongs to none. (N.7)
+Outcome<SolveReport> Newton::solve_bordered(double tolerance) {
+  const std::size_t n = rhs_.size();
+  const std::size_t m = system_.borders.size();
+  const std::span<double> nodal = std::span(correction_).first(n);
+  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, tolerance);
+  if (!solved || m == 0)
+    return solved;
+  std::vector<std::vector<double>> influence(m, std::vector<double>(n));
+  Eigen::MatrixXd reduced(m, m);
+  Eigen::VectorXd rest(m);
+  for (std::size_t j = 0; j < m; ++j) {
+    std::vector<double>& column = system_.borders[j].column;
+    for (std::size_t i = 0; i < n; ++i)
+      if (fixed_[i] != 0)
+        column[i] = 0.0;
+    const auto again =
+        solver_.solve_again(system_.tangent, system_.symmetric, column, influence[j], tolerance);
+    if (!again)
+      return again.error();
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    const Border& border = system_.borders[i];
+    rest[static_cast<Index>(i)] = -system_.residual[n + i] - product(border.row, nodal);
+    for (std::size_t j = 0; j < m; ++j)
+      reduced(static_cast<Index>(i), static_cast<Index>(j)) =
+          border.corner[j] - product(border.row, influence[j]);
+  }
+  const Eigen::VectorXd extra = reduced.fullPivLu().solve(rest);
+  if (!extra.allFinite())
+    return Failure{"a driven tool has nothing to push against"};
+  for (std::size_t j = 0; j < m; ++j) {
+    correction_[n + j] = extra[static_cast<Index>(j)];
+    for (std::size_t i = 0; i < n; ++i)
+      correction_[i] -= influence[j][i] * correction_[n + j];
+  }
+  return solved;
 }
 
 Outcome<Newton::Evaluation> Newton::try_step(std::span<ForceTerm* const> terms,
@@ -272,7 +329,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
 Index Newton::worst_unknown() const {
   Index worst = 0;
   double most = -1.0;
-  for (std::size_t i = 0; i < fixed_.size(); ++i)
+  for (std::size_t i = 0; i < rhs_.size(); ++i)
     if (fixed_[i] == 0 && std::abs(system_.residual[i]) > most) {
       most = std::abs(system_.residual[i]);
       worst = static_cast<Index>(i);

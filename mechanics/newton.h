@@ -12,6 +12,7 @@
 #include "mechanics/linear_solver.h"
 
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,8 +60,12 @@ struct NewtonTimes {
 /// The iteration, with the memory it works in.
 class Newton {
 public:
+  /// @param n_extra  unknowns of the terms' own after those of the nodes: see `Border`
   /// @pre pattern outlives this
-  Newton(const BlockPattern& pattern, SolverChoice choice, NewtonSettings settings);
+  Newton(const BlockPattern& pattern,
+         SolverChoice choice,
+         NewtonSettings settings,
+         std::size_t n_extra = 0);
 
   /// Solves for `x`.
   ///
@@ -94,6 +99,7 @@ private:
   [[nodiscard]] Outcome<Norms> evaluate(std::span<ForceTerm* const> terms, const Trial& trial);
   [[nodiscard]] Outcome<SolveReport>
   correct(const Prescribed& prescribed, std::span<const double> x, double tolerance);
+  [[nodiscard]] Outcome<SolveReport> solve_bordered(double tolerance);
   [[nodiscard]] Outcome<Evaluation> search(std::span<ForceTerm* const> terms,
                                            const Trial& trial,
                                            std::vector<double>& x,

@@ -22,9 +22,9 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::vector<Vec3> as_points(std::span<const double> x, int dim) {
-  std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
-  for (std::size_t i = 0; i < x.size(); ++i)
+std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_points) {
+  std::vector<Vec3> points(n_points, Vec3::Zero());
+  for (std::size_t i = 0; i < n_points * idx(dim); ++i)
     points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
   return points;
 }
@@ -74,14 +74,17 @@ Process::Process(Scene scene)
   for (const Vec3& p : scene_.mesh.points)
     x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());
   x_ = x0_;
-  trial_x_ = x0_;
-  velocity_.assign(x_.size(), 0.0);
-  reactions_.assign(x_.size(), 0.0);
+  x_.resize(x0_.size() + contact::drive_unknowns(scene_.tools).size(), 0.0);
+  trial_x_ = x_;
+  velocity_.assign(x0_.size(), 0.0);
+  reactions_.assign(x0_.size(), 0.0);
   make_terms();
   bring_to_touch();
   check_overlap();
-  if (contact_)
+  if (contact_) {
     contact_->start(x_, 0.0);
+    check_drives();
+  }
 }
 
 Process::~Process() = default;
@@ -96,14 +99,15 @@ void Process::make_terms() {
       mechanics::NewtonSettings{.tolerance = scene_.tolerance,
                                 .force_floor =
                                     strain_floor * body_stiffness() * size_of(scene_.mesh),
-                                .largest_correction = size_of(scene_.mesh)});
+                                .largest_correction = size_of(scene_.mesh)},
+      contact::drive_unknowns(scene_.tools).size());
   terms_ = {bulk_.get()};
   make_loads();
   if (!scene_.tools.empty()) {
     surface_ = std::make_unique<contact::ContactSurface>(scene_.mesh, *bulk_, pattern_,
                                                          scene_.contact_faces, scene_.contact);
     contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
-                                                      4.0 * size_of(scene_.mesh));
+                                                      4.0 * size_of(scene_.mesh), drive_scale());
     terms_.push_back(contact_.get());
   }
   grounded_ = free_rigid_motions(scene_);
@@ -157,11 +161,13 @@ void Process::bring_to_touch() {
     const double end = scene_.stages.back().end;
     Vec3 direction = Vec3::Zero();
     for (int step = 1; step <= 100 && direction.isZero(0.0); ++step)
-      direction = tool.motion.translation(end * step / 100.0);
+      direction = tool.motion.force
+                      ? Vec3(tool.motion.force->load(end * step / 100.0) * tool.motion.force->axis)
+                      : tool.motion.translation(end * step / 100.0);
     if (direction.isZero(0.0))
       throw Error(Fault::case_file, "",
                   fmt::format("tool '{}' has touch = true but does not move", tool.name),
-                  "give it a velocity or a displacement, or place it where it touches");
+                  "give it a velocity, a displacement or a force, or place it where it touches");
     direction.normalize();
     const auto distance = geometry::distance_to_contact(*tool.surface, tool.motion.pose(0.0),
                                                         direction, points, reach);
@@ -200,6 +206,26 @@ void Process::check_overlap() const {
                       "move the tool or the workpiece apart, or give the tool touch = true");
         }
     }
+  }
+}
+
+contact::DriveScale Process::drive_scale() const {
+  // A hundred-millionth of the body's own stiffness: it carries rounding, never a load.
+  constexpr double share = 1e-8;
+  return {size_of(scene_.mesh), share * body_stiffness()};
+}
+
+void Process::check_drives() const {
+  for (const contact::Tool& tool : scene_.tools) {
+    if (!tool.motion.force || !tool.active(0.0))
+      continue;
+    const auto t = static_cast<std::size_t>(&tool - scene_.tools.data());
+    if (!contact_->lies_on(t))
+      throw Error(Fault::case_file, "",
+                  fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
+                              "nothing tells where it is",
+                              tool.name),
+                  "give it touch = true, or place it where it touches");
   }
 }
 
@@ -263,11 +289,17 @@ bool Process::try_increment(double dt, std::string& why) {
     wasted_iterations_ += spent;
     return false;
   }
+  for (std::size_t i = x0_.size(); i < x_.size(); ++i)
+    if (std::abs(trial_x_[i] - x_[i]) > 0.5 * size_of(scene_.mesh)) {
+      why = "a driven tool moves away: nothing holds it against its load";
+      wasted_iterations_ += spent;
+      return false;
+    }
   if (grounding_) {
     // The grounding may carry rounding, never a load.
     constexpr double most_share = 1e-3;
     double sum = 0.0;
-    for (std::size_t i = 0; i < x_.size(); ++i)
+    for (std::size_t i = 0; i < x0_.size(); ++i)
       sum += (trial_x_[i] - x_[i]) * (trial_x_[i] - x_[i]);
     if (grounding_stiffness_ * std::sqrt(sum) > most_share * outcome->force_scale) {
       why = "the workpiece moves away freely: neither supports nor contact hold it";
@@ -297,7 +329,8 @@ void Process::accept(double dt) {
   last_step_.resize(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) {
     last_step_[i] = trial_x_[i] - x_[i];
-    velocity_[i] = last_step_[i] / dt;
+    if (i < velocity_.size())
+      velocity_[i] = last_step_[i] / dt;
   }
   last_dt_ = dt;
   x_ = trial_x_;
@@ -321,8 +354,8 @@ void Process::update_energy() {
     energy_.contact = contact_->work().stored;
   }
   if (grounding_)
-    for (const double step : last_step_)
-      energy_.grounding += grounding_stiffness_ * step * step;
+    for (std::size_t i = 0; i < x0_.size(); ++i)
+      energy_.grounding += grounding_stiffness_ * last_step_[i] * last_step_[i];
 }
 
 IncrementReport Process::report(double dt, int cutbacks) const {
@@ -342,8 +375,8 @@ IncrementReport Process::report(double dt, int cutbacks) const {
   }
   for (const auto& state : bulk_->states())
     r.max_plastic_strain = std::max(r.max_plastic_strain, state.plastic_strain);
-  const auto qualities =
-      mechanics::element_qualities(scene_.mesh, as_points(x_, scene_.mesh.dimension()));
+  const auto qualities = mechanics::element_qualities(
+      scene_.mesh, as_points(x_, scene_.mesh.dimension(), scene_.mesh.points.size()));
   r.min_quality = *std::min_element(qualities.begin(), qualities.end());
   r.wall_time = now() - started_;
   r.energy = energy_;
@@ -415,7 +448,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     if (dt < smallest) {
       PostMortem post{time_ + step, step, why, -1, Vec3::Zero(), tried, newton_->records()};
       post.worst_node = newton_->worst_unknown() / scene_.mesh.dimension();
-      post.worst_position = as_points(x_, scene_.mesh.dimension())[idx(post.worst_node)];
+      post.worst_position =
+          as_points(x_, scene_.mesh.dimension(), scene_.mesh.points.size())[idx(post.worst_node)];
       for (Observer* observer : observers)
         observer->failed(*this, post);
       return RunStatus::not_converged;

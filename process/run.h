@@ -102,9 +102,17 @@ public:
   [[nodiscard]] const contact::ContactTerm* contact() const { return contact_.get(); }
   [[nodiscard]] const contact::ContactSurface* surface() const { return surface_.get(); }
   /// Committed positions, shape (n_dofs) [mm].
-  [[nodiscard]] std::span<const double> positions() const { return x_; }
+  [[nodiscard]] std::span<const double> positions() const {
+    return std::span(x_).first(x0_.size());
+  }
   /// Positions of the last trial, shape (n_dofs) [mm]; of interest after a failure.
-  [[nodiscard]] std::span<const double> trial_positions() const { return trial_x_; }
+  [[nodiscard]] std::span<const double> trial_positions() const {
+    return std::span(trial_x_).first(x0_.size());
+  }
+  /// Where a tool's free degrees of freedom are.
+  [[nodiscard]] geometry::Driven driven(std::size_t tool) const {
+    return contact_ ? contact_->driven(tool, x_) : geometry::Driven{};
+  }
   /// Displacement rate of the last increment, shape (n_dofs) [mm/s].
   [[nodiscard]] std::span<const double> velocity() const { return velocity_; }
   /// Plastic strain rate of the last increment at the points, shape (n_elements, points) [1/s].
@@ -125,6 +133,8 @@ private:
   void bring_to_touch();
   void check_overlap() const;
   void make_terms();
+  [[nodiscard]] contact::DriveScale drive_scale() const;
+  void check_drives() const;
   void make_loads();
   /// Force per displacement of the size of the body's own stiffness [N/mm].
   [[nodiscard]] double body_stiffness() const;
@@ -152,7 +162,7 @@ private:
   std::vector<mechanics::ForceTerm*> terms_;
   std::unique_ptr<mechanics::Newton> newton_;
   std::vector<double> x0_;
-  std::vector<double> x_;
+  std::vector<double> x_; ///< of the nodes, then of driven tools: shape (n_dofs + n_extra)
   std::vector<double> trial_x_;
   std::vector<double> last_step_; ///< x_new - x_old of the last increment; empty: none
   double last_dt_ = 0.0;

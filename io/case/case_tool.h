@@ -122,7 +122,7 @@ struct DisplacementMotion {
   bool operator==(const DisplacementMotion&) const = default;
 };
 
-/// Free to move along `direction` under a force. (Not available in this version.)
+/// Free to move along `direction` under a force.
 struct ForceMotion {
   Vec3 direction = Vec3::UnitY(); ///< not zero, of any length
   TimeFunction value;             ///< [N]
@@ -139,7 +139,7 @@ struct RotationMotion {
   bool operator==(const RotationMotion&) const = default;
 };
 
-/// Free to turn about the axis under a torque. (Not available in this version.)
+/// Free to turn about the axis under a torque.
 struct TorqueMotion {
   Vec3 point = Vec3::Zero(); ///< on the axis [mm]
   Vec3 axis = Vec3::UnitZ(); ///< not zero, of any length; z in the plane

@@ -29,8 +29,6 @@ constexpr std::array features{
     NotAvailable{"material.*.flow.law", "johnson-cook"},
     NotAvailable{"material.*.flow.law", "hansel-spittel"},
     NotAvailable{"tool.*.surface.smooth", "true"},
-    NotAvailable{"tool.*.motion.force"},
-    NotAvailable{"tool.*.motion.torque"},
     NotAvailable{"tool.*.friction.law", "shaw"},
     NotAvailable{"tool.*.friction.law", "asperity"},
     NotAvailable{"tool.*.friction.law", "thick-film"},

@@ -258,7 +258,7 @@ SurfaceFrame tool_frame(const process::Process& process,
                         std::span<const Vec3> points,
                         const FrameSettings& settings) {
   const contact::Tool& rigid = process.scene().tools[tool];
-  const geometry::Pose pose = rigid.motion.pose(process.time());
+  const geometry::Pose pose = rigid.motion.pose(process.time(), process.driven(tool));
   Box box;
   for (const Vec3& p : points)
     box.add(p);

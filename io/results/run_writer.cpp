@@ -74,7 +74,7 @@ std::vector<double> history_row(const process::Process& process,
                           r.wall_time};
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     const contact::ToolLoad& load = process.contact()->loads()[t];
-    const Vec3 way = process.scene().tools[t].motion.translation(r.time);
+    const Vec3 way = process.scene().tools[t].motion.translation(r.time, process.driven(t));
     for (const Vec3& v : {load.force, load.torque, way})
       row.insert(row.end(), v.data(), v.data() + 3);
   }
@@ -92,12 +92,14 @@ ordered_json tools_json(const process::Process& process) {
   ordered_json tools = ordered_json::object();
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     const contact::ToolLoad& load = process.contact()->loads()[t];
-    const Vec3 way = process.scene().tools[t].motion.translation(process.time());
+    const geometry::Motion& motion = process.scene().tools[t].motion;
+    const Vec3 way = motion.translation(process.time(), process.driven(t));
     const Vec3& offset = process.scene().tools[t].motion.offset;
     tools[process.scene().tools[t].name] = {
         {"force", {load.force[0], load.force[1], load.force[2]}},
         {"torque", {load.torque[0], load.torque[1], load.torque[2]}},
         {"displacement", {way[0], way[1], way[2]}},
+        {"turned", motion.angle(process.time(), process.driven(t))},
         {"touch_offset", {offset[0], offset[1], offset[2]}}};
   }
   return tools;
