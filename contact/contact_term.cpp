@@ -108,17 +108,18 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
   }
 }
 
-int ContactTerm::evaluate(const Tool& tool, ToolState& state) {
+int ContactTerm::evaluate(const Tool& tool, ToolState& state, bool keep) {
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
     const geometry::Projection& foot = state.foot[k];
     const double touching = rounding * surface_->depth(face_of(k));
-    if (!(foot.gap <= touching)) {
+    const bool kept = keep && state.history[k].closed() && foot.found();
+    if (!(foot.gap <= touching) && !kept) {
       state.trial[k] = Traction{};
     } else {
       const PointHistory& old = state.history[k];
-      InterfaceInput in{state.position[k], foot, 0.0, touching};
+      InterfaceInput in{state.position[k], foot, 0.0, touching, kept};
       const std::size_t beneath = surface_->beneath(k);
       in.shear_yield =
           mechanics::yield_stress(bulk_->material().flow, bulk_->states()[beneath].plastic_strain) /
@@ -129,6 +130,23 @@ int ContactTerm::evaluate(const Tool& tool, ToolState& state) {
       ++changes;
   }
   return changes;
+}
+
+bool ContactTerm::many_parted(const ToolState& state) const {
+  constexpr double many = 0.25; // of the points that touched; fewer, and the guess tells them apart
+  int closed = 0;
+  int parted = 0;
+  for (std::size_t k = 0; k < state.history.size(); ++k)
+    if (state.history[k].closed()) {
+      ++closed;
+      parted += state.foot[k].gap > rounding * surface_->depth(face_of(k)) ? 1 : 0;
+    }
+  return parted > many * closed;
+}
+
+bool ContactTerm::pulls(const ToolState& state) {
+  return std::any_of(state.trial.begin(), state.trial.end(),
+                     [](const Traction& point) { return point.pressure < 0.0; });
 }
 
 void ContactTerm::sum(const ToolState& state, const geometry::Pose& pose) {
@@ -155,7 +173,9 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     const geometry::Pose place = pose(t, trial.time, trial.x);
     states_[t].rotation = place.rotation;
     search(tools_[t], states_[t], place);
-    system.contact_changes += evaluate(tools_[t], states_[t]);
+    system.contact_changes +=
+        evaluate(tools_[t], states_[t], trial.first_guess && many_parted(states_[t]));
+    system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
   }
   scatter(trial.x, system);
@@ -350,6 +370,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
         (now.pressure * now.pressure / penalty.normal + now.shear.squaredNorm() / penalty.tangent);
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
+    history.pressure = now.pressure;
     history.sliding += now.slip.norm();
     // Around the full turn radial forces and all torques cancel.
     const Vec3 on_tool = meridian ? Vec3(0.0, -force[1], 0.0) : Vec3(-force);

@@ -127,7 +127,11 @@ private:
 
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
   /// @return points whose status is not that of the trial before
-  [[nodiscard]] int evaluate(const Tool& tool, ToolState& state);
+  [[nodiscard]] int evaluate(const Tool& tool, ToolState& state, bool keep);
+  /// Whether so many points have lost a tool that the trial says nothing about the contact set.
+  [[nodiscard]] bool many_parted(const ToolState& state) const;
+  /// Whether a point is kept closed under tension.
+  [[nodiscard]] static bool pulls(const ToolState& state);
   void sum(const ToolState& state, const geometry::Pose& pose);
   void scatter(std::span<const double> x, mechanics::System& system) const;
   /// Velocity of a tool's material at a place, and its spin, for a unit rate of a drive.

@@ -57,14 +57,20 @@ Traction traction(const AnyFrictionLaw& law,
   // A point that lay on the tool and has not moved off yet resists being pressed in: without its
   // stiffness the first correction would throw a body that only contact holds through the tool.
   const bool resting = old.closed() && foot.gap <= at.rounding;
-  if (!(foot.gap < 0.0) && !resting)
+  const bool kept = at.kept && old.closed();
+  if (!(foot.gap < 0.0) && !resting && !kept)
     return out;
   const Vec3& n = foot.normal;
-  out.pressure = std::max(0.0, -penalty.normal * foot.gap);
+  out.pressure = -penalty.normal * foot.gap;
+  if (!kept)
+    out.pressure = std::max(0.0, out.pressure);
+  const double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;
   out.status = Status::slip;
   out.traction = out.pressure * n;
   out.dtraction_dx = -penalty.normal * n * n.transpose() + out.pressure * foot.dnormal_dx;
-  const SlipLimit limit = bounded(slip_limit(law, {out.pressure, at.shear_yield}), out.pressure);
+  SlipLimit limit = bounded(slip_limit(law, {holding, at.shear_yield}), holding);
+  if (holding > out.pressure)
+    limit.d_pressure = 0.0;
   if (!old.closed())
     return out;
   const Sliding s = sliding(old, at);

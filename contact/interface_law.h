@@ -26,6 +26,7 @@ struct PointHistory {
   Vec3 position = Vec3::Zero(); ///< of the workpiece point [mm]
   Vec3 normal = Vec3::Zero();   ///< of the tool at the foot; zero: it was open [-]
   Vec3 shear = Vec3::Zero();    ///< tangential traction [MPa]
+  double pressure = 0.0;        ///< [MPa]
   double sliding = 0.0;         ///< sliding distance so far [mm]
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
@@ -54,6 +55,7 @@ struct InterfaceInput {
   geometry::Projection projection; ///< of that position
   double shear_yield = 0.0;        ///< k beneath [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
+  bool kept = false; ///< a point that was closed stays so, if need be under tension (C.12)
 };
 
 /// (C.1)-(C.6)

@@ -27,6 +27,7 @@ struct Trial {
   double time;                   ///< [s]
   std::span<const double> x_old; ///< committed positions, shape (n_dofs + n_extra) [mm]
   std::span<const double> x;     ///< positions tried, shape (n_dofs + n_extra) [mm]
+  bool first_guess = false;      ///< may be too coarse to tell which contacts have parted
 };
 
 /// Row and column of the tangent for an unknown that belongs to no node: a tool's free degree of
@@ -46,6 +47,8 @@ struct System {
   int contact_changes = 0; ///< contact points that opened, closed, stuck or slid since the last
                            ///< trial: the iteration is not smooth where there are any
 
+  bool kept_contacts = false; ///< contacts are in it that have parted: see Trial
+
   void clear() {
     std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
     std::fill(residual.begin(), residual.end(), 0.0);
@@ -53,6 +56,7 @@ struct System {
       for (std::vector<double>* part : {&border.column, &border.row, &border.corner})
         std::fill(part->begin(), part->end(), 0.0);
     symmetric = true;
+    kept_contacts = false;
     contact_changes = 0;
   }
 };

@@ -259,11 +259,11 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     std::vector<double>& x) {
   records_.clear();
   mark(prescribed);
-  auto norms = evaluate(terms, {time_old, time, x_old, x});
+  auto norms = evaluate(terms, {time_old, time, x_old, x, true});
   if (!norms) {
     // The extrapolated guess was too bold: start from the committed state.
     x.assign(x_old.begin(), x_old.end());
-    norms = evaluate(terms, {time_old, time, x_old, x});
+    norms = evaluate(terms, {time_old, time, x_old, x, true});
     if (!norms)
       return norms.error();
   }
@@ -304,7 +304,9 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     if (largest(correction_) > settings_.largest_correction)
       return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
     // While supports still move their work is unknown to the search: it takes the whole step.
-    const Norms reference = missing() > 0.0 ? Norms{HUGE_VAL, norms->scale} : *norms;
+    // So it does where contacts were kept: the residual is not that of the real contacts.
+    const bool whole = missing() > 0.0 || system_.kept_contacts;
+    const Norms reference = whole ? Norms{HUGE_VAL, norms->scale} : *norms;
     double step = 1.0;
     const auto evaluation = search(terms, {time_old, time, x_old, x}, x, reference, step);
     if (!evaluation)
