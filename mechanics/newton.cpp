@@ -187,8 +187,12 @@ Outcome<SolveReport> Newton::solve_bordered(double tolerance) {
   const Eigen::VectorXd extra = reduced.fullPivLu().solve(rest);
   if (!extra.allFinite())
     return Failure{"a driven tool has nothing to push against"};
+  // Where every point slips nothing holds a driven tool in the linear equations: it is moved a little
+  // way, to where points stick.
+  constexpr double share = 0.01;
+  const double farthest = share * settings_.largest_correction;
   for (std::size_t j = 0; j < m; ++j) {
-    correction_[n + j] = extra[static_cast<Index>(j)];
+    correction_[n + j] = std::clamp(extra[static_cast<Index>(j)], -farthest, farthest);
     for (std::size_t i = 0; i < n; ++i)
       correction_[i] -= influence[j][i] * correction_[n + j];
   }
