@@ -247,7 +247,7 @@ void ContactTerm::add_borders(const mechanics::Trial& trial, mechanics::System& 
 }
 
 /// Row, column and residual of a free degree of freedom q: with the velocity v of the tool's
-/// material at a point for dq = 1, r_q = sum dA T . v - load. (C.11)
+/// material at a point for dq = 1, r_q = sum dA T . v - load. (C.14)
 template <class Shape, class Rule>
 void ContactTerm::add_border_of(std::size_t drive,
                                 const mechanics::Trial& trial,

@@ -55,7 +55,7 @@ struct InterfaceInput {
   geometry::Projection projection; ///< of that position
   double shear_yield = 0.0;        ///< k beneath [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
-  bool kept = false; ///< a point that was closed stays so, if need be under tension (C.12)
+  bool kept = false; ///< a point that was closed stays so, if need be under tension (C.15)
 };
 
 /// (C.1)-(C.6)

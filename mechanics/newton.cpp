@@ -280,6 +280,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   records_.push_back({0, norms->residual / norms->scale, 0.0, 0.0, "", system_.contact_changes});
   // Stiff penalties and near incompressibility turn the rounding of coordinates into forces above
   // the tolerance; when the correction is no more than that rounding, no better x can be written.
+  int shortened = 0;
+  constexpr int most_shortened = 8;
   double taken = HUGE_VAL;
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * largest(x_old);
   const auto at_rounding = [&](double relative) {
@@ -305,7 +307,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
         correct(prescribed, x, settled_ ? forcing(relative, settings_.tolerance) : 0.0);
     if (!solved)
       return solved.error();
-    if (largest(correction_) > settings_.largest_correction)
+    if (shorten_correction() && ++shortened > most_shortened)
       return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
     // While supports still move their work is unknown to the search: it takes the whole step.
     // So it does where contacts were kept: the residual is not that of the real contacts.
@@ -330,6 +332,18 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   if (norms->residual / norms->scale <= settings_.tolerance && missing() == 0.0)
     return NewtonReport{settings_.most_iterations, norms->residual / norms->scale, norms->scale};
   return Failure{"no convergence"};
+}
+
+bool Newton::shorten_correction() {
+  // Where all contact points slip hardly anything holds a body that only friction holds: it is moved
+  // a little way at a time, to where points stick.
+  constexpr double share = 0.01;
+  const double longest = largest(correction_);
+  if (longest <= settings_.largest_correction)
+    return false;
+  for (double& value : correction_)
+    value *= share * settings_.largest_correction / longest;
+  return true;
 }
 
 Index Newton::worst_unknown() const {

@@ -110,6 +110,8 @@ private:
                                              std::vector<double>& x,
                                              double step);
   [[nodiscard]] double slope() const;
+  /// Whether the correction was longer than any can be, and has been cut.
+  [[nodiscard]] bool shorten_correction();
   void mark(const Prescribed& prescribed);
 
   const BlockPattern* pattern_;

@@ -55,7 +55,7 @@ std::optional<Wear> as_wear(const At& at) {
 void check_touch(TableReader& table, const Tool& tool) {
   if (tool.touch && !tool.motion.translation && (tool.motion.rotation || !table.find("motion")))
     table.find("touch")->complain(
-        "found true, but the tool has no velocity or displacement to follow");
+        "found true, but the tool has no velocity, displacement or force to follow");
 }
 
 } // namespace

@@ -49,6 +49,8 @@ std::optional<TorqueMotion> as_torque(const At& at) {
   TorqueMotion motion;
   read_axis(table, motion);
   table.required("value", motion.value, as_time_function, Number{quantity::torque, any_value});
+  if (at.context.analysis == Analysis::axisymmetric)
+    at.complain("a tool of an axisymmetric scene cannot turn by itself, allowed is force");
   table.finish();
   return motion;
 }
@@ -58,6 +60,8 @@ std::optional<ForceMotion> as_force(const At& at) {
   ForceMotion motion;
   table.required("direction", motion.direction, as_direction);
   table.required("value", motion.value, as_time_function, Number{quantity::force, any_value});
+  if (at.context.analysis == Analysis::axisymmetric && motion.direction.x() != 0.0)
+    table.find("direction")->complain("found a radial part, allowed is [0, 1] or [0, -1]");
   table.finish();
   return motion;
 }

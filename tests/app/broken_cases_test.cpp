@@ -138,9 +138,10 @@ std::vector<Broken> later_versions() {
           {"remesh: not available in this version"}, "[remesh]"),
       one("later_augmentation", "[time]", "[contact]\nmethod = \"augmented\"\n[time]",
           {"\"augmented\" is not available in this version"}, "method ="),
-      one("later_force_control", punch_motion,
-          "motion = { force = { direction = [0, -1], value = 100 } }",
-          {"tool.punch.motion.force: not available in this version"}),
+      one("later_anisotropy", punch_friction,
+          "friction = { law = \"coulomb\", mu = 0.1, tensor = [[1, 0], [0, 2]], direction = [1, 0] "
+          "}",
+          {"tool.punch.friction.tensor: not available in this version"}),
       one("later_wear", punch_friction,
           punch_friction + "\nwear = { law = \"archard\", K = 1e-6, hardness = 800 }",
           {"tool.punch.wear: not available in this version"}, "wear ="),

@@ -84,6 +84,15 @@ public:
     system.tangent.pattern = &pattern;
     system.tangent.values.resize(pattern.n_entries());
     system.residual.resize(static_cast<std::size_t>(pattern.n_dofs()));
+    const std::size_t n_extra = drive_unknowns(tools).size();
+    system.borders.resize(n_extra);
+    for (mechanics::Border& border : system.borders) {
+      border.column.resize(x.size());
+      border.row.resize(x.size());
+      border.corner.resize(n_extra);
+    }
+    x.resize(x.size() + n_extra, 0.0);
+    system.residual.resize(x.size());
     term.start(x, 0.0);
   }
 
