@@ -108,7 +108,9 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
   }
 }
 
-int ContactTerm::evaluate(const Tool& tool, ToolState& state, bool keep) {
+int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, bool keep) {
+  Penalty penalty = surface_->penalty();
+  penalty.tangent *= softening;
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
@@ -124,7 +126,7 @@ int ContactTerm::evaluate(const Tool& tool, ToolState& state, bool keep) {
       in.shear_yield =
           mechanics::yield_stress(bulk_->material().flow, bulk_->states()[beneath].plastic_strain) /
           std::numbers::sqrt3;
-      state.trial[k] = traction(tool.friction, surface_->penalty(), old, in);
+      state.trial[k] = traction(tool.friction, penalty, old, in);
     }
     if (state.trial[k].status != before)
       ++changes;
@@ -173,8 +175,8 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     const geometry::Pose place = pose(t, trial.time, trial.x);
     states_[t].rotation = place.rotation;
     search(tools_[t], states_[t], place);
-    system.contact_changes +=
-        evaluate(tools_[t], states_[t], trial.first_guess && many_parted(states_[t]));
+    system.contact_changes += evaluate(tools_[t], states_[t], trial.softening,
+                                       trial.first_guess && many_parted(states_[t]));
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
   }

@@ -127,7 +127,7 @@ private:
 
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
   /// @return points whose status is not that of the trial before
-  [[nodiscard]] int evaluate(const Tool& tool, ToolState& state, bool keep);
+  [[nodiscard]] int evaluate(const Tool& tool, ToolState& state, double softening, bool keep);
   /// Whether so many points have lost a tool that the trial says nothing about the contact set.
   [[nodiscard]] bool many_parted(const ToolState& state) const;
   /// Whether a point is kept closed under tension.

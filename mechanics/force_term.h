@@ -27,6 +27,7 @@ struct Trial {
   double time;                   ///< [s]
   std::span<const double> x_old; ///< committed positions, shape (n_dofs + n_extra) [mm]
   std::span<const double> x;     ///< positions tried, shape (n_dofs + n_extra) [mm]
+  double softening = 1.0;        ///< of what resists slip, below 1 on the way to a solution [-]
   bool first_guess = false;      ///< may be too coarse to tell which contacts have parted
 };
 

@@ -187,8 +187,8 @@ Outcome<SolveReport> Newton::solve_bordered(double tolerance) {
   const Eigen::VectorXd extra = reduced.fullPivLu().solve(rest);
   if (!extra.allFinite())
     return Failure{"a driven tool has nothing to push against"};
-  // Where every point slips nothing holds a driven tool in the linear equations: it is moved a little
-  // way, to where points stick.
+  // Where every point slips nothing holds a driven tool in the linear equations: it is moved a
+  // little way, to where points stick.
   constexpr double share = 0.01;
   const double farthest = share * settings_.largest_correction;
   for (std::size_t j = 0; j < m; ++j) {
@@ -260,14 +260,17 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     double time_old,
                                     double time,
                                     std::span<const double> x_old,
-                                    std::vector<double>& x) {
+                                    std::vector<double>& x,
+                                    bool softly) {
   records_.clear();
   mark(prescribed);
-  auto norms = evaluate(terms, {time_old, time, x_old, x, true});
+  constexpr double soft = 1e-3; // and ten times more whenever the residual is small
+  double softening = softly ? soft : 1.0;
+  auto norms = evaluate(terms, {time_old, time, x_old, x, softening, true});
   if (!norms) {
     // The extrapolated guess was too bold: start from the committed state.
     x.assign(x_old.begin(), x_old.end());
-    norms = evaluate(terms, {time_old, time, x_old, x, true});
+    norms = evaluate(terms, {time_old, time, x_old, x, softening, true});
     if (!norms)
       return norms.error();
   }
@@ -290,13 +293,23 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   };
   double before = norms->residual / norms->scale;
   double correction = 0.0;
-  for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {
-    const double relative = norms->residual / norms->scale;
+  const int most_iterations = (softly ? 2 : 1) * settings_.most_iterations;
+  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+    double relative = norms->residual / norms->scale;
+    constexpr double near = 1e-4;
+    if (softening < 1.0 && relative <= near) {
+      softening = std::min(1.0, 10.0 * softening);
+      norms = evaluate(terms, {time_old, time, x_old, x, softening});
+      if (!norms)
+        return norms.error();
+      relative = norms->residual / norms->scale;
+    }
     // What the next correction would be, from the way the residual shrank.
     const double next = before > 0.0 ? correction * std::min(1.0, relative / before) : 0.0;
     constexpr double small_correction = 1e-5;
-    const bool solved_well = relative <= settings_.tolerance && next <= small_correction;
-    if ((solved_well || at_rounding(relative)) && missing() == 0.0)
+    const bool solved_well =
+        softening == 1.0 && relative <= settings_.tolerance && next <= small_correction;
+    if ((solved_well || (softening == 1.0 && at_rounding(relative))) && missing() == 0.0)
       return NewtonReport{iteration - 1, relative, norms->scale};
     if (hopeless(iteration - 1, relative))
       return Failure{"no convergence"};
@@ -314,7 +327,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     const bool whole = missing() > 0.0 || system_.kept_contacts;
     const Norms reference = whole ? Norms{HUGE_VAL, norms->scale} : *norms;
     double step = 1.0;
-    const auto evaluation = search(terms, {time_old, time, x_old, x}, x, reference, step);
+    const auto evaluation =
+        search(terms, {time_old, time, x_old, x, softening}, x, reference, step);
     if (!evaluation)
       return evaluation.error();
     if (step == 1.0)
@@ -335,8 +349,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
 }
 
 bool Newton::shorten_correction() {
-  // Where all contact points slip hardly anything holds a body that only friction holds: it is moved
-  // a little way at a time, to where points stick.
+  // Where all contact points slip hardly anything holds a body that only friction holds: it is
+  // moved a little way at a time, to where points stick.
   constexpr double share = 0.01;
   const double longest = largest(correction_);
   if (longest <= settings_.largest_correction)

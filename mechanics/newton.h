@@ -70,6 +70,7 @@ public:
   /// Solves for `x`.
   ///
   /// @param terms    every contribution; the first is the bulk
+  /// @param softly   goes to the solution by way of that with a softer resistance to slip
   /// @param x        in: first guess; out: solution, or the last trial on failure
   /// @return the reason when the increment has no solution in reach: take a shorter one
   [[nodiscard]] Outcome<NewtonReport> solve(std::span<ForceTerm* const> terms,
@@ -77,7 +78,8 @@ public:
                                             double time_old,
                                             double time,
                                             std::span<const double> x_old,
-                                            std::vector<double>& x);
+                                            std::vector<double>& x,
+                                            bool softly = false);
 
   /// Iterations of the last call.
   [[nodiscard]] const std::vector<IterationRecord>& records() const { return records_; }

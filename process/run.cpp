@@ -268,7 +268,7 @@ mechanics::Prescribed Process::prescribed(double time) const {
   return result;
 }
 
-bool Process::try_increment(double dt, std::string& why) {
+bool Process::try_increment(double dt, bool softly, std::string& why) {
   trial_x_ = x_;
   if (!last_step_.empty()) {
     const double factor = dt / last_dt_;
@@ -276,7 +276,7 @@ bool Process::try_increment(double dt, std::string& why) {
       trial_x_[i] += factor * last_step_[i];
   }
   const auto outcome =
-      newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_);
+      newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, softly);
   const int spent = static_cast<int>(newton_->records().size()) - 1;
   if (!outcome) {
     why = outcome.error().reason;
@@ -421,7 +421,10 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
     std::string why = leap(scene_, stage, time_, time_ + step);
-    if (why.empty() && try_increment(step, why)) {
+    // After a failure a second try goes by way of a softer friction: it finds the neutral point of
+    // a roll.
+    if (why.empty() && (try_increment(step, false, why) ||
+                        (contact_ && failures > 0 && try_increment(step, true, why)))) {
       accept(step);
       if (lands)
         time_ = landing;

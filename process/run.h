@@ -142,7 +142,7 @@ private:
   /// Lets the forces of tools that touch now and do not act at `next_time` fade until `gone_time`.
   void release_tools(double next_time, double gone_time);
   [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
-  [[nodiscard]] bool try_increment(double dt, std::string& why);
+  [[nodiscard]] bool try_increment(double dt, bool softly, std::string& why);
   void accept(double dt);
   void update_energy();
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
