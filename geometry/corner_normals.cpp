@@ -167,9 +167,10 @@ void FanBuilder::finish_fan(std::span<const std::size_t> corners) {
     if (wider * width_[c / 3] >= widest)
       sum += weighted_normal(c);
   const Vec3 normal = sum.stableNormalized();
+  const double largest = std::max(feature_angle_, same_direction);
   bool tip = false;
   for (const std::size_t c : corners)
-    tip = tip || !(angle_between(normal, normals_.faces[c / 3]) <= feature_angle_);
+    tip = tip || !(angle_between(normal, normals_.faces[c / 3]) <= largest);
   for (const std::size_t c : corners) {
     const Vec3& face = normals_.faces[c / 3];
     const bool flat = angle_between(normal, face) < same_direction;

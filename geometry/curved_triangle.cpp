@@ -18,6 +18,8 @@ constexpr double close = 1e-3;        // steps of the parameters that are Newton
 constexpr double converged = 1e-14;   // step that ends the search
 constexpr double stalled = 1e-8;      // step that ends it if the last one was no longer
 constexpr double least_share = 1e-3;  // of a step
+constexpr double margin = 0.1;        // of the barycentric coordinates
+constexpr double overlap = 1e-13;     // of two triangles: a foot on their side is never lost
 constexpr int samples = 8;            // intervals along a side, for bounds and shape
 constexpr double least_convex = 0.05; // of the squared distance against the metric
 
@@ -27,12 +29,13 @@ std::array<Taylor2, 3> coordinates(double v, double w) {
           Taylor2{w, 0.0, 1.0, 0.0, 0.0, 0.0}};
 }
 
-/// Largest share of the step that stays within the triangle.
+/// Largest share of the step that stays within the triangle and a margin around it, over which the
+/// search may pass.
 double share_inside(const Parameters& p, double dv, double dw) {
   double share = 1.0;
   for (const auto& [b, d] : {std::pair{1.0 - p[0] - p[1], -dv - dw}, {p[0], dv}, {p[1], dw}})
-    if (d < 0.0 && b + share * d < 0.0)
-      share = std::max(0.0, -b / d);
+    if (d < 0.0 && b + share * d < -margin)
+      share = std::max(0.0, -(b + margin) / d);
   return share;
 }
 
@@ -239,11 +242,11 @@ std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) cons
     if (!(size < std::numeric_limits<double>::infinity()))
       return std::nullopt;
     if (convex && (size < converged || (size < stalled && size > 0.5 * last)))
-      return p;
+      return std::min({p[0], p[1], 1.0 - p[0] - p[1]}) > -overlap ? std::optional(p) : std::nullopt;
     last = size;
     double share = share_inside(p, step[0], step[1]);
     if (share * size < converged)
-      return std::nullopt; // pushed against a side
+      return std::nullopt; // pushed against the margin
     const double before = (s.position - x).squaredNorm();
     for (;; share *= 0.5) {
       const Parameters next{p[0] + share * step[0], p[1] + share * step[1]};

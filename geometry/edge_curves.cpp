@@ -16,6 +16,7 @@ constexpr double least_cosine = 0.25; // between a handle and its chord; below, 
 constexpr double close = 1e-3;        // steps of the parameter that are Newton's without a check
 constexpr double converged = 1e-14;   // step that ends the search
 constexpr double least_share = 1e-3;  // of a step
+constexpr double exact = 1e-12;       // share of the length that is rounding
 constexpr double straight_offset = same_direction / 6.0; // share of the length, of a handle
 
 // Handle at the end with normal n0: in its tangent plane, exact to sixth order on circles and
@@ -70,6 +71,13 @@ EndNormals end_normals(const TriangleMesh& mesh,
   return end;
 }
 
+// Both sides keep their direction along the edge. Offsets alone do not tell: those of a long
+// diagonal over a narrow curved strip are a tiny share of its length.
+bool same_sides(const EndNormals& a, const EndNormals& b) {
+  return a.sides[0].cross(b.sides[0]).norm() < same_direction &&
+         a.sides[1].cross(b.sides[1]).norm() < same_direction;
+}
+
 Vec3 handle(EdgeKind kind, const Vec3& e, const EndNormals& here, const EndNormals& there) {
   if (kind == EdgeKind::sharp && here.tip)
     return e / 3.0;
@@ -88,6 +96,7 @@ curve_over(const TriangleMesh& mesh, const CornerNormals& normals, std::span<con
   curve.kind = normals.is_border[t][s] != 0  ? EdgeKind::border
                : normals.is_sharp[t][s] != 0 ? EdgeKind::sharp
                                              : EdgeKind::smooth;
+  curve.ends = {uses[0].low, uses[0].high};
   curve.triangles = {uses[0].triangle, uses.size() > 1 ? uses[1].triangle : -1};
   const Vec3& a = mesh.points[static_cast<std::size_t>(uses[0].low)];
   const Vec3& b = mesh.points[static_cast<std::size_t>(uses[0].high)];
@@ -98,7 +107,7 @@ curve_over(const TriangleMesh& mesh, const CornerNormals& normals, std::span<con
   const Vec3 e = b - a;
   Vec3 from_a = handle(curve.kind, e, at_a, at_b), from_b = handle(curve.kind, -e, at_b, at_a);
   const double offset = std::max((from_a - e / 3.0).norm(), (from_b + e / 3.0).norm());
-  curve.straight = offset <= straight_offset * e.norm();
+  curve.straight = offset <= (same_sides(at_a, at_b) ? straight_offset : exact) * e.norm();
   if (curve.straight) {
     from_a = e / 3.0;
     from_b = -e / 3.0;

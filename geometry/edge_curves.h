@@ -32,6 +32,7 @@ struct EdgeCurve {
   std::array<Vec3, 2> normals;           ///< at the ends, of a smooth edge or of a border, unit
   EdgeKind kind;                         ///< smooth: both sides share the tangent plane
   bool straight;                         ///< the curve is the edge
+  std::array<std::int32_t, 2> ends;      ///< vertices a and b
   std::array<std::int32_t, 2> triangles; ///< on either side; second -1: border
 
   [[nodiscard]] CurvePoint at(double t) const;
