@@ -158,12 +158,14 @@ void SmoothTriangleSurface::do_project(std::span<const Vec3> points,
 Projection
 SmoothTriangleSurface::project_one(const Vec3& x, double reach, std::int32_t hint) const {
   double limit2 = reach * reach;
-  if (hint >= 0 && static_cast<std::size_t>(hint) < patches_.size())
-    limit2 = std::min(limit2, closest(hint, x).distance2);
-  Place best;
+  Place at_hint, best;
+  if (hint >= 0 && static_cast<std::size_t>(hint) < patches_.size()) {
+    at_hint = closest(hint, x);
+    limit2 = std::min(limit2, at_hint.distance2);
+  }
   std::int32_t nearest = -1;
   tree_.walk(x, limit2, [&](std::int32_t triangle) {
-    const Place place = closest(triangle, x);
+    const Place place = triangle == hint ? at_hint : closest(triangle, x);
     if (place.distance2 < limit2 ||
         (place.distance2 == limit2 && (nearest < 0 || triangle < nearest))) {
       best = place;
