@@ -58,6 +58,10 @@ public:
     for_each_edge(edge_uses(mesh_), [&](std::span<const EdgeUse> uses) { join(uses); });
     measure_parts();
     collect_fans();
+    for (const std::vector<std::size_t>& fan : members_)
+      finish_fan(fan);
+    continue_over_rims();
+    mark_inner_vertices();
     return std::move(normals_);
   }
 
@@ -69,15 +73,19 @@ private:
   void measure_parts();
   void collect_fans();
   void finish_fan(std::span<const std::size_t> corners);
+  void continue_over_rims();
+  [[nodiscard]] Vec3 mirrored_normal(std::size_t corner) const;
+  void mark_inner_vertices();
   [[nodiscard]] Vec3 weighted_normal(std::size_t corner) const;
 
   const TriangleMesh& mesh_;
   double feature_angle_;
   CornerNormals normals_;
-  Sets fans_;                       // of corners 3 t + i
-  Sets parts_;                      // of coplanar triangles
-  std::vector<std::int32_t> count_; // triangles of each part
-  std::vector<double> width_;       // of the part of each triangle [mm]
+  std::vector<std::vector<std::size_t>> members_; // corners of each fan
+  Sets fans_;                                     // of corners 3 t + i
+  Sets parts_;                                    // of coplanar triangles
+  std::vector<std::int32_t> count_;               // triangles of each part
+  std::vector<double> width_;                     // of the part of each triangle [mm]
 };
 
 void FanBuilder::join(std::span<const EdgeUse> uses) {
@@ -124,30 +132,69 @@ void FanBuilder::measure_parts() {
 
 void FanBuilder::collect_fans() {
   const std::size_t n = 3 * mesh_.triangles.size();
-  std::vector<std::pair<std::size_t, std::size_t>> members; // (fan, corner)
+  std::vector<std::vector<std::size_t>> by_root(n);
   for (std::size_t c = 0; c < n; ++c)
-    members.emplace_back(fans_(c), c);
-  std::sort(members.begin(), members.end());
-  std::vector<std::size_t> corners;
+    by_root[fans_(c)].push_back(c);
+  for (std::vector<std::size_t>& fan : by_root)
+    if (!fan.empty())
+      members_.push_back(std::move(fan));
+}
+
+// A vertex inside one fan: no sharp edge, no border, no tip.
+void FanBuilder::mark_inner_vertices() {
   std::vector<int> fans_at(mesh_.points.size(), 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    corners.push_back(members[i].second);
-    if (i + 1 < n && members[i + 1].first == members[i].first)
-      continue;
-    const std::size_t c = corners.front();
-    ++fans_at[static_cast<std::size_t>(mesh_.triangles[c / 3][c % 3])];
-    finish_fan(corners);
-    corners.clear();
-  }
+  const auto vertex = [&](std::size_t c) {
+    return static_cast<std::size_t>(mesh_.triangles[c / 3][c % 3]);
+  };
+  for (const std::vector<std::size_t>& fan : members_)
+    ++fans_at[vertex(fan.front())];
   normals_.one_fan.assign(mesh_.points.size(), 1);
-  for (std::size_t c = 0; c < n; ++c) {
-    const std::size_t t = c / 3, i = c % 3;
-    const auto v = static_cast<std::size_t>(mesh_.triangles[t][i]);
-    const bool rim = normals_.is_border[t][i] != 0 || normals_.is_border[t][(i + 2) % 3] != 0 ||
-                     normals_.is_sharp[t][i] != 0 || normals_.is_sharp[t][(i + 2) % 3] != 0;
-    if (fans_at[v] > 1 || rim || normals_.is_tip[t][i] != 0)
-      normals_.one_fan[v] = 0;
+  for (std::size_t c = 0; c < 3 * mesh_.triangles.size(); ++c) {
+    const std::size_t t = c / 3, i = c % 3, before = (i + 2) % 3;
+    const bool rim = normals_.is_border[t][i] != 0 || normals_.is_border[t][before] != 0 ||
+                     normals_.is_sharp[t][i] != 0 || normals_.is_sharp[t][before] != 0;
+    if (fans_at[vertex(c)] > 1 || rim || normals_.is_tip[t][i] != 0)
+      normals_.one_fan[vertex(c)] = 0;
   }
+}
+
+// What the normal at a corner is if the facet is the chord of an arc that began across it.
+Vec3 FanBuilder::mirrored_normal(std::size_t corner) const {
+  const std::size_t t = corner / 3, i = corner % 3;
+  const Vec3& face = normals_.faces[t];
+  Vec3 sum = Vec3::Zero();
+  for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3}) {
+    const Vec3& other = normals_.corners[t][j];
+    const Vec3 turn = other - other.dot(face) * face;
+    if (turn.norm() < same_direction || normals_.is_tip[t][j] != 0)
+      continue;
+    const Vec3 d = turn.normalized();
+    double extent = 0.0; // of the triangle along the turn
+    for (std::size_t k = 0; k < 3; ++k)
+      extent = std::max(extent, std::abs((point(t, k + 1) - point(t, k)).dot(d)));
+    if (std::abs((point(t, j) - point(t, i)).dot(d)) > 0.5 * extent)
+      sum += other - 2.0 * turn;
+  }
+  return sum;
+}
+
+// A fan in one plane at a rim sees its facet only, while the shape beneath turns on to the rim.
+void FanBuilder::continue_over_rims() {
+  std::vector<std::pair<std::size_t, Vec3>> found; // (fan, normal)
+  for (std::size_t f = 0; f < members_.size(); ++f) {
+    Vec3 sum = Vec3::Zero();
+    bool plane = true;
+    for (const std::size_t c : members_[f]) {
+      const Vec3& normal = normals_.corners[c / 3][c % 3];
+      plane = plane && normal == normals_.faces[c / 3] && normals_.is_tip[c / 3][c % 3] == 0;
+      sum += mirrored_normal(c);
+    }
+    if (plane && sum.norm() > 0.5)
+      found.emplace_back(f, sum.normalized());
+  }
+  for (const auto& [fan, normal] : found)
+    for (const std::size_t c : members_[fan])
+      normals_.corners[c / 3][c % 3] = normal;
 }
 
 // Max's weight of the corner, sin / (product of the sides), times the normal: exact on a sphere.
