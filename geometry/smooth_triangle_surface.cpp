@@ -19,7 +19,7 @@ namespace billet::geometry {
 namespace {
 
 constexpr double inside_surface = -std::numeric_limits<double>::infinity(); // no overshoot
-constexpr double least_cosine = 0.3; // of a normal against its facet; below, the patch may fold
+constexpr double least_cosine = 0.5; // of a normal against its facet; below, the patch may fold
 constexpr double aligned = 1e-6;     // share of the distance that may lie along the surface
 constexpr double rounding = 1e-12;   // share of the size of the mesh
 

@@ -93,4 +93,37 @@ inline TriangleMesh icosphere(int levels) {
   return mesh;
 }
 
+/// A flat table that runs tangentially into a quarter round of radius 0.5.
+inline TriangleMesh table_with_round(std::int32_t n) {
+  constexpr double pi = std::numbers::pi;
+  TriangleMesh mesh;
+  std::vector<Vec2> section{{-3.0, 0.0}};
+  for (std::int32_t i = 0; i <= n; ++i)
+    section.emplace_back(0.5 * std::sin(0.5 * pi * i / n), 0.5 * std::cos(0.5 * pi * i / n) - 0.5);
+  for (const Vec2& p : section) {
+    mesh.points.emplace_back(p.x(), 0.0, p.y());
+    mesh.points.emplace_back(p.x(), 4.0, p.y());
+  }
+  for (std::int32_t i = 0; i + 1 < static_cast<std::int32_t>(section.size()); ++i) {
+    mesh.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+    mesh.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+  }
+  return mesh;
+}
+
+/// A cone of height 2 on a circle of radius 1.
+inline TriangleMesh cone(std::int32_t n) {
+  constexpr double pi = std::numbers::pi;
+  TriangleMesh mesh;
+  mesh.points = {{0, 0, 2}, {0, 0, 0}};
+  for (std::int32_t i = 0; i < n; ++i)
+    mesh.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0.0);
+  for (std::int32_t i = 0; i < n; ++i) {
+    const std::int32_t a = 2 + i, b = 2 + (i + 1) % n;
+    mesh.triangles.push_back({0, a, b});
+    mesh.triangles.push_back({1, b, a});
+  }
+  return mesh;
+}
+
 } // namespace billet::geometry

@@ -46,36 +46,6 @@ TriangleMesh hills(std::int32_t n) {
   return sheet(n, [](double x, double y) { return 0.1 * std::sin(4.0 * x) * std::cos(3.0 * y); });
 }
 
-/// A flat table that runs tangentially into a quarter round of radius 0.5.
-TriangleMesh table_with_round(std::int32_t n) {
-  TriangleMesh mesh;
-  std::vector<Vec2> section{{-3.0, 0.0}};
-  for (std::int32_t i = 0; i <= n; ++i)
-    section.emplace_back(0.5 * std::sin(0.5 * pi * i / n), 0.5 * std::cos(0.5 * pi * i / n) - 0.5);
-  for (const Vec2& p : section) {
-    mesh.points.emplace_back(p.x(), 0.0, p.y());
-    mesh.points.emplace_back(p.x(), 4.0, p.y());
-  }
-  for (std::int32_t i = 0; i + 1 < static_cast<std::int32_t>(section.size()); ++i) {
-    mesh.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
-    mesh.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
-  }
-  return mesh;
-}
-
-TriangleMesh cone(std::int32_t n) {
-  TriangleMesh mesh;
-  mesh.points = {{0, 0, 2}, {0, 0, 0}};
-  for (std::int32_t i = 0; i < n; ++i)
-    mesh.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0.0);
-  for (std::int32_t i = 0; i < n; ++i) {
-    const std::int32_t a = 2 + i, b = 2 + (i + 1) % n;
-    mesh.triangles.push_back({0, a, b});
-    mesh.triangles.push_back({1, b, a});
-  }
-  return mesh;
-}
-
 SurfacePtr smooth(const TriangleMesh& mesh, double angle = feature) {
   return make_smooth_triangle_surface(mesh, angle).surface;
 }
@@ -199,6 +169,28 @@ TEST(SmoothTriangleSurface, TheNormalIsContinuousAcrossSmoothEdgesAndVertices) {
     std::printf("%-7s largest jump of the normal at smooth edges %.1e (facets %.1e)\n", body.name,
                 worst, worst_raw);
     EXPECT_LT(worst, 1e-7);
+  }
+}
+
+TEST(SmoothTriangleSurface, NoPointOfTheSurfaceIsCloserThanTheFoot) {
+  for (const Body& body : bodies()) {
+    SCOPED_TRACE(body.name);
+    const SurfacePtr surface = smooth(body.mesh, body.angle);
+    std::vector<Vec3> feet;
+    for (const Vec3& x : close_to(body.mesh, 3000, 0.02)) {
+      const Projection p = projection(*surface, x);
+      if (p.found())
+        feet.push_back(p.foot);
+    }
+    // A triangle that bends by more than half a right angle may have several nearest points.
+    const double slack = std::string_view(body.name).starts_with("spiky") ? 0.02 : 1e-9;
+    for (const Vec3& x : random_points(300, 2.0)) {
+      const Projection p = projection(*surface, x);
+      if (!p.found())
+        continue;
+      for (const Vec3& foot : feet)
+        ASSERT_LT(std::abs(p.gap), (foot - x).norm() + slack) << x.transpose();
+    }
   }
 }
 
