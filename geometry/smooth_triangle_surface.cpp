@@ -127,10 +127,12 @@ Kind SmoothTriangleSurface::classify(std::size_t t, const CurvedTriangle& patch)
   }
   if (flat) {
     ++smoothing_.flat;
-    for (std::size_t i = 0; i < 3; ++i)
-      smoothing_.chord_error = std::max(
-          smoothing_.chord_error,
-          (curve(t, i).at(0.5).position - 0.5 * (corner(t, i) + corner(t, (i + 1) % 3))).norm());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 middle = 0.5 * (corner(t, i) + corner(t, (i + 1) % 3));
+      if (!curve(t, i).straight)
+        smoothing_.chord_error =
+            std::max(smoothing_.chord_error, (curve(t, i).at(0.5).position - middle).norm());
+    }
     return straight ? Kind::facet : Kind::flat;
   }
   const CurvedTriangle::Shape shape = patch.shape();

@@ -23,6 +23,10 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 
 std::string smoothing_note(const geometry::Smoothing& s, double feature_angle) {
+  if (s.curved == 0 && s.kept == 0)
+    return fmt::format(
+        "nothing to smooth: every edge turns by more than {:g} degrees or not at all",
+        feature_angle);
   std::string text = fmt::format(
       "smoothed below {:g} degrees: {} triangles curved, {} flat; chord error {:.3g} before, "
       "about {:.2g} after",

@@ -62,6 +62,8 @@ TEST_F(ToolBuilder, FacetsThatTurnMoreThanTheFeatureAngleStay) {
   stl().smooth = true;
   stl().feature_angle = 5.0;
   EXPECT_NEAR(gap(), 0.038, 1e-3);
+  ASSERT_EQ(notes_.size(), 2U);
+  EXPECT_NE(notes_[1].find("nothing to smooth"), std::string::npos) << notes_[1];
 }
 
 } // namespace
