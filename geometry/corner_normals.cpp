@@ -3,6 +3,7 @@
 #include "geometry/edge_table.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,7 @@ private:
   [[nodiscard]] Vec3 mirrored_normal(std::size_t corner) const;
   void mark_inner_vertices();
   [[nodiscard]] Vec3 weighted_normal(std::size_t corner) const;
+  [[nodiscard]] Vec3 fitted_normal(std::span<const std::size_t> corners, const Vec3& normal) const;
 
   const TriangleMesh& mesh_;
   double feature_angle_;
@@ -204,16 +206,69 @@ Vec3 FanBuilder::weighted_normal(std::size_t corner) const {
   return a.normalized().cross(b.normalized()) / (a.norm() * b.norm());
 }
 
+// Normal of the quadratic through the vertex that comes closest to its neighbours; the one given
+// if there are too few for that, or if they lie badly. (G.16)
+Vec3 FanBuilder::fitted_normal(std::span<const std::size_t> corners, const Vec3& normal) const {
+  constexpr Eigen::Index unknowns = 5;
+  const auto n = static_cast<Eigen::Index>(corners.size());
+  const Vec3& at = point(corners.front() / 3, corners.front() % 3);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> way(n, 3);
+  std::vector<std::int32_t> next, previous;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const std::size_t t = corners[static_cast<std::size_t>(k)] / 3;
+    const std::size_t i = corners[static_cast<std::size_t>(k)] % 3;
+    way.row(k) = (point(t, i + 1) - at).transpose();
+    next.push_back(mesh_.triangles[t][(i + 1) % 3]);
+    previous.push_back(mesh_.triangles[t][(i + 2) % 3]);
+  }
+  std::sort(next.begin(), next.end());
+  std::sort(previous.begin(), previous.end());
+  if (n < unknowns || next != previous) // an open fan
+    return normal;
+  const Vec3 e = normal.unitOrthogonal(), f = normal.cross(e);
+  // Principal axes of the neighbours: long thin triangles become compact.
+  const Eigen::MatrixXd flat = way * (Eigen::Matrix<double, 3, 2>() << e, f).finished();
+  const Mat2 spread = flat.transpose() * flat / static_cast<double>(n);
+  const Mat2 root = spread.llt().matrixL();
+  const Eigen::MatrixXd xy =
+      root.triangularView<Eigen::Lower>().solve(flat.transpose()).transpose();
+  Eigen::MatrixXd terms(n, unknowns);
+  Eigen::VectorXd height = way * normal;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double x = xy(k, 0), y = xy(k, 1), weight = 1.0 / (x * x + y * y);
+    terms.row(k) << weight * x, weight * y, weight * x * x, weight * x * y, weight * y * y;
+    height[k] *= weight;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(terms);
+  constexpr double least_pivot = 0.05; // of the largest: the neighbours determine the quadratic
+  if (!(std::abs(fit.matrixR()(unknowns - 1, unknowns - 1)) > least_pivot * fit.maxPivot()))
+    return normal;
+  const Eigen::VectorXd solution = fit.solve(height);
+  const Eigen::Vector2d slope =
+      root.transpose().triangularView<Eigen::Upper>().solve(Eigen::Vector2d(solution.head<2>()));
+  return Vec3(normal - slope[0] * e - slope[1] * f).normalized();
+}
+
 void FanBuilder::finish_fan(std::span<const std::size_t> corners) {
   double widest = 0.0;
   for (const std::size_t c : corners)
     if (count_[parts_(c / 3)] > 1)
       widest = std::max(widest, width_[c / 3]);
   Vec3 sum = Vec3::Zero();
-  for (const std::size_t c : corners)
-    if (wider * width_[c / 3] >= widest)
+  bool all = true;
+  for (const std::size_t c : corners) {
+    const bool counts = wider * width_[c / 3] >= widest;
+    all = all && counts;
+    if (counts)
       sum += weighted_normal(c);
-  const Vec3 normal = sum.stableNormalized();
+  }
+  Vec3 normal = sum.stableNormalized();
+  double turn = 0.0; // of the facets about it
+  for (const std::size_t c : corners)
+    turn = std::max(turn, angle_between(normal, normals_.faces[c / 3]));
+  const Vec3 fitted = all && turn > same_direction ? fitted_normal(corners, normal) : normal;
+  if (angle_between(normal, fitted) < turn)
+    normal = fitted;
   const double largest = std::max(feature_angle_, same_direction);
   bool tip = false;
   for (const std::size_t c : corners)

@@ -30,7 +30,7 @@ struct CornerNormals {
   std::vector<std::array<std::int32_t, 3>> neighbours; ///< triangle beyond side i; -1: none
 };
 
-/// Fans and their normals by Max's weights, flat parts kept flat. (G.16)
+/// Fans and their normals by Max's weights and quadratics, flat parts kept flat. (G.16)
 ///
 /// @param feature_angle  edges that turn by more stay sharp [rad], >= 0
 /// @pre complaints(health(mesh)) is empty

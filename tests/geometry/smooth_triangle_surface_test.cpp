@@ -367,7 +367,8 @@ TEST(SmoothTriangleSurface, CoordinatesOfSinglePrecisionDoNotMatter) {
   TriangleMesh mesh = small_bar();
   const SurfacePtr exact = smooth(mesh);
   for (Vec3& p : mesh.points)
-    p = p.cast<float>().cast<double>();
+    for (double& coordinate : p.reshaped())
+      coordinate = static_cast<double>(static_cast<float>(coordinate));
   const SmoothSurface rounded = make_smooth_triangle_surface(mesh, feature);
   EXPECT_EQ(rounded.smoothing.flat, 68);
   for (const Vec3& x : close_to(mesh, 500, 0.05)) {
