@@ -145,8 +145,6 @@ Projection TriangleFeatures::on_vertex(std::int32_t vertex, const Vec3& x) const
                 overshoot);
 }
 
-// `v` leads from the closest point to x; it turns within the subspace that `free` projects on.
-// `overshoot` is how far x lies past the border, -inf if the feature is inside the surface.
 Projection TriangleFeatures::around(const Vec3& x,
                                     const Vec3& v,
                                     const Vec3& pseudo_normal,

@@ -42,6 +42,16 @@ public:
   /// Signed projection onto that feature; not found beyond a rim. `patch` is left at -1.
   [[nodiscard]] Projection project(const ClosestFeature& closest, const Vec3& x) const;
 
+  /// Projection onto a point, or a curve, of the surface from which `v` leads to x; v turns within
+  /// the subspace that `free` projects on.
+  ///
+  /// @param overshoot  how far x lies past the border [mm]; -inf if the feature is not on it
+  [[nodiscard]] Projection around(const Vec3& x,
+                                  const Vec3& v,
+                                  const Vec3& pseudo_normal,
+                                  const Mat3& free,
+                                  double overshoot) const;
+
 private:
   struct Edge {
     std::int32_t a; ///< smaller point number
@@ -57,11 +67,6 @@ private:
   [[nodiscard]] ClosestFeature closest_on_edge(std::int32_t edge, const Vec3& x) const;
   [[nodiscard]] Projection on_edge(const Edge& edge, const Vec3& x) const;
   [[nodiscard]] Projection on_vertex(std::int32_t vertex, const Vec3& x) const;
-  [[nodiscard]] Projection around(const Vec3& x,
-                                  const Vec3& v,
-                                  const Vec3& pseudo_normal,
-                                  const Mat3& free,
-                                  double overshoot) const;
   void find_normals();
   void find_edges();
 

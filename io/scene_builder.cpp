@@ -303,15 +303,14 @@ std::vector<double> landing_times(const Case& content, const process::Scene& sce
   return times;
 }
 
-/// Keys that are read and kept but change nothing in this version: said, not passed over.
+/// Keys that are read and kept but change nothing here: said, not passed over.
 void note_keys_without_effect(const Case& content, std::vector<std::string>& notes) {
   constexpr double default_feature_angle = 30.0;
   for (const Tool& tool : content.tools)
     if (const auto* stl = std::get_if<StlSurface>(&tool.surface))
-      if (stl->feature_angle != default_feature_angle)
-        notes.push_back(fmt::format("tool '{}': feature_angle has no effect in this version, no "
-                                    "surface is smoothed",
-                                    tool.name));
+      if (!stl->smooth && stl->feature_angle != default_feature_angle)
+        notes.push_back(
+            fmt::format("tool '{}': feature_angle has no effect without smooth = true", tool.name));
   if (content.materials.at(content.workpiece.material).density)
     notes.push_back("density has no effect in this version: there is no inertia");
   if (content.solver.reproducible)

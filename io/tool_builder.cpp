@@ -3,6 +3,7 @@
 #include "geometry/analytic_surfaces.h"
 #include "geometry/base/error.h"
 #include "geometry/profile.h"
+#include "geometry/smooth_triangle_surface.h"
 #include "geometry/triangle_surface.h"
 #include "io/profile.h"
 #include "io/stl.h"
@@ -20,6 +21,20 @@ namespace billet::io {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+
+std::string smoothing_note(const geometry::Smoothing& s, double feature_angle) {
+  if (s.curved == 0 && s.kept == 0)
+    return fmt::format(
+        "nothing to smooth: every edge turns by more than {:g} degrees or not at all",
+        feature_angle);
+  std::string text = fmt::format(
+      "smoothed below {:g} degrees: {} triangles curved, {} flat; chord error {:.3g} before, "
+      "about {:.2g} after",
+      feature_angle, s.curved, s.flat, s.chord_error, s.remaining_error);
+  if (s.kept > 0)
+    text += fmt::format("; {} triangles would fold and stay flat", s.kept);
+  return text;
+}
 
 /// Builds the shape of each kind of surface.
 struct SurfaceMaker {
@@ -57,7 +72,13 @@ struct SurfaceMaker {
     const StlFile file = read_stl(s.file.path);
     const StlTool mesh = tool_mesh(file, s.unit_factor, s.flip);
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
-    return geometry::make_triangle_surface(mesh.mesh);
+    if (!s.smooth)
+      return geometry::make_triangle_surface(mesh.mesh);
+    geometry::SmoothSurface smooth =
+        geometry::make_smooth_triangle_surface(mesh.mesh, s.feature_angle * degree);
+    notes.push_back(
+        fmt::format("tool '{}': {}", tool, smoothing_note(smooth.smoothing, s.feature_angle)));
+    return std::move(smooth.surface);
   }
 };
 

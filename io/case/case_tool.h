@@ -91,7 +91,7 @@ struct StlSurface {
   InputFile file;
   std::string unit;            ///< of the file's numbers, as given ("mm")
   double unit_factor = 1.0;    ///< from the file's numbers to the case's lengths [mm]
-  bool smooth = false;         ///< always false in this version
+  bool smooth = false;         ///< curved triangles in place of flat ones
   double feature_angle = 30.0; ///< edges sharper than this stay sharp [degrees]
   bool flip = false;           ///< the file's normals point into the tool
 

@@ -28,7 +28,6 @@ constexpr std::array features{
     NotAvailable{"material.*.flow.law", "perzyna"},
     NotAvailable{"material.*.flow.law", "johnson-cook"},
     NotAvailable{"material.*.flow.law", "hansel-spittel"},
-    NotAvailable{"tool.*.surface.smooth", "true"},
     NotAvailable{"tool.*.friction.law", "shaw"},
     NotAvailable{"tool.*.friction.law", "asperity"},
     NotAvailable{"tool.*.friction.law", "thick-film"},
