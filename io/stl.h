@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include "geometry/mesh_health.h"
 #include "geometry/triangle_mesh.h"
 
 #include <array>
