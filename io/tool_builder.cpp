@@ -6,6 +6,8 @@
 #include "geometry/triangle_surface.h"
 #include "io/profile.h"
 #include "io/stl.h"
+#include "io/stl_report.h"
+#include "io/stl_tool.h"
 
 #include <fmt/format.h>
 
@@ -24,6 +26,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 /// Builds the shape of each kind of surface.
 struct SurfaceMaker {
   const std::string& tool;
+  double workpiece_size;
   std::vector<std::string>& notes;
 
   geometry::SurfacePtr operator()(const PlaneSurface& s) const {
@@ -55,8 +58,10 @@ struct SurfaceMaker {
   }
   geometry::SurfacePtr operator()(const StlSurface& s) const {
     const StlFile file = read_stl(s.file.path);
-    const StlTool mesh = tool_mesh(file, s.unit_factor, s.flip);
+    const StlTool mesh = tool_mesh(file, {s.unit_factor, s.flip, s.feature_angle});
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
+    if (const auto warning = size_warning(mesh.health.bounds.size(), workpiece_size, s.unit))
+      notes.push_back(fmt::format("warning: tool '{}': {}", tool, *warning));
     return geometry::make_triangle_surface(mesh.mesh);
   }
 };
@@ -111,7 +116,10 @@ geometry::Pose pose_of(const Place& place) {
   return pose;
 }
 
-contact::Tool build_tool(const Tool& tool, Analysis analysis, std::vector<std::string>& notes) {
+contact::Tool build_tool(const Tool& tool,
+                         Analysis analysis,
+                         double workpiece_size,
+                         std::vector<std::string>& notes) {
   contact::Tool result;
   result.name = tool.name;
   if (analysis != Analysis::solid && std::holds_alternative<StlSurface>(tool.surface))
@@ -120,7 +128,7 @@ contact::Tool build_tool(const Tool& tool, Analysis analysis, std::vector<std::s
                             tool.name),
                 "give the tool as a profile, or make the analysis 3d");
   try {
-    result.surface = std::visit(SurfaceMaker{tool.name, notes}, tool.surface);
+    result.surface = std::visit(SurfaceMaker{tool.name, workpiece_size, notes}, tool.surface);
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)
       throw;
