@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -98,15 +99,22 @@ std::vector<Sector> sectors_around(const TriangleMesh& mesh, std::span<const Edg
 }
 
 // With growing angle, material begins at a triangle that runs against the edge and ends at one that
-// runs along it. False if the triangles do not alternate, or coincide.
-bool bounds_material(const std::vector<Sector>& sectors) {
-  constexpr double coincident = 1e-9;
-  for (std::size_t i = 0; i < sectors.size(); ++i) {
-    const Sector &s = sectors[i], &next = sectors[(i + 1) % sectors.size()];
-    if (s.use->forward == next.use->forward ||
-        (i + 1 < sectors.size() && next.angle - s.angle < coincident))
-      return false;
+// runs along it. Where two coincide, one body ends before the next begins. False if the triangles
+// do not alternate.
+bool alternate(std::vector<Sector>& sectors) {
+  constexpr double coincident = 1e-6; // [rad]
+  const std::size_t n = sectors.size();
+  const auto gap = [](const Sector& from, const Sector& to) {
+    return std::remainder(to.angle - from.angle, 2.0 * std::numbers::pi);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    Sector &s = sectors[i], &next = sectors[(i + 1) % n];
+    if (!s.use->forward && next.use->forward && std::abs(gap(s, next)) < coincident)
+      std::swap(s, next);
   }
+  for (std::size_t i = 0; i < n; ++i)
+    if (sectors[i].use->forward == sectors[(i + 1) % n].use->forward)
+      return false;
   return true;
 }
 
@@ -148,8 +156,8 @@ std::int64_t split_fans(TriangleMesh& mesh) {
       join(fans, uses.front(), uses.back());
       return;
     }
-    const std::vector<Sector> sectors = sectors_around(mesh, uses);
-    const bool pairs = bounds_material(sectors);
+    std::vector<Sector> sectors = sectors_around(mesh, uses);
+    const bool pairs = alternate(sectors);
     for (std::size_t i = 0; i < sectors.size(); ++i)
       if (!pairs || !sectors[i].use->forward)
         join(fans, *sectors[i].use, *sectors[(i + 1) % sectors.size()].use);

@@ -72,50 +72,46 @@ std::vector<double> elbow_room(const TriangleMesh& mesh, const Border& border) {
   return room;
 }
 
-using Candidate = std::tuple<double, std::int32_t, std::int32_t>; // distance, two points
-
-std::vector<Candidate>
+// Pairs of border points that may merge, either way round, sorted.
+std::vector<std::pair<std::int32_t, std::int32_t>>
 near_points(const TriangleMesh& mesh, const Border& border, double tolerance) {
   const std::vector<double> room = elbow_room(mesh, border);
   const std::vector<Box> boxes = point_boxes(mesh, border, 0.5 * tolerance);
-  std::vector<Candidate> found;
+  std::vector<std::pair<std::int32_t, std::int32_t>> found;
   std::size_t looked_at = 0;
   visit_box_pairs(boxes, [&](std::int32_t i, std::int32_t j) {
     const std::int32_t a = border.points[static_cast<std::size_t>(i)];
     const std::int32_t b = border.points[static_cast<std::size_t>(j)];
-    const double distance = (point(mesh, a) - point(mesh, b)).norm();
     const double limit =
         std::min({tolerance, room[static_cast<std::size_t>(a)], room[static_cast<std::size_t>(b)]});
-    if (distance <= limit)
-      found.emplace_back(distance, a, b);
+    if ((point(mesh, a) - point(mesh, b)).norm() <= limit) {
+      found.emplace_back(a, b);
+      found.emplace_back(b, a);
+    }
     return ++looked_at < most_pairs_each * border.points.size();
   });
   std::sort(found.begin(), found.end());
   return found;
 }
 
+// The point of smallest number takes all its neighbours that no other has taken. A point moves
+// once.
 void merge_points(TriangleMesh& mesh, double tolerance, Stitching& done) {
-  const Border border = border_of(mesh);
-  // A point moves once, nearest pairs first, and one that another has come to stays.
-  std::map<std::int32_t, std::int32_t> target;
-  std::vector<char> fixed(mesh.points.size(), 0);
-  for (const auto& [distance, i, j] : near_points(mesh, border, tolerance)) {
-    std::int32_t a = i, b = j;
-    if (fixed[static_cast<std::size_t>(b)] != 0)
-      std::swap(a, b);
-    if (target.contains(a) || target.contains(b) || fixed[static_cast<std::size_t>(b)] != 0)
+  std::vector<std::int32_t> target(mesh.points.size(), -1);
+  for (const auto& [to, from] : near_points(mesh, border_of(mesh), tolerance)) {
+    std::int32_t& centre = target[static_cast<std::size_t>(to)];
+    std::int32_t& moved = target[static_cast<std::size_t>(from)];
+    if ((centre >= 0 && centre != to) || moved >= 0)
       continue;
-    target[b] = a;
-    fixed[static_cast<std::size_t>(a)] = 1;
+    centre = to;
+    moved = to;
     ++done.merged_points;
-    done.largest_move = std::max(done.largest_move, distance);
+    done.largest_move = std::max(done.largest_move, (point(mesh, to) - point(mesh, from)).norm());
   }
-  if (target.empty())
-    return;
   for (std::array<std::int32_t, 3>& t : mesh.triangles)
     for (std::int32_t& v : t)
-      if (const auto to = target.find(v); to != target.end())
-        v = to->second;
+      if (target[static_cast<std::size_t>(v)] >= 0)
+        v = target[static_cast<std::size_t>(v)];
 }
 
 // A border point on a border edge: how far along, the point, how far off.
