@@ -176,7 +176,7 @@ std::vector<Complaint> complaints(const MeshHealth& health, const std::string& p
          fmt::format("across {} edges the triangles face opposite ways, the first at {}",
                      health.inconsistent_edges, coordinates(*health.inconsistent_at)),
          "orient all triangles the same way; a one-sided surface (Moebius strip) has no outside"});
-  if (health.duplicate_triangles > 0 && found.empty())
+  if (health.duplicate_triangles > 0)
     found.push_back({place,
                      fmt::format("{} triangles lie on another one, facing the other way",
                                  health.duplicate_triangles),

@@ -19,6 +19,8 @@ namespace billet::geometry {
 
 namespace {
 
+using Triangle = std::array<std::int32_t, 3>;
+
 // An open sheet that disagrees by more than this share of its area has no front.
 constexpr double largest_minority = 1.0 / 3.0;
 
@@ -80,6 +82,7 @@ Patch patch_from(const TriangleMesh& mesh,
 struct Sector {
   double angle;
   const EdgeUse* use;
+  std::int32_t across; ///< the triangle's third corner
 };
 
 std::vector<Sector> sectors_around(const TriangleMesh& mesh, std::span<const EdgeUse> uses) {
@@ -88,10 +91,10 @@ std::vector<Sector> sectors_around(const TriangleMesh& mesh, std::span<const Edg
   const Vec3 e1 = along.unitOrthogonal(), e2 = along.cross(e1);
   std::vector<Sector> sectors;
   for (const EdgeUse& use : uses) {
-    const Vec3 w = corner(mesh, mesh.triangles[static_cast<std::size_t>(use.triangle)],
-                          static_cast<std::size_t>((use.side + 2) % 3)) -
-                   a;
-    sectors.push_back({std::atan2(w.dot(e2), w.dot(e1)), &use});
+    const Triangle& t = mesh.triangles[static_cast<std::size_t>(use.triangle)];
+    const std::int32_t across = t[static_cast<std::size_t>((use.side + 2) % 3)];
+    const Vec3 w = mesh.points[static_cast<std::size_t>(across)] - a;
+    sectors.push_back({std::atan2(w.dot(e2), w.dot(e1)), &use, across});
   }
   std::sort(sectors.begin(), sectors.end(),
             [](const Sector& s, const Sector& t) { return s.angle < t.angle; });
@@ -113,7 +116,8 @@ bool alternate(std::vector<Sector>& sectors) {
       std::swap(s, next);
   }
   for (std::size_t i = 0; i < n; ++i)
-    if (sectors[i].use->forward == sectors[(i + 1) % n].use->forward)
+    if (sectors[i].use->forward == sectors[(i + 1) % n].use->forward ||
+        sectors[i].across == sectors[(i + 1) % n].across)
       return false;
   return true;
 }

@@ -1,203 +1,13 @@
-#include "tests/geometry/sample_meshes.h"
 #include "tests/io/stl_zoo.h"
-
-#include <Eigen/Geometry>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <numbers>
+#include "tests/io/stl_zoo_meshes.h"
 
 namespace billet::io {
 
-using geometry::cube;
-using geometry::flipped;
-using geometry::sphere_mesh;
-using geometry::TriangleMesh;
-
-double between(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-TriangleMesh moved(TriangleMesh mesh, const Vec3& by) {
-  for (Vec3& p : mesh.points)
-    p += by;
-  return mesh;
-}
-
-TriangleMesh posed(TriangleMesh mesh, Random& random) {
-  const Vec3 axis = Vec3(between(random, -1, 1), between(random, -1, 1), 1.5).normalized();
-  const Mat3 turn = Eigen::AngleAxisd(between(random, 0.0, 6.0), axis).toRotationMatrix();
-  const double scale = between(random, 10.0, 100.0);
-  const Vec3 shift(between(random, -50, 50), between(random, -50, 50), between(random, -50, 50));
-  for (Vec3& p : mesh.points)
-    p = scale * (turn * p) + shift;
-  return mesh;
-}
-
-TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
-  TriangleMesh both = a;
-  const auto first = static_cast<std::int32_t>(a.points.size());
-  both.points.insert(both.points.end(), b.points.begin(), b.points.end());
-  for (const std::array<std::int32_t, 3>& t : b.triangles)
-    both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  return both;
-}
-
-std::string binary_stl(const TriangleMesh& mesh, const std::string& header) {
-  std::string bytes = header.substr(0, 80);
-  bytes.resize(80, ' ');
-  const auto put = [&](auto value) {
-    const auto raw = std::bit_cast<std::array<char, sizeof(value)>>(value);
-    bytes.append(raw.data(), raw.size());
-  };
-  put(static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 &a = geometry::corner(mesh, t, 0), &b = geometry::corner(mesh, t, 1),
-               &c = geometry::corner(mesh, t, 2);
-    for (const Vec3& v : {Vec3((b - a).cross(c - a).stableNormalized()), a, b, c})
-      for (int i = 0; i < 3; ++i)
-        put(static_cast<float>(v[i]));
-    put(std::uint16_t{0});
-  }
-  return bytes;
-}
-
-std::string ascii_stl(const TriangleMesh& mesh, int digits, const std::string& name) {
-  std::string text = "solid " + name + "\n";
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    text += " facet normal 0 0 0\n  outer loop\n";
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& x = geometry::corner(mesh, t, i);
-      text += fmt::format("   vertex {0:.{3}g} {1:.{3}g} {2:.{3}g}\n", x.x(), x.y(), x.z(), digits);
-    }
-    text += "  endloop\n endfacet\n";
-  }
-  return text + "endsolid " + name + "\n";
-}
-
 namespace {
 
-using Triangle = std::array<std::int32_t, 3>;
 using Make = std::function<TriangleMesh(Random&)>;
 
 constexpr int all_digits = 17;
-
-TriangleMesh ball() { return sphere_mesh(10); }
-
-TriangleMesh flat(std::int32_t n) {
-  return geometry::sheet(n, [](double, double) { return 0.0; });
-}
-
-TriangleMesh box(double x, double y, double z) {
-  return geometry::prism({{0, 0}, {x, 0}, {x, y}, {0, y}}, z);
-}
-
-std::size_t any(Random& random, std::size_t n) {
-  return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
-}
-
-// Every triangle with corners of its own.
-TriangleMesh loose(const TriangleMesh& mesh) {
-  TriangleMesh soup;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto first = static_cast<std::int32_t>(soup.points.size());
-    soup.triangles.push_back({first, first + 1, first + 2});
-    for (std::size_t i = 0; i < 3; ++i)
-      soup.points.push_back(geometry::corner(mesh, t, i));
-  }
-  return soup;
-}
-
-Triangle turned(const Triangle& t) { return {t[0], t[2], t[1]}; }
-
-TriangleMesh with(TriangleMesh mesh, const Triangle& t) {
-  mesh.triangles.push_back(t);
-  return mesh;
-}
-
-TriangleMesh without(TriangleMesh mesh, std::size_t n, Random& random) {
-  for (std::size_t i = 0; i < n; ++i)
-    mesh.triangles.erase(mesh.triangles.begin() +
-                         static_cast<std::ptrdiff_t>(any(random, mesh.triangles.size())));
-  return mesh;
-}
-
-TriangleMesh partly_turned(TriangleMesh mesh, std::size_t every) {
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += every)
-    mesh.triangles[t] = turned(mesh.triangles[t]);
-  return mesh;
-}
-
-// Every corner of every triangle a little off.
-TriangleMesh shaken(const TriangleMesh& mesh, double by, Random& random) {
-  TriangleMesh soup = loose(mesh);
-  for (Vec3& p : soup.points)
-    p += Vec3(between(random, -by, by), between(random, -by, by), between(random, -by, by));
-  return soup;
-}
-
-// The triangle after `share` of its first side is cut in two, and its neighbour not; `filled` by a
-// triangle without height.
-TriangleMesh split_on_one_side(TriangleMesh mesh, std::size_t t, double share, bool filled) {
-  const Triangle old = mesh.triangles[t];
-  const auto middle = static_cast<std::int32_t>(mesh.points.size());
-  const Vec3 a = geometry::corner(mesh, t, 0), b = geometry::corner(mesh, t, 1);
-  mesh.points.emplace_back(a + share * (b - a));
-  mesh.triangles[t] = {old[0], middle, old[2]};
-  mesh.triangles.push_back({middle, old[1], old[2]});
-  if (filled)
-    mesh.triangles.push_back({old[0], old[1], middle});
-  return mesh;
-}
-
-// A band with a number of half turns.
-TriangleMesh band(int half_turns) {
-  constexpr std::int32_t n = 40;
-  TriangleMesh mesh;
-  for (std::int32_t i = 0; i <= n; ++i) {
-    const double phi = 2.0 * std::numbers::pi * i / n, tilt = 0.5 * phi * half_turns;
-    const Vec3 out(std::cos(phi), std::sin(phi), 0.0);
-    for (const double w : {-0.3, 0.3})
-      mesh.points.emplace_back((1.0 + w * std::cos(tilt)) * out +
-                               w * std::sin(tilt) * Vec3::UnitZ());
-  }
-  // The last pair is the first, swapped after an odd number of half turns.
-  const bool odd = half_turns % 2 != 0;
-  mesh.points[2 * n] = mesh.points[odd ? 1 : 0];
-  mesh.points[2 * n + 1] = mesh.points[odd ? 0 : 1];
-  for (std::int32_t i = 0; i < n; ++i) {
-    mesh.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
-    mesh.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
-  }
-  return mesh;
-}
-
-TriangleMesh heap(Random& random) {
-  TriangleMesh mesh;
-  for (std::int32_t i = 0; i < 300; ++i)
-    mesh.points.emplace_back(between(random, 0, 1), between(random, 0, 1), between(random, 0, 1));
-  for (std::int32_t i = 0; i < 300; i += 3)
-    mesh.triangles.push_back({i, i + 1, i + 2});
-  return mesh;
-}
-
-// A cube glued to its mirror image: the face between has the same two triangles.
-TriangleMesh mirrored_cube() {
-  TriangleMesh mesh = flipped(cube());
-  for (Vec3& p : mesh.points)
-    p.x() = 2.0 - p.x();
-  return mesh;
-}
-
-TriangleMesh upright(double x, double turn) {
-  TriangleMesh mesh = flat(3);
-  for (Vec3& p : mesh.points)
-    p = Eigen::AngleAxisd(turn, Vec3::UnitX()) * Vec3(p - Vec3(x, 0.51, 0));
-  return mesh;
-}
 
 ZooKind kind(const char* name,
              Verdict verdict,
@@ -253,11 +63,11 @@ std::vector<ZooKind> sound_surfaces() {
       kind(
           "band_with_a_full_turn", sound, "in 2 loops", [](Random&) { return band(2); }, false),
       kind(
-          "body_with_a_hole", sound, "in 1 loop", [](Random& r) { return without(ball(), 1, r); },
-          false),
+          "body_with_a_hole", sound, "in 1 loop",
+          [](Random& r) { return without(ball(), any(r, 360), 360); }, false),
       kind(
-          "body_with_many_holes", sound, "open", [](Random& r) { return without(ball(), 9, r); },
-          false),
+          "body_with_many_holes", sound, "open",
+          [](Random& r) { return without(ball(), 5 + any(r, 8), 36); }, false),
       kind("body_with_a_cavity", sound, "2 parts", cavity, true),
       kind(
           "angle_bar", sound, "closed", [](Random&) { return geometry::angle_bar(); }, true),
@@ -265,7 +75,7 @@ std::vector<ZooKind> sound_surfaces() {
           "spiky", sound, "closed", [](Random&) { return geometry::spiky(9); }, true),
       kind(
           "crack_wider_than_the_tolerance", sound, "open",
-          [](Random& r) { return shaken(cube(), 0.02, r); }, false),
+          [](Random& r) { return shrunk(ball(), between(r, 0.01, 0.1)); }, false),
       kind(
           "small_part_far_away", sound, "2 parts",
           [](Random&) {

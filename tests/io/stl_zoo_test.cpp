@@ -31,8 +31,7 @@ void expect_taken(const ZooKind& kind, const StlFile& file) {
   const bool sound = tool.repairs.notes().empty() && remarks(file, tool).empty();
   EXPECT_EQ(sound, kind.verdict == Verdict::sound) << text;
   EXPECT_NE(text.find(kind.says), std::string::npos) << text;
-  if (kind.closed)
-    EXPECT_EQ(tool.health.closed(), *kind.closed) << text;
+  EXPECT_EQ(tool.health.closed(), kind.closed.value_or(tool.health.closed())) << text;
   EXPECT_LE(tool.repairs.stitching.largest_move, tool.repairs.tolerance);
   EXPECT_TRUE(tool.intersections.complete);
   const auto surface = geometry::make_triangle_surface(tool.mesh);
