@@ -2,6 +2,7 @@
 
 #include "app/command_line.h"
 #include "geometry/base/error.h"
+#include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
 #include "io/stl.h"
 #include "io/stl_report.h"
@@ -13,17 +14,23 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 
 namespace billet::app {
 
 namespace {
 
-int info_stl(const std::filesystem::path& path) {
+int info_stl(const std::filesystem::path& path, const std::optional<std::string>& unit) {
+  const Outcome<double> factor =
+      unit ? io::length_factor(*unit, io::UnitSystem{}) : Outcome<double>(1.0);
+  if (!factor)
+    throw Error(Fault::usage, "",
+                fmt::format("--unit needs a unit of length such as mm, m or in, not '{}'", *unit));
   const io::StlFile file = io::read_stl(path);
-  const io::StlTool tool = io::examine(file, {});
-  fmt::print("{}: {} STL, lengths in the file's own unit\n", path.string(),
-             file.binary ? "binary" : "ASCII");
+  const io::StlTool tool = io::examine(file, {*factor});
+  fmt::print("{}: {} STL, lengths in {}\n", path.string(), file.binary ? "binary" : "ASCII",
+             unit ? "mm" : "the file's own unit");
   for (const io::ReportRow& row : io::table(file, tool))
     fmt::print("  {:24s} {}\n", row.name, row.value);
   for (const std::string& remark : io::remarks(file, tool))
@@ -77,7 +84,7 @@ int show_info(const Arguments& arguments) {
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".stl")
-    return info_stl(path);
+    return info_stl(path, arguments.unit);
   return info_mesh(path);
 }
 

@@ -23,21 +23,25 @@ Triangle turned(const Triangle& t) {
 
 bool has_repeated_corner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
+struct NumberedPoint {
+  Vec3 x;
+  std::int32_t number;
+};
+
 void weld(TriangleMesh& mesh, CleanUp& done) {
   const std::size_t n = mesh.points.size();
-  std::vector<std::int32_t> order(n), same(n), number(n, -1);
-  std::iota(order.begin(), order.end(), 0);
-  const auto point = [&](std::int32_t i) -> const Vec3& {
-    return mesh.points[static_cast<std::size_t>(i)];
-  };
-  std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
-    const Vec3 &a = point(i), &b = point(j);
-    return std::tie(a.x(), a.y(), a.z(), i) < std::tie(b.x(), b.y(), b.z(), j);
+  std::vector<NumberedPoint> order;
+  order.reserve(n);
+  for (const Vec3& x : mesh.points)
+    order.push_back({x, static_cast<std::int32_t>(order.size())});
+  std::sort(order.begin(), order.end(), [](const NumberedPoint& a, const NumberedPoint& b) {
+    return std::tie(a.x[0], a.x[1], a.x[2], a.number) < std::tie(b.x[0], b.x[1], b.x[2], b.number);
   });
+  std::vector<std::int32_t> same(n), number(n, -1);
   for (std::size_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(order[k]);
-    const bool first = k == 0 || point(order[k]) != point(order[k - 1]);
-    same[i] = first ? order[k] : same[static_cast<std::size_t>(order[k - 1])];
+    const auto i = static_cast<std::size_t>(order[k].number);
+    const bool first = k == 0 || order[k].x != order[k - 1].x;
+    same[i] = first ? order[k].number : same[static_cast<std::size_t>(order[k - 1].number)];
     done.welded_points += first ? 0 : 1;
   }
   std::vector<Vec3> kept;
@@ -47,7 +51,7 @@ void weld(TriangleMesh& mesh, CleanUp& done) {
           number[static_cast<std::size_t>(same[static_cast<std::size_t>(v)])];
       if (renumbered < 0) {
         renumbered = static_cast<std::int32_t>(kept.size());
-        kept.push_back(point(v));
+        kept.push_back(mesh.points[static_cast<std::size_t>(v)]);
       }
       v = renumbered;
     }

@@ -205,6 +205,10 @@ TEST_F(CommandLine, info_tells_of_stls_meshes_and_results) {
                             "open, 4 border edges in 1 loop"})
     EXPECT_TRUE(stl.prints(piece)) << piece << " is not in: " << stl.out;
 
+  const Outcome inches = run({"info", "die.stl", "--unit", "in"});
+  EXPECT_TRUE(inches.prints("(-508, -508, 0) to (508, 508, 0)")) << inches.out;
+  EXPECT_EQ(run({"info", "die.stl", "--unit", "acre"}).status, 2);
+
   write_text(folder_.path() / "part.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n"
                                           "*ELEMENT, TYPE=CAX4, ELSET=all\n1, 1, 2, 3, 4\n"
                                           "*NSET, NSET=foot\n1, 2\n");
