@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <set>
 
 namespace billet::io {
@@ -64,6 +66,45 @@ std::string name_of(const testing::TestParamInfo<ZooKind>& info) { return info.p
 
 INSTANTIATE_TEST_SUITE_P(files, StlZoo, testing::ValuesIn(zoo_of_files()), name_of);
 INSTANTIATE_TEST_SUITE_P(surfaces, StlZoo, testing::ValuesIn(zoo_of_surfaces()), name_of);
+
+// Replaces a few coordinates by others of the same binary file.
+void spoil(std::string& bytes, Random& random) {
+  constexpr std::size_t first = 84, facet = 50;
+  const auto place = [&] {
+    const std::size_t count = (bytes.size() - first) / facet;
+    return static_cast<std::ptrdiff_t>(first + facet * (random() % count) + 12 +
+                                       4 * (random() % 9));
+  };
+  for (int i = 0; i < 4; ++i) {
+    const std::ptrdiff_t from = place(), to = place();
+    std::copy_n(bytes.begin() + from, 4, bytes.begin() + to);
+  }
+}
+
+TEST(StlZooItself, FurtherDamageEndsInAnErrorOrASurface) {
+  const test::TemporaryFolder folder;
+  Random random(7);
+  int taken = 0, refused = 0;
+  for (const ZooKind& kind : zoo_of_surfaces())
+    for (int trial = 0; trial < 6; ++trial) {
+      SCOPED_TRACE(kind.name + ", trial " + std::to_string(trial));
+      std::string bytes = kind.bytes(random);
+      if (bytes.starts_with("solid"))
+        continue;
+      spoil(bytes, random);
+      try {
+        const StlTool tool = tool_mesh(read_stl(folder.file("die.stl", bytes)), {});
+        EXPECT_NO_THROW((void)geometry::make_triangle_surface(tool.mesh));
+        EXPECT_LE(tool.repairs.stitching.largest_move, tool.repairs.tolerance);
+        ++taken;
+      } catch (const Error& error) {
+        EXPECT_FALSE(error.complaints().empty());
+        ++refused;
+      }
+    }
+  EXPECT_GT(taken, 0);
+  EXPECT_GT(refused, 0);
+}
 
 TEST(StlZooItself, HasManyKindsEachWithItsName) {
   std::set<std::string> names;
