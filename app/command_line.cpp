@@ -11,12 +11,14 @@ namespace billet::app {
 
 namespace {
 
-/// An option of `run` and `check`.
+/// An option of a command.
 struct Option {
   std::string_view name;
   std::string_view value; ///< what it takes; empty: nothing
   std::string_view help;
 };
+
+constexpr Option unit_option = {"--unit", "UNIT", "the unit of an STL's numbers: shown in mm"};
 
 constexpr Option all_options[] = {
     {"-o", "DIR", "results go to DIR (default: results/<case name>)"},
@@ -47,6 +49,8 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.threads = positive_number(value, option);
   else if (option == "--quiet")
     arguments.quiet = true;
+  else if (option == unit_option.name)
+    arguments.unit = value;
   else if (option == "--allow-outside")
     arguments.allow_outside = true;
   else
@@ -55,6 +59,8 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
 
 const Option& find_option(const std::string& word, const Command& command) {
   std::vector<std::string> known;
+  if (command.name == "info" && word == unit_option.name)
+    return unit_option;
   for (const Option& option : all_options) {
     if (option.name == word)
       return option;
@@ -70,8 +76,8 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"run", "CASE.toml [options]", "run a case to the end and write its results", &run_case},
       {"check", "CASE.toml [options]", "read and validate a case without solving it", &check_case},
-      {"info", "FILE", "what an STL, mesh or result contains, and what is wrong with it",
-       &show_info},
+      {"info", "FILE [--unit UNIT]",
+       "what an STL, mesh or result contains, and what is wrong with it", &show_info},
       {"render", "RESULTS [--field F] [--time T] [--output FILE.png]",
        "a picture of a run, without a display", &render_results},
   };
@@ -132,12 +138,16 @@ std::string help() {
 std::string help(const Command& command) {
   std::string text =
       fmt::format("billet {} {}\n\n{}\n", command.name, command.usage, command.summary);
+  const auto line = [](const Option& option) {
+    return fmt::format("  {:16s} {}\n", fmt::format("{} {}", option.name, option.value),
+                       option.help);
+  };
   if (command.name == "run" || command.name == "check") {
     text += '\n';
     for (const Option& option : all_options)
-      text += fmt::format("  {:16s} {}\n", fmt::format("{} {}", option.name, option.value),
-                          option.help);
-  }
+      text += line(option);
+  } else if (command.name == "info")
+    text += '\n' + line(unit_option);
   return text;
 }
 

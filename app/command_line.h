@@ -18,6 +18,7 @@ struct Arguments {
   std::optional<int> threads;                  ///< --threads
   bool quiet = false;                          ///< --quiet
   bool allow_outside = false;                  ///< --allow-outside
+  std::optional<std::string> unit;             ///< --unit, of an STL
   std::vector<std::string> rest;               ///< passed on (render)
 };
 

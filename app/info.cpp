@@ -2,50 +2,42 @@
 
 #include "app/command_line.h"
 #include "geometry/base/error.h"
+#include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
 #include "io/stl.h"
+#include "io/stl_report.h"
+#include "io/stl_tool.h"
 #include "mechanics/mesh_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 
 namespace billet::app {
 
 namespace {
 
-int info_stl(const std::filesystem::path& path) {
+int info_stl(const std::filesystem::path& path, const std::optional<std::string>& unit) {
+  const Outcome<double> factor =
+      unit ? io::length_factor(*unit, io::UnitSystem{}) : Outcome<double>(1.0);
+  if (!factor)
+    throw Error(Fault::usage, "",
+                fmt::format("--unit needs a unit of length such as mm, m or in, not '{}'", *unit));
   const io::StlFile file = io::read_stl(path);
-  geometry::TriangleMesh mesh;
-  for (const auto& facet : file.facets) {
-    const auto first = static_cast<std::int32_t>(mesh.points.size());
-    mesh.points.insert(mesh.points.end(), facet.begin(), facet.end());
-    mesh.triangles.push_back({first, first + 1, first + 2});
-  }
-  const geometry::CleanUp mended = geometry::clean_up(mesh, 0.0);
-  const geometry::MeshHealth health = geometry::health(mesh);
-  fmt::print("{}: {} STL, {} facets\n", path.string(), file.binary ? "binary" : "ASCII",
-             file.facets.size());
-  fmt::print("  box ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}), in the file's own unit\n",
-             health.bounds.low[0], health.bounds.low[1], health.bounds.low[2],
-             health.bounds.high[0], health.bounds.high[1], health.bounds.high[2]);
-  fmt::print("  {} points, {} triangles, {} component(s), area {:.6g}\n", health.points,
-             health.triangles, health.components, health.area);
-  fmt::print("  dropped on reading: {} degenerate, {} duplicate triangles\n",
-             mended.degenerate_triangles, mended.duplicate_triangles);
-  if (health.closed())
-    fmt::print("  closed, volume {:.6g}{}\n", health.volume,
-               health.inside_out() ? " (inside out: use flip = true)" : "");
-  else
-    fmt::print("  open: {} border edges\n", health.border_edges);
-  const auto complaints = geometry::complaints(health, path.string());
-  for (const Complaint& complaint : complaints)
+  const io::StlTool tool = io::examine(file, {*factor});
+  fmt::print("{}: {} STL, lengths in {}\n", path.string(), file.binary ? "binary" : "ASCII",
+             unit ? "mm" : "the file's own unit");
+  for (const io::ReportRow& row : io::table(file, tool))
+    fmt::print("  {:24s} {}\n", row.name, row.value);
+  for (const std::string& remark : io::remarks(file, tool))
+    fmt::print("  note: {}\n", remark);
+  for (const Complaint& complaint : tool.complaints)
     fmt::print("  wrong: {}\n", complaint.text());
-  return complaints.empty() ? 0 : static_cast<int>(Fault::geometry);
+  return tool.complaints.empty() ? 0 : static_cast<int>(Fault::geometry);
 }
 
 int info_mesh(const std::filesystem::path& path) {
@@ -92,7 +84,7 @@ int show_info(const Arguments& arguments) {
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".stl")
-    return info_stl(path);
+    return info_stl(path, arguments.unit);
   return info_mesh(path);
 }
 

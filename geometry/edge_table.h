@@ -22,6 +22,15 @@ struct EdgeUse {
   auto operator<=>(const EdgeUse&) const = default;
 };
 
+/// Corner number, 3 triangle + corner, of the side's triangle at the edge's smaller point.
+[[nodiscard]] inline std::int32_t corner_at_low(const EdgeUse& use) {
+  return 3 * use.triangle + (use.forward ? use.side : (use.side + 1) % 3);
+}
+/// The same at its larger point.
+[[nodiscard]] inline std::int32_t corner_at_high(const EdgeUse& use) {
+  return 3 * use.triangle + (use.forward ? (use.side + 1) % 3 : use.side);
+}
+
 /// All sides, sorted. shape (3 n_triangles)
 [[nodiscard]] std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh);
 

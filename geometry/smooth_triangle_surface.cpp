@@ -5,6 +5,7 @@
 #include "geometry/corner_normals.h"
 #include "geometry/curved_triangle.h"
 #include "geometry/edge_curves.h"
+#include "geometry/mesh_health.h"
 #include "geometry/triangle_features.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,7 @@
 #include "geometry/triangle_surface.h"
 
 #include "geometry/base/error.h"
+#include "geometry/mesh_health.h"
 #include "geometry/triangle_features.h"
 
 #include <CGAL/AABB_traits.h>

@@ -230,8 +230,11 @@ bool needs_shear_yield(const contact::AnyFrictionLaw& law) {
 
 void add_tools(const Case& content, BuiltScene& built, const std::string& place) {
   process::Scene& scene = built.scene;
+  Box workpiece;
+  for (const Vec3& p : scene.mesh.points)
+    workpiece.add(p);
   for (const Tool& tool : content.tools) {
-    scene.tools.push_back(build_tool(tool, content.analysis, built.notes));
+    scene.tools.push_back(build_tool(tool, content.analysis, workpiece.size(), built.notes));
     scene.touch.push_back(tool.touch ? 1 : 0);
     if (needs_shear_yield(scene.tools.back().friction) &&
         std::holds_alternative<mechanics::Elastic>(scene.material.flow))
@@ -309,8 +312,8 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
   for (const Tool& tool : content.tools)
     if (const auto* stl = std::get_if<StlSurface>(&tool.surface))
       if (!stl->smooth && stl->feature_angle != default_feature_angle)
-        notes.push_back(
-            fmt::format("tool '{}': feature_angle has no effect without smooth = true", tool.name));
+        notes.push_back(fmt::format(
+            "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
   if (content.materials.at(content.workpiece.material).density)
     notes.push_back("density has no effect in this version: there is no inertia");
   if (content.solver.reproducible)

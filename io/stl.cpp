@@ -94,14 +94,19 @@ void read_binary(const std::string& bytes, StlFile& file) {
     refuse(place,
            fmt::format("neither ASCII nor binary STL: {} bytes, a binary file has at least {}",
                        bytes.size(), first_facet));
-  const std::size_t count = number_at<std::uint32_t>(bytes, header_bytes);
-  if (bytes.size() != promised_size(bytes))
-    refuse(place,
-           fmt::format("the header promises {} facets ({} bytes), the file has {} bytes, enough "
-                       "for {}",
-                       count, promised_size(bytes), bytes.size(),
-                       (bytes.size() - first_facet) / facet_bytes),
-           "the file is truncated or not an STL; export it again");
+  const std::size_t promised = number_at<std::uint32_t>(bytes, header_bytes);
+  const std::size_t whole = (bytes.size() - first_facet) / facet_bytes;
+  if (bytes.size() != promised_size(bytes)) {
+    const std::string message =
+        fmt::format("the header promises {} facets ({} bytes), the file has {} bytes, enough for "
+                    "{}",
+                    promised, promised_size(bytes), bytes.size(), whole);
+    const std::string remedy = "the file is truncated or not an STL; export it again";
+    if (bytes.size() != first_facet + whole * facet_bytes)
+      refuse(place, message, remedy);
+    file.doubts.push_back({place, message, remedy});
+  }
+  const std::size_t count = whole;
   file.binary = true;
   const std::string_view header(bytes.data(), std::min(header_bytes, std::strlen(bytes.c_str())));
   file.solids = {std::string(trimmed(header))};
@@ -227,11 +232,13 @@ void read_ascii(std::string_view text, StlFile& file) {
     file.solids.emplace_back(name);
     for (word = words.next(); same_word(word, "facet"); word = words.next())
       read_facet(words, file);
-    if (word.empty())
-      refuse(
-          words.place(),
-          fmt::format("the file ends within solid '{}', after facet {}", name, file.facets.size()),
-          "the file is truncated; if it is whole, add a line 'endsolid'");
+    if (word.empty()) {
+      file.doubts.push_back(
+          {words.place(),
+           fmt::format("the file ends within solid '{}', after facet {}", name, file.facets.size()),
+           "the file is truncated; if it is whole, add a line 'endsolid'"});
+      return;
+    }
     if (!same_word(word, "endsolid"))
       refuse(words.place(),
              fmt::format("found '{}' where 'facet' or 'endsolid' is expected", word));
@@ -296,52 +303,6 @@ void write_stl(const std::filesystem::path& path,
   stream.close();
   if (!stream)
     throw Error(Fault::input_output, path.string(), "cannot be written");
-}
-
-StlTool tool_mesh(const StlFile& file, double scale, bool flip) {
-  StlTool result;
-  double largest = 0.0;
-  for (const std::array<Vec3, 3>& facet : file.facets) {
-    const auto first = static_cast<std::int32_t>(result.mesh.points.size());
-    result.mesh.triangles.push_back({first, first + 1, first + 2});
-    for (const Vec3& corner : facet) {
-      result.mesh.points.push_back(corner);
-      largest = std::max(largest, corner.cwiseAbs().maxCoeff());
-    }
-  }
-  // A triangle flatter than the single precision of the file is flat.
-  const double precision = static_cast<double>(std::numeric_limits<float>::epsilon());
-  result.clean_up = geometry::clean_up(result.mesh, precision * largest);
-  for (Vec3& point : result.mesh.points)
-    point *= scale;
-  if (flip)
-    result.mesh = geometry::flipped(std::move(result.mesh));
-  result.health = geometry::health(result.mesh);
-  std::vector<Complaint> found = geometry::complaints(result.health, file.path.string());
-  if (!found.empty())
-    throw Error(Fault::geometry, std::move(found));
-  return result;
-}
-
-std::string report(const StlFile& file, const StlTool& mesh) {
-  const geometry::MeshHealth& h = mesh.health;
-  const geometry::CleanUp& c = mesh.clean_up;
-  const Vec3 size = h.bounds.high - h.bounds.low;
-  std::string text =
-      fmt::format("{} ({}): {} facets, {} points, {} part{}, {:g} x {:g} x {:g}; ",
-                  file.path.string(), file.binary ? "binary" : "ASCII", h.triangles, h.points,
-                  h.components, h.components == 1 ? "" : "s", size.x(), size.y(), size.z());
-  text += h.closed() ? fmt::format("closed, volume {:g}", h.volume)
-                     : fmt::format("open, {} border edges", h.border_edges);
-  if (h.inside_out())
-    text += " (inside out: the tool is outside of the surface)";
-  if (c.degenerate_triangles + c.duplicate_triangles + c.slivers > 0)
-    text += fmt::format("; dropped {} degenerate, {} duplicate, {} flat facets",
-                        c.degenerate_triangles, c.duplicate_triangles, c.slivers);
-  if (file.opposed_normals > 0)
-    text += fmt::format("; {} stated normals contradict the order of the corners, which counts",
-                        file.opposed_normals);
-  return text;
 }
 
 } // namespace billet::io

@@ -8,6 +8,8 @@
 
 #pragma once
 
+#include "geometry/base/error.h"
+#include "geometry/base/vector.h"
 #include "geometry/triangle_mesh.h"
 
 #include <array>
@@ -25,6 +27,7 @@ struct StlFile {
   std::vector<std::string> solids;         ///< names, in order; binary: the header text
   std::vector<std::array<Vec3, 3>> facets; ///< corners, file units
   std::int64_t opposed_normals = 0;        ///< facets whose stated normal contradicts their corners
+  std::vector<Complaint> doubts;           ///< why the file may be truncated
 };
 
 /// @throws Error(Fault::geometry) naming file and line (ASCII) or facet (binary)
@@ -36,22 +39,5 @@ struct StlFile {
 void write_stl(const std::filesystem::path& path,
                const geometry::TriangleMesh& mesh,
                const std::string& header = "billet");
-
-/// Triangles ready for `make_triangle_surface`, and what was found and done on the way.
-struct StlTool {
-  geometry::TriangleMesh mesh;
-  geometry::CleanUp clean_up;
-  geometry::MeshHealth health; ///< after the clean-up
-};
-
-/// Welds, drops degenerate triangles, scales and checks.
-///
-/// @param scale  factor from the units of the file to those of the case, > 0
-/// @param flip   turns the surface inside out
-/// @throws Error(Fault::geometry) for a non-manifold or inconsistently oriented surface
-[[nodiscard]] StlTool tool_mesh(const StlFile& file, double scale, bool flip);
-
-/// One paragraph for the log: triangles, size, closed or open, volume, what was dropped.
-[[nodiscard]] std::string report(const StlFile& file, const StlTool& mesh);
 
 } // namespace billet::io

@@ -7,6 +7,8 @@
 #include "geometry/triangle_surface.h"
 #include "io/profile.h"
 #include "io/stl.h"
+#include "io/stl_report.h"
+#include "io/stl_tool.h"
 
 #include <fmt/format.h>
 
@@ -39,6 +41,7 @@ std::string smoothing_note(const geometry::Smoothing& s, double feature_angle) {
 /// Builds the shape of each kind of surface.
 struct SurfaceMaker {
   const std::string& tool;
+  double workpiece_size;
   std::vector<std::string>& notes;
 
   geometry::SurfacePtr operator()(const PlaneSurface& s) const {
@@ -70,8 +73,10 @@ struct SurfaceMaker {
   }
   geometry::SurfacePtr operator()(const StlSurface& s) const {
     const StlFile file = read_stl(s.file.path);
-    const StlTool mesh = tool_mesh(file, s.unit_factor, s.flip);
+    const StlTool mesh = tool_mesh(file, {s.unit_factor, s.flip, s.feature_angle});
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
+    if (const auto warning = size_warning(mesh.health.bounds.size(), workpiece_size, s.unit))
+      notes.push_back(fmt::format("warning: tool '{}': {}", tool, *warning));
     if (!s.smooth)
       return geometry::make_triangle_surface(mesh.mesh);
     geometry::SmoothSurface smooth =
@@ -136,7 +141,10 @@ geometry::Pose pose_of(const Place& place) {
   return pose;
 }
 
-contact::Tool build_tool(const Tool& tool, Analysis analysis, std::vector<std::string>& notes) {
+contact::Tool build_tool(const Tool& tool,
+                         Analysis analysis,
+                         double workpiece_size,
+                         std::vector<std::string>& notes) {
   contact::Tool result;
   result.name = tool.name;
   if (analysis != Analysis::solid && std::holds_alternative<StlSurface>(tool.surface))
@@ -145,7 +153,7 @@ contact::Tool build_tool(const Tool& tool, Analysis analysis, std::vector<std::s
                             tool.name),
                 "give the tool as a profile, or make the analysis 3d");
   try {
-    result.surface = std::visit(SurfaceMaker{tool.name, notes}, tool.surface);
+    result.surface = std::visit(SurfaceMaker{tool.name, workpiece_size, notes}, tool.surface);
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)
       throw;

@@ -110,6 +110,10 @@ std::vector<Broken> stls() {
   Broken unit = stl("stl_in_metres", good, {"case.toml:", "unit", "\"acre\""});
   unit.text = edited(unit.text, {{"unit = \"mm\"", "unit = \"acre\""}});
   unit.status = 3;
+  Broken metres = stl("stl_taken_for_metres", good,
+                      {"cannot be brought to touch", "times larger than the workpiece",
+                       "is the file in mm instead of m?"});
+  metres.text = edited(metres.text, {{"unit = \"mm\"", "unit = \"m\""}});
   Broken plane = {"stl_in_the_plane",
                   edited(upsetting, {{"plane = { point = [0, 7.5], normal = [0, -1] }",
                                       "stl = \"punch.stl\", unit = \"mm\""}}),
@@ -136,6 +140,7 @@ std::vector<Broken> stls() {
           {"case.toml", "tool 'punch' cannot be brought to touch", "flip = true"}),
       std::move(missing),
       std::move(unit),
+      std::move(metres),
       std::move(plane),
   };
 }

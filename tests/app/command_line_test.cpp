@@ -201,9 +201,13 @@ TEST_F(CommandLine, info_tells_of_stls_meshes_and_results) {
   write_text(folder_.path() / "die.stl", square_stl(20, 0, true));
   const Outcome stl = run({"info", "die.stl"});
   EXPECT_EQ(stl.status, 0) << stl.err;
-  for (const char* piece : {"ASCII STL, 2 facets", "box (-20, -20, 0) to (20, 20, 0)",
-                            "4 points, 2 triangles, 1 component(s), area 1600", "4 border edges"})
+  for (const char* piece : {"ASCII STL", "(-20, -20, 0) to (20, 20, 0)", "2 on 4 points, area 1600",
+                            "open, 4 border edges in 1 loop"})
     EXPECT_TRUE(stl.prints(piece)) << piece << " is not in: " << stl.out;
+
+  const Outcome inches = run({"info", "die.stl", "--unit", "in"});
+  EXPECT_TRUE(inches.prints("(-508, -508, 0) to (508, 508, 0)")) << inches.out;
+  EXPECT_EQ(run({"info", "die.stl", "--unit", "acre"}).status, 2);
 
   write_text(folder_.path() / "part.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n"
                                           "*ELEMENT, TYPE=CAX4, ELSET=all\n1, 1, 2, 3, 4\n"

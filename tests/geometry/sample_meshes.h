@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/base/vector.h"
+#include "geometry/mesh_health.h"
 #include "geometry/triangle_mesh.h"
 
 #include <Eigen/Geometry>

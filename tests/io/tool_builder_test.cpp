@@ -16,9 +16,7 @@ namespace {
 class ToolBuilder : public testing::Test {
 protected:
   ToolBuilder() {
-    const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
-    const auto path =
-        std::filesystem::path(testing::TempDir()) / (std::string(info->name()) + ".stl");
+    const std::filesystem::path path = folder_.path() / "roll.stl";
     write_stl(path, geometry::round_bar({}));
     StlSurface stl;
     stl.file.path = path;
@@ -31,7 +29,7 @@ protected:
   double gap() {
     const Vec3 x(10.0 * std::cos(std::numbers::pi / 36), 10.0 * std::sin(std::numbers::pi / 36),
                  20.0);
-    const contact::Tool built = build_tool(tool_, Analysis::solid, notes_);
+    const contact::Tool built = build_tool(tool_, Analysis::solid, 10.0, notes_);
     geometry::Projection p;
     built.surface->project({&x, 1}, 1.0, {&p, 1});
     return p.gap;
@@ -39,6 +37,7 @@ protected:
 
   StlSurface& stl() { return std::get<StlSurface>(tool_.surface); }
 
+  test::TemporaryFolder folder_;
   Tool tool_;
   std::vector<std::string> notes_;
 };
