@@ -1,9 +1,14 @@
 #include "app/progress.h"
 
+#include "geometry/base/error.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <utility>
 
 namespace billet::app {
 
@@ -36,8 +41,27 @@ int Progress::signal() { return caught; }
 
 bool Progress::stop_requested() const { return caught != 0; }
 
+void Progress::write_to(std::filesystem::path file) {
+  path_ = std::move(file);
+  file_.open(path_, std::ios::trunc);
+  log(std::exchange(log_, {}));
+}
+
+void Progress::log(const std::string& text) {
+  if (path_.empty()) {
+    log_ += text;
+    return;
+  }
+  errno = 0;
+  file_ << text << std::flush;
+  if (!file_)
+    throw Error(Fault::input_output, path_.string(),
+                fmt::format("cannot be written: {}", std::strerror(errno)),
+                "free some space, or choose another folder with -o");
+}
+
 void Progress::say(const std::string& line) {
-  log_ += line + "\n";
+  log(line + "\n");
   if (!quiet_)
     tell(line + "\n");
 }
@@ -54,7 +78,7 @@ void Progress::incremented(const process::Process& process,
     for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
       line += fmt::format("  {} {:.5g}", process.scene().tools[t].name,
                           process.contact()->loads()[t].force.norm());
-  log_ += line + "\n";
+  log(line + "\n");
   if (quiet_)
     return;
   if (terminal_)

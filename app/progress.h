@@ -5,11 +5,13 @@
 #include "process/run.h"
 
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace billet::app {
 
-/// Prints increments, keeps the log text, ends the run after a signal.
+/// Prints increments, keeps the log, ends the run after a signal.
 class Progress final : public process::Observer {
 public:
   /// @param quiet  nothing on standard error
@@ -23,15 +25,21 @@ public:
 
   /// Adds a line to the log and, unless quiet, to standard error.
   void say(const std::string& line);
-  /// Everything said and every increment, one a line.
-  [[nodiscard]] const std::string& log() const { return log_; }
+  /// Puts everything said so far into a file and adds every line to it from now on, so that a run
+  /// that is killed leaves its log too.
+  /// @throws Error(Fault::input_output), here or when a line cannot be written
+  void write_to(std::filesystem::path file);
   /// Signal that asked for the end; 0: none.
   [[nodiscard]] static int signal();
 
 private:
   bool quiet_;
   bool terminal_;
-  std::string log_;
+  void log(const std::string& text);
+
+  std::string log_; ///< until there is a file
+  std::filesystem::path path_;
+  std::ofstream file_;
 };
 
 } // namespace billet::app

@@ -5,7 +5,6 @@
 #include "app/progress.h"
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
-#include "io/results/atomic_file.h"
 #include "io/results/run_writer.h"
 #include "mechanics/blas.h"
 
@@ -91,11 +90,11 @@ int run_case(const Arguments& arguments) {
   for (const std::string& note : ready.notes)
     progress.say(note);
   io::RunWriter writer(folder, name, content, {BILLET_VERSION, mechanics::blas_core(), threads});
+  progress.write_to(folder / "run.log");
   const process::RunStatus status = process.run({&writer, &progress});
   if (const std::string warning = writer.warning(); !warning.empty())
     progress.say(warning);
   writer.write_summary(process, {ending(status), exit_status(status)});
-  io::write_file(folder / "run.log", progress.log());
   print_summary(process, content, status, folder);
   return exit_status(status);
 }
