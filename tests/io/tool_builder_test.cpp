@@ -2,6 +2,7 @@
 #include "io/stl.h"
 #include "io/tool_builder.h"
 #include "tests/geometry/round_meshes.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
