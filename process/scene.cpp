@@ -40,7 +40,7 @@ int free_rigid_motions(const Scene& scene) {
   for (const Support& support : scene.supports)
     for (const Index node : support.nodes) {
       const Vec3 p = (scene.mesh.points[static_cast<std::size_t>(node)] - centre) / box.size();
-      const auto row = rigid_motions(scene.analysis, p).row(support.component);
+      const Eigen::RowVectorXd row = rigid_motions(scene.analysis, p).row(support.component);
       gram += row.transpose() * row;
     }
   Eigen::FullPivLU<Eigen::MatrixXd> lu(gram);
