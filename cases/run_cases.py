@@ -23,6 +23,18 @@ CASES = pathlib.Path(__file__).resolve().parent
 ENERGY_TOLERANCE = 0.005
 
 
+def over(rows, check):
+    """Mean over time, or ripple (largest less smallest over the mean), while `over` holds."""
+    low, high = check["over"]["between"]
+    points = [(float(row["time"]), float(row[check["column"]])) for row in rows
+              if low <= float(row[check["over"]["column"]]) <= high]
+    way = sum(t1 - t0 for (t0, _), (t1, _) in zip(points, points[1:]))
+    mean = sum((t1 - t0) * (y0 + y1) / 2 for (t0, y0), (t1, y1) in zip(points, points[1:])) / way
+    if check["over"].get("ripple"):
+        return (max(y for _, y in points) - min(y for _, y in points)) / abs(mean)
+    return mean
+
+
 def value_of(results, check):
     """The figure that a check is about: `column` of `file`, with a - in front its negative."""
     if check["column"].startswith("-"):
@@ -35,6 +47,8 @@ def value_of(results, check):
         return float(value)
     with open(path, encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
+    if "over" in check:
+        return over(rows, check)
     if "at" not in check:
         return float(rows[-1][check["column"]])
     at = check["at"]
@@ -65,6 +79,8 @@ def evaluate(name, results):
         content = tomllib.loads(path.read_text(encoding="utf-8"))
     if "shape" in content:
         shape.write(results, name, content["shape"])
+    if "script" in content:
+        subprocess.run([sys.executable, CASES / name / content["script"], results], check=True)
     energy = {"file": "summary.json", "column": "energy.relative_error",
               "between": [0.0, ENERGY_TOLERANCE], "source": "balance of energy"}
     failed = 0

@@ -109,8 +109,6 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
 }
 
 int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, bool keep) {
-  Penalty penalty = surface_->penalty();
-  penalty.tangent *= softening;
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
@@ -121,12 +119,15 @@ int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, 
       state.trial[k] = Traction{};
     } else {
       const PointHistory& old = state.history[k];
-      InterfaceInput in{state.position[k], foot, 0.0, touching, kept};
+      InterfaceInput in{state.position[k], foot};
+      in.rounding = touching;
+      in.softening = softening;
+      in.kept = kept;
       const std::size_t beneath = surface_->beneath(k);
       in.shear_yield =
           mechanics::yield_stress(bulk_->material().flow, bulk_->states()[beneath].plastic_strain) /
           std::numbers::sqrt3;
-      state.trial[k] = traction(tool.friction, penalty, old, in);
+      state.trial[k] = traction(tool.friction, surface_->penalty(), old, in);
     }
     if (state.trial[k].status != before)
       ++changes;
@@ -348,6 +349,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   const geometry::Pose pose_old = this->pose(t, trial.time_old, trial.x_old);
   const Vec3 reference = pose.to_space(tool.reference);
   const bool meridian = surface_->analysis() == mechanics::Analysis::axisymmetric;
+  const Penalty& penalty = surface_->penalty();
   state.stored = 0.0;
   state.touches = false;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
@@ -358,22 +360,19 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const Vec3 way = pose.to_space(position) - pose_old.to_space(position);
     work_.external += 0.5 * (force + state.force[k]).dot(way);
     state.force[k] = force;
-    history.position = position;
-    if (now.status == Status::open) {
-      history.normal.setZero();
-      history.shear.setZero();
+    const double sliding = history.sliding + now.slip.norm();
+    const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
+    work_.friction += shear.friction_work * areas_[k];
+    history = PointHistory{.position = position, .sliding = sliding};
+    if (now.status == Status::open)
       continue;
-    }
-    const Penalty& penalty = surface_->penalty();
-    work_.friction -= 0.5 * (now.turned + now.shear).dot(now.slip) * areas_[k];
-    state.touches = true;
-    state.stored +=
-        0.5 * areas_[k] *
-        (now.pressure * now.pressure / penalty.normal + now.shear.squaredNorm() / penalty.tangent);
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
     history.pressure = now.pressure;
-    history.sliding += now.slip.norm();
+    history.stiffness = shear.stiffness;
+    state.touches = true;
+    state.stored += areas_[k] * (0.5 * now.pressure * now.pressure / penalty.normal +
+                                 shear_energy(now.shear, shear.stiffness));
     // Around the full turn radial forces and all torques cancel.
     const Vec3 on_tool = meridian ? Vec3(0.0, -force[1], 0.0) : Vec3(-force);
     loads_[t].force += on_tool;
@@ -455,10 +454,8 @@ std::vector<double> ContactTerm::release(std::size_t tool) {
               N[a] * state.force[k][d];
     }
   });
-  for (PointHistory& history : state.history) {
-    history.normal.setZero();
-    history.shear.setZero();
-  }
+  for (PointHistory& history : state.history)
+    history = PointHistory{.position = history.position, .sliding = history.sliding};
   std::fill(state.trial.begin(), state.trial.end(), Traction{});
   std::fill(state.force.begin(), state.force.end(), Vec3::Zero());
   work_.stored -= state.stored;

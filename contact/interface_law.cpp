@@ -48,6 +48,34 @@ Vec3 turn(const Vec3& v, const Vec3& from, const Vec3& to) {
   return c > 0.0 ? Vec3(v - to.dot(v) / c * (to + from)) : v;
 }
 
+double shear_energy(const Vec3& shear, double stiffness) {
+  return stiffness > 0.0 ? 0.5 * shear.squaredNorm() / stiffness : 0.0;
+}
+
+ShearBalance balance(const Penalty& penalty,
+                     const PointHistory& old,
+                     const Traction& now,
+                     double sliding,
+                     double depth) {
+  const double before = old.stiffness > 0.0 ? old.stiffness : penalty.tangent;
+  if (now.status == Status::open)
+    return {0.0, shear_energy(old.shear, before)};
+  constexpr double share_of_sliding = 0.02;
+  constexpr double share_of_depth = 0.005;
+  const double range = std::min(share_of_sliding * sliding, share_of_depth * depth);
+  // Without a limit, or without a way slid, the penalty as it is given.
+  double after = penalty.tangent;
+  if (now.limit > 0.0 && penalty.tangent * range > now.limit)
+    after = now.limit / range;
+  const double lost = -0.5 * (now.turned + now.shear).dot(now.slip);
+  const double stored = shear_energy(now.shear, before);
+  // A softer stiffness stores more under the same shear: no more than the slide has paid for.
+  const double most = stored + std::max(0.0, lost);
+  if (shear_energy(now.shear, after) > most)
+    after = 0.5 * now.shear.squaredNorm() / most;
+  return {after, lost + stored - shear_energy(now.shear, after)};
+}
+
 Traction traction(const AnyFrictionLaw& law,
                   const Penalty& penalty,
                   const PointHistory& old,
@@ -71,6 +99,7 @@ Traction traction(const AnyFrictionLaw& law,
   SlipLimit limit = bounded(slip_limit(law, {holding, at.shear_yield}), holding);
   if (holding > out.pressure)
     limit.d_pressure = 0.0;
+  out.limit = limit.shear;
   if (!old.closed())
     return out;
   const Sliding s = sliding(old, at);
@@ -78,12 +107,13 @@ Traction traction(const AnyFrictionLaw& law,
     out.slip = s.path;
     return out;
   }
-  Mat3 dshear = -penalty.tangent * s.dpath_dx;
+  const double stiffness = at.softening * (old.stiffness > 0.0 ? old.stiffness : penalty.tangent);
+  Mat3 dshear = -stiffness * s.dpath_dx;
   if (!old.shear.isZero(0.0)) {
     out.turned = turn(old.shear, old.normal, n);
     dshear += turn_derivative(old.shear, old.normal, n, foot.dnormal_dx);
   }
-  const Vec3 predictor = out.turned - penalty.tangent * s.path;
+  const Vec3 predictor = out.turned - stiffness * s.path;
   const double size = predictor.norm();
   if (size <= limit.shear) {
     out.status = Status::stick;
@@ -93,7 +123,7 @@ Traction traction(const AnyFrictionLaw& law,
     out.shear = limit.shear * e;
     dshear = (limit.shear / size * (Mat3::Identity() - e * e.transpose()) * dshear).eval();
     dshear -= limit.d_pressure * penalty.normal * e * n.transpose();
-    out.slip = s.path + (out.shear - out.turned) / penalty.tangent;
+    out.slip = s.path + (out.shear - out.turned) / stiffness;
   }
   out.traction += out.shear;
   out.dtraction_dx += dshear;

@@ -6,10 +6,11 @@
 // stick stress, turned with the normal, and cut back to the law's limit in closed form. A point
 // that touches within the increment slides freely until its end, where sticking begins: a shear
 // that grew with the way since first touch would grow faster than the pressure and destroy
-// uniqueness.
+// uniqueness. A point that has slid a long way turns its shear round within a small part of that
+// way: beside a neutral point a sharper turn would be a jump.
 //
 // Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
-// Theory  docs/theory/contact.md (C.1)-(C.6).
+// Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18).
 
 #pragma once
 
@@ -28,6 +29,7 @@ struct PointHistory {
   Vec3 shear = Vec3::Zero();    ///< tangential traction [MPa]
   double pressure = 0.0;        ///< [MPa]
   double sliding = 0.0;         ///< sliding distance so far [mm]
+  double stiffness = 0.0;       ///< against slip from here on (C.17); 0: the penalty [MPa/mm]
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
 };
@@ -46,6 +48,7 @@ struct Traction {
   Vec3 traction = Vec3::Zero();     ///< p n + shear, on the workpiece [MPa]
   Mat3 dtraction_dx = Mat3::Zero(); ///< [MPa/mm], not symmetric when slipping
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
+  double limit = 0.0;               ///< largest shear at this pressure; may be infinite [MPa]
   Vec3 turned = Vec3::Zero();       ///< the old shear in the new tangent plane [MPa]
 };
 
@@ -55,8 +58,28 @@ struct InterfaceInput {
   geometry::Projection projection; ///< of that position
   double shear_yield = 0.0;        ///< k beneath [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
-  bool kept = false; ///< a point that was closed stays so, if need be under tension (C.15)
+  double softening = 1.0; ///< of the stiffness against slip, below 1 on the way to a solution [-]
+  bool kept = false;      ///< a point that was closed stays so, if need be under tension (C.15)
 };
+
+/// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.
+[[nodiscard]] double shear_energy(const Vec3& shear, double stiffness);
+
+/// What an increment leaves behind in the shear.
+struct ShearBalance {
+  double stiffness = 0.0;     ///< against slip from here on (C.17) [MPa/mm]
+  double friction_work = 0.0; ///< what the shear did and is not stored (C.18) [N/mm]
+};
+
+/// Stiffness of the next increment and friction work of this one. (C.17), (C.18)
+///
+/// @param sliding  distance so far, with this increment [mm]
+/// @param depth    of the element beneath [mm]
+[[nodiscard]] ShearBalance balance(const Penalty& penalty,
+                                   const PointHistory& old,
+                                   const Traction& now,
+                                   double sliding,
+                                   double depth);
 
 /// (C.1)-(C.6)
 [[nodiscard]] Traction traction(const AnyFrictionLaw& law,

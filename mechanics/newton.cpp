@@ -320,6 +320,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
         correct(prescribed, x, settled_ ? forcing(relative, settings_.tolerance) : 0.0);
     if (!solved)
       return solved.error();
+    if (iteration > 1 && missing() == 0.0)
+      limit_correction(x_old, x);
     if (shorten_correction() && ++shortened > most_shortened)
       return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
     // While supports still move their work is unknown to the search: it takes the whole step.
@@ -346,6 +348,19 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   if (norms->residual / norms->scale <= settings_.tolerance && missing() == 0.0)
     return NewtonReport{settings_.most_iterations, norms->residual / norms->scale, norms->scale};
   return Failure{"no convergence"};
+}
+
+void Newton::limit_correction(std::span<const double> x_old, std::span<const double> x) {
+  constexpr double share = 0.1;
+  double moved = 0.0;
+  double length = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    moved += (x[i] - x_old[i]) * (x[i] - x_old[i]);
+    length += correction_[i] * correction_[i];
+  }
+  if (length > share * share * moved)
+    for (double& value : correction_)
+      value *= share * std::sqrt(moved / length);
 }
 
 bool Newton::shorten_correction() {

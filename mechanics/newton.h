@@ -112,6 +112,8 @@ private:
                                              std::vector<double>& x,
                                              double step);
   [[nodiscard]] double slope() const;
+  /// Cuts the correction to a share of what the increment has moved so far. (N.8)
+  void limit_correction(std::span<const double> x_old, std::span<const double> x);
   /// Whether the correction was longer than any can be, and has been cut.
   [[nodiscard]] bool shorten_correction();
   void mark(const Prescribed& prescribed);

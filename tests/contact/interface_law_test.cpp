@@ -56,6 +56,60 @@ TEST(InterfaceLaw, SticksElasticallyBelowTheLimitAndSlidesAtIt) {
   EXPECT_NEAR(slid.slip.norm(), 0.05 - 0.3 * p / test_penalty.tangent, rounding);
 }
 
+/// Stiffness after a slide from rest to x = `way` over an element of depth 1 mm, pressed with 20
+/// MPa.
+double stiffness_after(const AnyFrictionLaw& law, const Penalty& penalty, double way) {
+  const auto floor = floor_plane();
+  const PointHistory old = on_floor(0.01);
+  const Vec3 end(way, -0.01, 0);
+  const Traction now = traction(law, penalty, old, {end, foot_of(*floor, end)});
+  return balance(penalty, old, now, now.slip.norm(), 1.0).stiffness;
+}
+
+TEST(InterfaceLaw, TurnsRoundWithinASmallPartOfTheWaySlid) {
+  const Penalty stiff{2000.0, 1e6};
+  const double limit = 0.3 * 20.0; // its own range is 6e-6 mm
+  EXPECT_EQ(stiffness_after(Coulomb{0.3}, stiff, 5e-6), stiff.tangent) << "sticks";
+  EXPECT_EQ(stiffness_after(Coulomb{0.3}, stiff, 1e-5), stiff.tangent);
+  EXPECT_NEAR(stiffness_after(Coulomb{0.3}, stiff, 0.05), limit / (0.02 * 0.05),
+              1e-3 * limit / 1e-3);
+  EXPECT_DOUBLE_EQ(stiffness_after(Coulomb{0.3}, stiff, 5.0), limit / 0.005);
+  EXPECT_EQ(stiffness_after(Frictionless{}, stiff, 5.0), stiff.tangent);
+}
+
+TEST(InterfaceLaw, ResistsSlipWithTheStiffnessOfItsHistory) {
+  const auto floor = floor_plane();
+  PointHistory old = on_floor(0.01);
+  const Vec3 end(1e-3, -0.01, 0);
+  EXPECT_NEAR(traction_at(*floor, Coulomb{0.3}, old, end).shear[0], -1e-3 * test_penalty.tangent,
+              rounding);
+  old.stiffness = 500.0;
+  EXPECT_NEAR(traction_at(*floor, Coulomb{0.3}, old, end).shear[0], -1e-3 * 500.0, rounding);
+}
+
+TEST(InterfaceLaw, GainsNothingFromAChangeOfItsStiffness) {
+  // To and fro under one pressure, the stiffness falling with the way: work done = lost + stored.
+  const auto floor = floor_plane();
+  const Penalty stiff{2000.0, 1e5};
+  constexpr int steps = 100;
+  PointHistory old = on_floor(0.01);
+  double done = 0.0, friction = 0.0, way = 0.0;
+  for (const double leg : {0.5, -0.001, -0.0005, -0.3, 0.0001, 0.7, -0.001, 0.0001})
+    for (int step = 0; step < steps; ++step) {
+      const Vec3 end = old.position + Vec3(leg / steps, 0, 0);
+      const Traction now = traction(Coulomb{0.3}, stiff, old, {end, foot_of(*floor, end)});
+      done -= 0.5 * (old.shear + now.shear)[0] * leg / steps;
+      way += std::abs(leg) / steps;
+      const double sliding = old.sliding + now.slip.norm();
+      const ShearBalance after = balance(stiff, old, now, sliding, 1.0);
+      EXPECT_GE(after.friction_work, -rounding * done);
+      friction += after.friction_work;
+      EXPECT_NEAR(done, friction + shear_energy(now.shear, after.stiffness), rounding * done);
+      old = PointHistory{end, Vec3::UnitY(), now.shear, now.pressure, sliding, after.stiffness};
+    }
+  EXPECT_NEAR(friction, 0.3 * 20.0 * way, 0.02 * friction); // the trapezoids at the turns
+}
+
 TEST(InterfaceLaw, SwitchesFromStickToSlipWithoutAJump) {
   const auto floor = floor_plane();
   const Coulomb law{0.3};
