@@ -45,6 +45,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
   states_.resize(tools.size());
   for (ToolState& state : states_) {
     state.history.resize(n);
+    state.multiplier.resize(n, 0.0);
     state.trial.resize(n);
     state.position.resize(n);
     state.foot.resize(n);
@@ -85,7 +86,7 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
   for (std::size_t k = 0; k < n; ++k) {
     state.position[k] = pose.to_tool(positions_[k]);
     const double moved = (state.position[k] - state.queried_at[k]).norm();
-    if (state.known_gap[k] > moved) {
+    if (state.known_gap[k] > moved + opening_gap(state, k)) {
       state.foot[k].gap = std::numeric_limits<double>::infinity();
       continue;
     }
@@ -109,7 +110,7 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
 }
 
 int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, bool keep) {
-  Penalty penalty = surface_->penalty();
+  Penalty penalty = this->penalty();
   penalty.tangent *= softening;
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
@@ -117,11 +118,11 @@ int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, 
     const geometry::Projection& foot = state.foot[k];
     const double touching = rounding * surface_->depth(face_of(k));
     const bool kept = keep && state.history[k].closed() && foot.found();
-    if (!(foot.gap <= touching) && !kept) {
+    if (!(foot.gap <= touching + opening_gap(state, k)) && !kept) {
       state.trial[k] = Traction{};
     } else {
       const PointHistory& old = state.history[k];
-      InterfaceInput in{state.position[k], foot, 0.0, touching, kept};
+      InterfaceInput in{state.position[k], foot, 0.0, touching, kept, state.multiplier[k]};
       const std::size_t beneath = surface_->beneath(k);
       in.shear_yield =
           mechanics::yield_stress(bulk_->material().flow, bulk_->states()[beneath].plastic_strain) /
@@ -141,7 +142,8 @@ bool ContactTerm::many_parted(const ToolState& state) const {
   for (std::size_t k = 0; k < state.history.size(); ++k)
     if (state.history[k].closed()) {
       ++closed;
-      parted += state.foot[k].gap > rounding * surface_->depth(face_of(k)) ? 1 : 0;
+      const double touching = rounding * surface_->depth(face_of(k)) + opening_gap(state, k);
+      parted += state.foot[k].gap > touching ? 1 : 0;
     }
   return parted > many * closed;
 }
@@ -339,6 +341,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
     commit_tool(t, trial);
     work_.stored += states_[t].stored;
   }
+  stiffening_old_ = stiffening_;
 }
 
 void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
@@ -359,17 +362,17 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     work_.external += 0.5 * (force + state.force[k]).dot(way);
     state.force[k] = force;
     history.position = position;
+    work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);
     if (now.status == Status::open) {
       history.normal.setZero();
       history.shear.setZero();
+      history.multiplier = state.multiplier[k] = 0.0;
       continue;
     }
-    const Penalty& penalty = surface_->penalty();
     work_.friction -= 0.5 * (now.turned + now.shear).dot(now.slip) * areas_[k];
     state.touches = true;
-    state.stored +=
-        0.5 * areas_[k] *
-        (now.pressure * now.pressure / penalty.normal + now.shear.squaredNorm() / penalty.tangent);
+    state.stored += areas_[k] * stored(now, state.multiplier[k]);
+    history.multiplier = state.multiplier[k];
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
     history.pressure = now.pressure;
@@ -404,33 +407,6 @@ std::vector<PointResult> ContactTerm::results() const {
   return results;
 }
 
-Penetration ContactTerm::penetration(const mechanics::Trial& trial) const {
-  Penetration worst;
-  const std::size_t n = idx(surface_->points());
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    if (!acts(t, trial.time))
-      continue;
-    const geometry::Pose pose = this->pose(t, trial.time, trial.x);
-    for (Index f = 0; f < surface_->n_faces(); ++f) {
-      bool touches = false;
-      for (std::size_t i = 0; i < n; ++i)
-        touches = touches || states_[t].trial[idx(f) * n + i].status != Status::open;
-      if (!touches)
-        continue;
-      std::vector<Vec3> points = surface_->samples(trial.x, f);
-      for (Vec3& p : points)
-        p = pose.to_tool(p);
-      std::vector<geometry::Projection> feet(points.size());
-      tools_[t].surface->project(points, reach_, feet);
-      for (const auto& foot : feet) {
-        worst.deepest = std::max(worst.deepest, -foot.gap);
-        worst.share = std::max(worst.share, -foot.gap / surface_->depth(f));
-      }
-    }
-  }
-  return worst;
-}
-
 bool ContactTerm::lies_on(std::size_t tool) const {
   return std::any_of(states_[tool].history.begin(), states_[tool].history.end(),
                      [](const PointHistory& history) { return history.closed(); });
@@ -458,7 +434,9 @@ std::vector<double> ContactTerm::release(std::size_t tool) {
   for (PointHistory& history : state.history) {
     history.normal.setZero();
     history.shear.setZero();
+    history.multiplier = 0.0;
   }
+  std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
   std::fill(state.trial.begin(), state.trial.end(), Traction{});
   std::fill(state.force.begin(), state.force.end(), Vec3::Zero());
   work_.stored -= state.stored;

@@ -9,7 +9,7 @@
 // uniqueness.
 //
 // Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
-// Theory  docs/theory/contact.md (C.1)-(C.6).
+// Theory  docs/theory/contact.md (C.1)-(C.6), (C.20).
 
 #pragma once
 
@@ -28,6 +28,7 @@ struct PointHistory {
   Vec3 shear = Vec3::Zero();    ///< tangential traction [MPa]
   double pressure = 0.0;        ///< [MPa]
   double sliding = 0.0;         ///< sliding distance so far [mm]
+  double multiplier = 0.0;      ///< pressure that needs no penetration (C.20) [MPa]
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
 };
@@ -55,10 +56,11 @@ struct InterfaceInput {
   geometry::Projection projection; ///< of that position
   double shear_yield = 0.0;        ///< k beneath [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
-  bool kept = false; ///< a point that was closed stays so, if need be under tension (C.15)
+  bool kept = false;       ///< a point that was closed stays so, if need be under tension (C.15)
+  double multiplier = 0.0; ///< pressure that needs no penetration (C.20) [MPa]
 };
 
-/// (C.1)-(C.6)
+/// (C.1)-(C.6), (C.20)
 [[nodiscard]] Traction traction(const AnyFrictionLaw& law,
                                 const Penalty& penalty,
                                 const PointHistory& old,
