@@ -45,6 +45,15 @@ double BezierPatch::farthest(const Vec3& from) const {
   return std::sqrt(most2);
 }
 
+Vec3 BezierPatch::farthest_corner(const Vec3& from) const {
+  const std::size_t last_row = size_ - order;
+  std::size_t best = 0;
+  for (const std::size_t corner : {order - 1, last_row, size_ - 1})
+    if ((control_[corner] - from).squaredNorm() > (control_[best] - from).squaredNorm())
+      best = corner;
+  return control_[best];
+}
+
 double BezierPatch::length(std::size_t direction) const {
   double most = 0.0;
   for_each_row(size_, direction, [&](std::size_t first, std::size_t stride) {

@@ -29,6 +29,8 @@ public:
   [[nodiscard]] Vec3 centre() const;
   /// No point of the piece is farther from `from` than this [mm]. (G.24)
   [[nodiscard]] double farthest(const Vec3& from) const;
+  /// The end or corner of the piece that is farthest from `from` [mm].
+  [[nodiscard]] Vec3 farthest_corner(const Vec3& from) const;
   /// The two halves, cut across the direction in which the piece is longer.
   [[nodiscard]] std::array<BezierPatch, 2> halves() const;
   /// The same piece seen from a tool's frame.

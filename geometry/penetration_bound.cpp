@@ -4,9 +4,12 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace billet::geometry {
@@ -35,10 +38,23 @@ struct Piece {
   std::size_t face; ///< its place in the list of candidates
   int halvings = 0;
   double bound = infinity; ///< no point of the piece is deeper [mm]
-  double sample = 0.0;     ///< depth of its centre [mm]
-  ClearBall clear;         ///< the one that gave the bound; tried first on both halves
-  std::int32_t patch = -1; ///< hint
+  double sample = 0.0;     ///< depth of its deepest point looked at [mm]
+  Vec3 sampled_at = Vec3::Zero();
+  std::array<ClearBall, 2> clear; ///< those that gave the bound; tried first on both halves
+  std::int32_t patch = -1;        ///< hint
   int queries = 0;
+};
+
+/// One number for each control point of a piece.
+struct Heights {
+  std::array<double, 9> at;
+  std::size_t size = 0;
+
+  double& operator[](std::size_t i) { return at[i]; }
+  double operator[](std::size_t i) const { return at[i]; }
+  [[nodiscard]] double largest() const {
+    return *std::max_element(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(size));
+  }
 };
 
 class Search {
@@ -53,7 +69,10 @@ private:
   void look_at_all(std::vector<Piece>& pieces);
   void look(Piece& piece) const;
   void blow_up_ball(Piece& piece, const Projection& at) const;
+  Projection look_at_point(Piece& piece, const Vec3& x) const;
   [[nodiscard]] Projection query(Piece& piece, const Vec3& x) const;
+  [[nodiscard]] static Heights heights(const BezierPatch& shape, const ClearBall& ball);
+  [[nodiscard]] static double together(const Heights& a, const Heights& b);
   static void use(Piece& piece, const ClearBall& ball);
   [[nodiscard]] double depth(const Piece& piece) const { return faces_[piece.face].depth; }
   [[nodiscard]] double tolerance(const Piece& piece) const;
@@ -98,33 +117,81 @@ double Search::excess(const Piece& piece) const {
                   (piece.bound / depth(piece) - deepest_relative_) / relative_tolerance);
 }
 
-/// No point is deeper than its distance from a ball that is clear of the tool. (G.25)
+/// Distances of the control points from a ball; their largest is a bound. (G.25)
+Heights Search::heights(const BezierPatch& shape, const ClearBall& ball) {
+  Heights heights;
+  for (const Vec3& point : shape.control())
+    heights[heights.size++] = (1.0 + rounding) * (point - ball.centre).norm() - ball.radius;
+  return heights;
+}
+
+/// The least of the largest of w a + (1 - w) b over 0 <= w <= 1: a bound as well, and a far better
+/// one where the two balls lie on the two sides of an edge. (G.28)
+double Search::together(const Heights& a, const Heights& b) {
+  const auto largest = [&](double w) {
+    double most = -infinity;
+    for (std::size_t i = 0; i < a.size; ++i)
+      most = std::max(most, w * a[i] + (1.0 - w) * b[i]);
+    return most;
+  };
+  constexpr int thirds = 24;
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < thirds; ++i) {
+    const double left = (2.0 * low + high) / 3.0, right = (low + 2.0 * high) / 3.0;
+    (largest(left) < largest(right) ? high : low) = largest(left) < largest(right) ? right : left;
+  }
+  return largest(0.5 * (low + high));
+}
+
+/// Bounds the piece by a ball, alone and beside those that it has.
 void Search::use(Piece& piece, const ClearBall& ball) {
-  const double bound = (1.0 + rounding) * piece.shape.farthest(ball.centre) - ball.radius;
-  if (bound >= piece.bound)
-    return;
-  piece.bound = bound;
-  piece.clear = ball;
+  const Heights now = heights(piece.shape, ball);
+  if (now.largest() < piece.bound) {
+    piece.bound = now.largest();
+    piece.clear = {ball, piece.clear[0]};
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (piece.clear[k].radius == -infinity || piece.clear[k].centre == ball.centre)
+      continue;
+    const double bound = together(now, heights(piece.shape, piece.clear[k]));
+    if (bound >= piece.bound)
+      continue;
+    piece.bound = bound;
+    piece.clear = {ball, piece.clear[k]};
+  }
 }
 
 void Search::look(Piece& piece) const {
   if (piece.halvings > 0) { // what bounded the whole bounds the half better
+    const std::array<ClearBall, 2> of_whole = std::exchange(piece.clear, {});
     piece.bound = infinity;
-    use(piece, ClearBall(piece.clear));
+    for (const ClearBall& ball : of_whole)
+      use(piece, ball);
   }
   if (excess(piece) <= 1.0)
     return;
   const Vec3 x = piece.shape.centre();
-  const Projection at = query(piece, x);
+  const Projection at = look_at_point(piece, x);
   if (!at.found() || at.gap < -settings_.reach) {
     if (piece.halvings >= halvings_at_rim)
       piece.bound = 0.0;
     return;
   }
-  piece.sample = std::max(0.0, -at.gap);
   use(piece, {x, at.gap});
   if (excess(piece) > 1.0)
     blow_up_ball(piece, at);
+  // Where the deepest point is a corner no centre comes close to it soon.
+  if (excess(piece) > 1.0)
+    look_at_point(piece, piece.shape.farthest_corner(piece.clear[0].centre));
+}
+
+Projection Search::look_at_point(Piece& piece, const Vec3& x) const {
+  const Projection at = query(piece, x);
+  if (at.found() && at.gap >= -settings_.reach && -at.gap > piece.sample) {
+    piece.sample = -at.gap;
+    piece.sampled_at = x;
+  }
+  return at;
 }
 
 /// The largest ball that touches the tool from outside at the foot, by shrinking one that is too
@@ -167,9 +234,9 @@ void Search::sample(const Piece& piece) {
   const double relative = piece.sample / depth(piece);
   const std::size_t id = faces_[piece.face].id;
   if (piece.sample > result_.deepest.depth)
-    result_.deepest = {piece.sample, piece.shape.centre(), id};
+    result_.deepest = {piece.sample, piece.sampled_at, id};
   if (relative > result_.deepest_relative.depth)
-    result_.deepest_relative = {relative, piece.shape.centre(), id};
+    result_.deepest_relative = {relative, piece.sampled_at, id};
   deepest_ = std::max(deepest_, piece.sample);
   deepest_relative_ = std::max(deepest_relative_, relative);
 }
