@@ -78,11 +78,13 @@ struct SurfaceMaker {
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
     if (const auto warning = size_warning(mesh.health.bounds.size(), workpiece_size, s.unit))
       notes.push_back(fmt::format("warning: tool '{}': {}", tool, *warning));
+    if (!s.smooth) {
+      chord_error = geometry::chord_error(mesh.mesh, s.feature_angle * degree);
+      return geometry::make_triangle_surface(mesh.mesh);
+    }
     geometry::SmoothSurface smooth =
         geometry::make_smooth_triangle_surface(mesh.mesh, s.feature_angle * degree);
-    chord_error = s.smooth ? smooth.smoothing.remaining_error : smooth.smoothing.chord_error;
-    if (!s.smooth)
-      return geometry::make_triangle_surface(mesh.mesh);
+    chord_error = smooth.smoothing.remaining_error;
     notes.push_back(
         fmt::format("tool '{}': {}", tool, smoothing_note(smooth.smoothing, s.feature_angle)));
     return std::move(smooth.surface);

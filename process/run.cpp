@@ -355,7 +355,7 @@ bool Process::limit_penetration(double dt, std::string& why) {
     const auto again = newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_,
                                       trial_x_, mechanics::Approach::from_solution);
     if (!again) {
-      why = "while pressing harder against penetration: " + again.error().reason;
+      why = penetration_failure(round) + "; when pressed harder: " + again.error().reason;
       return false;
     }
     last_residual_ = again->residual;
