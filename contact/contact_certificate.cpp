@@ -14,6 +14,9 @@ std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 /// near it, and then gains little from more.
 constexpr std::size_t queries_a_face = 500;
 
+/// Of a limit of penetration: more exactly it need not be known whether it holds.
+constexpr double share_of_limit = 0.05;
+
 } // namespace
 
 std::vector<geometry::CandidateFace> ContactTerm::faces_near(const ToolState& state,
@@ -32,10 +35,12 @@ std::vector<geometry::CandidateFace> ContactTerm::faces_near(const ToolState& st
   return near;
 }
 
-Penetration ContactTerm::penetration(const mechanics::Trial& trial) const {
+Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit) const {
   Penetration worst;
   geometry::BoundSearch search;
   search.reach = reach_;
+  for (Index f = 0; f < surface_->n_faces(); ++f)
+    search.floor = std::min(search.floor, share_of_limit * limit / surface_->depth(f));
   for (std::size_t t = 0; t < tools_.size(); ++t)
     for (std::size_t k = 0; acts(t, trial.time) && k < states_[t].foot.size(); ++k) {
       const double depth = -states_[t].foot[k].gap;

@@ -17,6 +17,7 @@
 #include "mechanics/bulk.h"
 #include "mechanics/force_term.h"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -119,7 +120,11 @@ public:
   /// Area in contact of the last committed trial [mm^2].
   [[nodiscard]] double area() const { return area_; }
   /// Penetration at the last assembled trial, over whole faces.
-  [[nodiscard]] Penetration penetration(const mechanics::Trial& trial) const;
+  ///
+  /// @param limit  that it is compared with: a bound is resolved to a twentieth of it [mm]
+  [[nodiscard]] Penetration
+  penetration(const mechanics::Trial& trial,
+              double limit = std::numeric_limits<double>::infinity()) const;
   /// Whether a point lies on a tool in the committed state, with or without pressure.
   [[nodiscard]] bool lies_on(std::size_t tool) const;
   /// Whether a tool touches in the committed state but will not act at `time`.

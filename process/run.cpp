@@ -323,7 +323,8 @@ bool Process::plausible(double force_scale, std::string& why) const {
 
 void Process::certify(double dt) {
   const double before = now();
-  penetration_ = contact_->penetration({time_, time_ + dt, x_, trial_x_});
+  penetration_ = contact_->penetration({time_, time_ + dt, x_, trial_x_},
+                                       scene_.contact.max_penetration.value_or(HUGE_VAL));
   times_.certificate += now() - before;
 }
 

@@ -87,6 +87,16 @@ TEST(PenetrationLimit, AugmentedWithoutALimitTakesThePenetrationFromContactPoint
     EXPECT_LE(entry.report.penetration.share_at_points, 1e-6);
 }
 
+TEST(PenetrationLimit, HoldsFarBelowTheElementSizeOnAFlatDie) {
+  Scene scene = soft_upsetting(ElementKind::quad4, Analysis::plane_strain);
+  scene.contact.method = contact::Method::augmented;
+  scene.contact.penalty = 100.0;
+  scene.contact.max_penetration = 1e-6; // [mm], elements of 3.75 mm
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  EXPECT_LE(deepest(done), 1e-6);
+}
+
 TEST(PenetrationLimit, StopsWithTheReasonWhereTheToolPassesBetweenPoints) {
   // The mixed form's corner sinks into the die between its points, whatever presses on them.
   for (const contact::Method method : {contact::Method::penalty, contact::Method::augmented}) {
