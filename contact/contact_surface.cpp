@@ -135,11 +135,18 @@ void ContactSurface::areas(std::span<const double> x, std::span<double> out) con
   for_each_point(*this, x, [&](const auto& at, std::size_t k) { out[k] = at.measure; });
 }
 
+geometry::BezierPatch ContactSurface::patch(std::span<const double> x, Index face) const {
+  return geometry::BezierPatch(grid(x, face, 2));
+}
+
 std::vector<Vec3> ContactSurface::samples(std::span<const double> x, Index face) const {
+  return grid(x, face, 4);
+}
+
+std::vector<Vec3> ContactSurface::grid(std::span<const double> x, Index face, int steps) const {
   return mechanics::visit_face(kind_, [&](auto shape) {
     using Shape = decltype(shape);
     constexpr int dim = Shape::dim + 1;
-    constexpr int steps = 4;
     std::array<double, std::size_t{Shape::nodes} * dim> local{};
     mechanics::gather(x, scatter_.nodes(face), dim, local.data());
     std::vector<Vec3> points;

@@ -9,12 +9,14 @@
 #pragma once
 
 #include "contact/interface_law.h"
+#include "geometry/bezier_patch.h"
 #include "mechanics/bulk.h"
 #include "mechanics/elements/faces.h"
 #include "mechanics/mesh.h"
 #include "mechanics/sparse_matrix.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,11 +26,17 @@ using mechanics::Index;
 
 enum class Form { mixed, compatible };
 
+/// How a limit of penetration is kept: by raising the penalty, or by pressures that need no
+/// penetration. (C.20)-(C.22)
+enum class Method { penalty, augmented };
+
 /// The choices of a case about contact.
 struct ContactSettings {
   Form form = Form::mixed;
   double penalty = 100.0;        ///< multiple of E / h of the adjacent element [-]
   double penalty_tangent = 10.0; ///< likewise, against slip [-]
+  Method method = Method::penalty;
+  std::optional<double> max_penetration = std::nullopt; ///< of any point of a face [mm]
 };
 
 /// Faces and points; constant during a mesh's life.
@@ -60,10 +68,14 @@ public:
   void positions(std::span<const double> x, std::span<Vec3> out) const;
   /// Areas that the points stand for, shape (n_points) [mm^2].
   void areas(std::span<const double> x, std::span<double> out) const;
-  /// Points spread over a face with its corners and edges, for a look at penetration [mm].
+  /// A face as the curve or surface that its nodes span.
+  [[nodiscard]] geometry::BezierPatch patch(std::span<const double> x, Index face) const;
+  /// Points spread over a face with its corners and edges, for a look at overlap [mm].
   [[nodiscard]] std::vector<Vec3> samples(std::span<const double> x, Index face) const;
 
 private:
+  /// Points at equal steps of the face's coordinates, the first running fastest [mm].
+  [[nodiscard]] std::vector<Vec3> grid(std::span<const double> x, Index face, int steps) const;
   void set_penalty(const mechanics::Mesh& mesh,
                    const mechanics::Bulk& bulk,
                    const std::vector<mechanics::Face>& faces,

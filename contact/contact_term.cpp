@@ -45,6 +45,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
   states_.resize(tools.size());
   for (ToolState& state : states_) {
     state.history.resize(n);
+    state.multiplier.resize(n, 0.0);
     state.trial.resize(n);
     state.position.resize(n);
     state.foot.resize(n);
@@ -85,7 +86,7 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
   for (std::size_t k = 0; k < n; ++k) {
     state.position[k] = pose.to_tool(positions_[k]);
     const double moved = (state.position[k] - state.queried_at[k]).norm();
-    if (state.known_gap[k] > moved) {
+    if (state.known_gap[k] > moved + opening_gap(state, k)) {
       state.foot[k].gap = std::numeric_limits<double>::infinity();
       continue;
     }
@@ -109,13 +110,14 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
 }
 
 int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, bool keep) {
+  const Penalty penalty = this->penalty();
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
     const geometry::Projection& foot = state.foot[k];
     const double touching = rounding * surface_->depth(face_of(k));
     const bool kept = keep && state.history[k].closed() && foot.found();
-    if (!(foot.gap <= touching) && !kept) {
+    if (!(foot.gap <= touching + opening_gap(state, k)) && !kept) {
       state.trial[k] = Traction{};
     } else {
       const PointHistory& old = state.history[k];
@@ -123,11 +125,12 @@ int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, 
       in.rounding = touching;
       in.softening = softening;
       in.kept = kept;
+      in.multiplier = state.multiplier[k];
       const std::size_t beneath = surface_->beneath(k);
       in.shear_yield =
           mechanics::yield_stress(bulk_->material().flow, bulk_->states()[beneath].plastic_strain) /
           std::numbers::sqrt3;
-      state.trial[k] = traction(tool.friction, surface_->penalty(), old, in);
+      state.trial[k] = traction(tool.friction, penalty, old, in);
     }
     if (state.trial[k].status != before)
       ++changes;
@@ -142,7 +145,8 @@ bool ContactTerm::many_parted(const ToolState& state) const {
   for (std::size_t k = 0; k < state.history.size(); ++k)
     if (state.history[k].closed()) {
       ++closed;
-      parted += state.foot[k].gap > rounding * surface_->depth(face_of(k)) ? 1 : 0;
+      const double touching = rounding * surface_->depth(face_of(k)) + opening_gap(state, k);
+      parted += state.foot[k].gap > touching ? 1 : 0;
     }
   return parted > many * closed;
 }
@@ -340,6 +344,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
     commit_tool(t, trial);
     work_.stored += states_[t].stored;
   }
+  stiffening_old_ = stiffening_;
 }
 
 void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
@@ -349,7 +354,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   const geometry::Pose pose_old = this->pose(t, trial.time_old, trial.x_old);
   const Vec3 reference = pose.to_space(tool.reference);
   const bool meridian = surface_->analysis() == mechanics::Analysis::axisymmetric;
-  const Penalty& penalty = surface_->penalty();
+  const Penalty penalty = this->penalty();
   state.stored = 0.0;
   state.touches = false;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
@@ -363,16 +368,20 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const double sliding = history.sliding + now.slip.norm();
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
     work_.friction += shear.friction_work * areas_[k];
+    work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);
     history = PointHistory{.position = position, .sliding = sliding};
-    if (now.status == Status::open)
+    if (now.status == Status::open) {
+      state.multiplier[k] = 0.0;
       continue;
+    }
+    history.multiplier = state.multiplier[k];
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
     history.pressure = now.pressure;
     history.stiffness = shear.stiffness;
     state.touches = true;
-    state.stored += areas_[k] * (0.5 * now.pressure * now.pressure / penalty.normal +
-                                 shear_energy(now.shear, shear.stiffness));
+    state.stored +=
+        areas_[k] * (stored(now, history.multiplier) + shear_energy(now.shear, history.stiffness));
     // Around the full turn radial forces and all torques cancel.
     const Vec3 on_tool = meridian ? Vec3(0.0, -force[1], 0.0) : Vec3(-force);
     loads_[t].force += on_tool;
@@ -403,33 +412,6 @@ std::vector<PointResult> ContactTerm::results() const {
   return results;
 }
 
-Penetration ContactTerm::penetration(const mechanics::Trial& trial) const {
-  Penetration worst;
-  const std::size_t n = idx(surface_->points());
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    if (!acts(t, trial.time))
-      continue;
-    const geometry::Pose pose = this->pose(t, trial.time, trial.x);
-    for (Index f = 0; f < surface_->n_faces(); ++f) {
-      bool touches = false;
-      for (std::size_t i = 0; i < n; ++i)
-        touches = touches || states_[t].trial[idx(f) * n + i].status != Status::open;
-      if (!touches)
-        continue;
-      std::vector<Vec3> points = surface_->samples(trial.x, f);
-      for (Vec3& p : points)
-        p = pose.to_tool(p);
-      std::vector<geometry::Projection> feet(points.size());
-      tools_[t].surface->project(points, reach_, feet);
-      for (const auto& foot : feet) {
-        worst.deepest = std::max(worst.deepest, -foot.gap);
-        worst.share = std::max(worst.share, -foot.gap / surface_->depth(f));
-      }
-    }
-  }
-  return worst;
-}
-
 bool ContactTerm::lies_on(std::size_t tool) const {
   return std::any_of(states_[tool].history.begin(), states_[tool].history.end(),
                      [](const PointHistory& history) { return history.closed(); });
@@ -456,6 +438,7 @@ std::vector<double> ContactTerm::release(std::size_t tool) {
   });
   for (PointHistory& history : state.history)
     history = PointHistory{.position = history.position, .sliding = history.sliding};
+  std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
   std::fill(state.trial.begin(), state.trial.end(), Traction{});
   std::fill(state.force.begin(), state.force.end(), Vec3::Zero());
   work_.stored -= state.stored;

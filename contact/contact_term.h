@@ -13,9 +13,11 @@
 #include "contact/contact_surface.h"
 #include "contact/interface_law.h"
 #include "contact/tool.h"
+#include "geometry/penetration_bound.h"
 #include "mechanics/bulk.h"
 #include "mechanics/force_term.h"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,10 +38,16 @@ struct PointResult {
   double sliding = 0.0; ///< sliding distance so far [mm]
 };
 
-/// How deep faces lie inside tools, sampled densely over whole faces in contact.
+/// How deep the workpiece lies inside tools: every point of every candidate face. (C.13)
 struct Penetration {
-  double deepest = 0.0; ///< [mm]
-  double share = 0.0;   ///< the largest, relative to the element beneath [-]
+  double bound = 0.0;           ///< no point of any face is deeper [mm]
+  double share = 0.0;           ///< nor deeper than this relative to the element beneath [-]
+  double sampled = 0.0;         ///< depth of the deepest point found [mm]
+  double at_points = 0.0;       ///< of the deepest contact point: there contact acts [mm]
+  double share_at_points = 0.0; ///< likewise, relative to the element beneath [-]
+  Vec3 position = Vec3::Zero(); ///< of the deepest point found, in space [mm]
+  std::size_t tool = 0;         ///< in which that point lies
+  std::size_t queries = 0;      ///< of tools' surfaces, for the cost
 };
 
 /// Energies and work of contact since the start.
@@ -47,6 +55,8 @@ struct ContactWork {
   double external = 0.0; ///< done by the tools' motion [N mm]
   double friction = 0.0; ///< dissipated [N mm]
   double stored = 0.0;   ///< in the penalties now [N mm]
+  /// Done by raising penalties and multipliers, which work on what is pressed [N mm]. (C.23)
+  double enforcement = 0.0;
 };
 
 /// How the free degrees of freedom of driven tools enter the equations: as lengths, so that one
@@ -90,6 +100,15 @@ public:
     return tools_[tool].motion.pose(time, driven(tool, x));
   }
 
+  /// Begins a try of an increment: enforcement is that of the committed state.
+  void restart();
+  /// Makes the normal penalty stiffer from the next trial on. (C.21)
+  void stiffen(double factor) { stiffening_ *= factor; }
+  /// Makes the pressures of the last trial the multipliers of the next. (C.22)
+  void augment();
+  /// Penalty now over the penalty of the case [-].
+  [[nodiscard]] double stiffening() const { return stiffening_; }
+
   /// Tools that may act now (a stage's choice), one flag a tool.
   void enable(std::vector<char> enabled) { enabled_ = std::move(enabled); }
 
@@ -100,8 +119,12 @@ public:
   [[nodiscard]] std::vector<PointResult> results() const;
   /// Area in contact of the last committed trial [mm^2].
   [[nodiscard]] double area() const { return area_; }
-  /// Penetration of the faces in contact in a configuration.
-  [[nodiscard]] Penetration penetration(const mechanics::Trial& trial) const;
+  /// Penetration at the last assembled trial, over whole faces.
+  ///
+  /// @param limit  that it is compared with: a bound is resolved to a twentieth of it [mm]
+  [[nodiscard]] Penetration
+  penetration(const mechanics::Trial& trial,
+              double limit = std::numeric_limits<double>::infinity()) const;
   /// Whether a point lies on a tool in the committed state, with or without pressure.
   [[nodiscard]] bool lies_on(std::size_t tool) const;
   /// Whether a tool touches in the committed state but will not act at `time`.
@@ -114,6 +137,7 @@ private:
   /// Working memory of one tool; shape (n_points) each.
   struct ToolState {
     std::vector<PointHistory> history;
+    std::vector<double> multiplier; ///< of the trial [MPa]
     std::vector<Traction> trial;
     std::vector<Vec3> position; ///< tried, tool frame
     std::vector<geometry::Projection> foot;
@@ -125,7 +149,16 @@ private:
     bool touches = false;             ///< in the committed state
   };
 
+  [[nodiscard]] Penalty penalty() const;
+  /// Gap at which a point opens: a multiplier holds it beyond touching [mm].
+  [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const {
+    return state.multiplier[point] / penalty().normal;
+  }
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
+  /// Faces that known distances do not keep clear of a tool, in its frame.
+  [[nodiscard]] std::vector<geometry::CandidateFace> faces_near(const ToolState& state,
+                                                                const mechanics::Trial& trial,
+                                                                const geometry::Pose& pose) const;
   /// @return points whose status is not that of the trial before
   [[nodiscard]] int evaluate(const Tool& tool, ToolState& state, double softening, bool keep);
   /// Whether so many points have lost a tool that the trial says nothing about the contact set.
@@ -149,6 +182,11 @@ private:
   void
   add_border_of(std::size_t drive, const mechanics::Trial& trial, mechanics::System& system) const;
   void commit_tool(std::size_t t, const mechanics::Trial& trial);
+  /// Energy of a closed point in its normal penalty over its area [N/mm].
+  [[nodiscard]] double stored(const Traction& now, double multiplier) const;
+  /// Work over area by which enforcement has changed a point in the increment [N/mm]. (C.23)
+  [[nodiscard]] double
+  enforcement_work(const PointHistory& old, const Traction& now, double multiplier) const;
   [[nodiscard]] Index face_of(std::size_t point) const;
   [[nodiscard]] bool acts(std::size_t tool, double time) const;
 
@@ -169,6 +207,8 @@ private:
   DriveScale scale_;
   ContactWork work_;
   double area_ = 0.0;
+  double stiffening_ = 1.0;     ///< of the normal penalty in the trial [-]
+  double stiffening_old_ = 1.0; ///< in the committed state [-]
 };
 
 } // namespace billet::contact

@@ -86,10 +86,11 @@ Traction traction(const AnyFrictionLaw& law,
   // stiffness the first correction would throw a body that only contact holds through the tool.
   const bool resting = old.closed() && foot.gap <= at.rounding;
   const bool kept = at.kept && old.closed();
-  if (!(foot.gap < 0.0) && !resting && !kept)
+  const double pressure = at.multiplier - penalty.normal * foot.gap;
+  if (!(pressure > 0.0) && !resting && !kept)
     return out;
   const Vec3& n = foot.normal;
-  out.pressure = -penalty.normal * foot.gap;
+  out.pressure = pressure;
   if (!kept)
     out.pressure = std::max(0.0, out.pressure);
   const double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;

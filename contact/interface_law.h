@@ -10,7 +10,7 @@
 // way: beside a neutral point a sharper turn would be a jump.
 //
 // Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
-// Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18).
+// Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18), (C.20).
 
 #pragma once
 
@@ -30,6 +30,7 @@ struct PointHistory {
   double pressure = 0.0;        ///< [MPa]
   double sliding = 0.0;         ///< sliding distance so far [mm]
   double stiffness = 0.0;       ///< against slip from here on (C.17); 0: the penalty [MPa/mm]
+  double multiplier = 0.0;      ///< pressure that needs no penetration (C.20) [MPa]
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
 };
@@ -58,8 +59,9 @@ struct InterfaceInput {
   geometry::Projection projection; ///< of that position
   double shear_yield = 0.0;        ///< k beneath [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
-  double softening = 1.0; ///< of the stiffness against slip, below 1 on the way to a solution [-]
-  bool kept = false;      ///< a point that was closed stays so, if need be under tension (C.15)
+  double softening = 1.0;  ///< of the stiffness against slip, below 1 on the way to a solution [-]
+  bool kept = false;       ///< a point that was closed stays so, if need be under tension (C.15)
+  double multiplier = 0.0; ///< pressure that needs no penetration (C.20) [MPa]
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.
@@ -81,7 +83,7 @@ struct ShearBalance {
                                    double sliding,
                                    double depth);
 
-/// (C.1)-(C.6)
+/// (C.1)-(C.6), (C.20)
 [[nodiscard]] Traction traction(const AnyFrictionLaw& law,
                                 const Penalty& penalty,
                                 const PointHistory& old,

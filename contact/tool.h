@@ -18,6 +18,8 @@ struct Tool {
   geometry::Motion motion;
   AnyFrictionLaw friction = Frictionless{};
   Vec3 reference = Vec3::Zero(); ///< point in the tool's frame about which torques are taken [mm]
+  /// How far the shape that facets stand for may lie off them, an estimate; 0: a formula [mm].
+  double chord_error = 0.0;
   double active_from = -std::numeric_limits<double>::infinity(); ///< [s]
   double active_to = std::numeric_limits<double>::infinity();    ///< [s]
 

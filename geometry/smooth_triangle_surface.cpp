@@ -362,4 +362,22 @@ SmoothSurface make_smooth_triangle_surface(const TriangleMesh& mesh, double feat
   return {std::move(surface), smoothing};
 }
 
+double chord_error(const TriangleMesh& mesh, double feature_angle) {
+  const CornerNormals normals = corner_normals(mesh, feature_angle);
+  double largest = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const Vec3 side = mesh.points[static_cast<std::size_t>(mesh.triangles[t][j])] -
+                        mesh.points[static_cast<std::size_t>(mesh.triangles[t][i])];
+      const double sagitta = side.dot(normals.corners[t][j] - normals.corners[t][i]) / 8.0;
+      largest = std::max(largest, std::abs(sagitta));
+      sum += sagitta;
+    }
+    largest = std::max(largest, std::abs(4.0 / 9.0 * sum)); // in the middle
+  }
+  return largest;
+}
+
 } // namespace billet::geometry

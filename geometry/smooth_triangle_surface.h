@@ -42,4 +42,11 @@ struct SmoothSurface {
 [[nodiscard]] SmoothSurface make_smooth_triangle_surface(const TriangleMesh& mesh,
                                                          double feature_angle);
 
+/// An estimate of `Smoothing::chord_error` without smoothing, from the normals at the corners of
+/// the triangles [mm]. (G.29)
+///
+/// @param feature_angle  [rad], 0 <= feature_angle <= pi
+/// @pre complaints(health(mesh)) is empty
+[[nodiscard]] double chord_error(const TriangleMesh& mesh, double feature_angle);
+
 } // namespace billet::geometry

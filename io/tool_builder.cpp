@@ -43,6 +43,7 @@ struct SurfaceMaker {
   const std::string& tool;
   double workpiece_size;
   std::vector<std::string>& notes;
+  double& chord_error; ///< set where there are facets [mm]
 
   geometry::SurfacePtr operator()(const PlaneSurface& s) const {
     return geometry::make_plane(s.point, s.normal);
@@ -77,10 +78,13 @@ struct SurfaceMaker {
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
     if (const auto warning = size_warning(mesh.health.bounds.size(), workpiece_size, s.unit))
       notes.push_back(fmt::format("warning: tool '{}': {}", tool, *warning));
-    if (!s.smooth)
+    if (!s.smooth) {
+      chord_error = geometry::chord_error(mesh.mesh, s.feature_angle * degree);
       return geometry::make_triangle_surface(mesh.mesh);
+    }
     geometry::SmoothSurface smooth =
         geometry::make_smooth_triangle_surface(mesh.mesh, s.feature_angle * degree);
+    chord_error = smooth.smoothing.remaining_error;
     notes.push_back(
         fmt::format("tool '{}': {}", tool, smoothing_note(smooth.smoothing, s.feature_angle)));
     return std::move(smooth.surface);
@@ -153,7 +157,8 @@ contact::Tool build_tool(const Tool& tool,
                             tool.name),
                 "give the tool as a profile, or make the analysis 3d");
   try {
-    result.surface = std::visit(SurfaceMaker{tool.name, workpiece_size, notes}, tool.surface);
+    result.surface = std::visit(SurfaceMaker{tool.name, workpiece_size, notes, result.chord_error},
+                                tool.surface);
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)
       throw;

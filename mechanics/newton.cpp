@@ -261,12 +261,15 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     double time,
                                     std::span<const double> x_old,
                                     std::vector<double>& x,
-                                    bool softly) {
-  records_.clear();
+                                    Approach approach) {
+  const bool guessed = approach != Approach::from_solution;
+  const bool softly = approach == Approach::softly;
+  if (guessed)
+    records_.clear();
   mark(prescribed);
   constexpr double soft = 1e-3; // and ten times more whenever the residual is small
   double softening = softly ? soft : 1.0;
-  auto norms = evaluate(terms, {time_old, time, x_old, x, softening, true});
+  auto norms = evaluate(terms, {time_old, time, x_old, x, softening, guessed});
   if (!norms) {
     // The extrapolated guess was too bold: start from the committed state.
     x.assign(x_old.begin(), x_old.end());

@@ -57,6 +57,13 @@ struct NewtonTimes {
   double solve = 0.0;
 };
 
+/// How an increment goes to its solution.
+enum class Approach {
+  directly,      ///< from a first guess
+  softly,        ///< from a first guess, by way of the solution with a softer resistance to slip
+  from_solution, ///< from what solves terms that have changed a little since; goes on recording
+};
+
 /// The iteration, with the memory it works in.
 class Newton {
 public:
@@ -70,7 +77,6 @@ public:
   /// Solves for `x`.
   ///
   /// @param terms    every contribution; the first is the bulk
-  /// @param softly   goes to the solution by way of that with a softer resistance to slip
   /// @param x        in: first guess; out: solution, or the last trial on failure
   /// @return the reason when the increment has no solution in reach: take a shorter one
   [[nodiscard]] Outcome<NewtonReport> solve(std::span<ForceTerm* const> terms,
@@ -79,9 +85,9 @@ public:
                                             double time,
                                             std::span<const double> x_old,
                                             std::vector<double>& x,
-                                            bool softly = false);
+                                            Approach approach = Approach::directly);
 
-  /// Iterations of the last call.
+  /// Iterations of the last call, and of those that its solution came from.
   [[nodiscard]] const std::vector<IterationRecord>& records() const { return records_; }
   /// Residual of the last trial [N]; at prescribed unknowns: the force of the support.
   [[nodiscard]] std::span<const double> residual() const { return system_.residual; }

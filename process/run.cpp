@@ -268,31 +268,43 @@ mechanics::Prescribed Process::prescribed(double time) const {
   return result;
 }
 
-bool Process::try_increment(double dt, bool softly, std::string& why) {
+int Process::spent() const {
+  return static_cast<int>(std::count_if(newton_->records().begin(), newton_->records().end(),
+                                        [](const auto& record) { return record.iteration > 0; }));
+}
+
+bool Process::try_increment(double dt, mechanics::Approach approach, std::string& why) {
   trial_x_ = x_;
   if (!last_step_.empty()) {
     const double factor = dt / last_dt_;
     for (std::size_t i = 0; i < x_.size(); ++i)
       trial_x_[i] += factor * last_step_[i];
   }
+  if (contact_)
+    contact_->restart();
   const auto outcome =
-      newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, softly);
-  const int spent = static_cast<int>(newton_->records().size()) - 1;
-  if (!outcome) {
+      newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);
+  if (!outcome)
     why = outcome.error().reason;
-    wasted_iterations_ += spent;
-    return false;
-  }
+  else
+    last_residual_ = outcome->residual;
+  const bool solved = outcome && plausible(outcome->force_scale, why) && limit_penetration(dt, why);
+  if (solved)
+    last_iterations_ = spent();
+  else
+    wasted_iterations_ += spent();
+  return solved;
+}
+
+bool Process::plausible(double force_scale, std::string& why) const {
   if (bulk_->largest_plastic_increment() > most_plastic_increment) {
     why = fmt::format("plastic strain increment {:.3g} is too large",
                       bulk_->largest_plastic_increment());
-    wasted_iterations_ += spent;
     return false;
   }
   for (std::size_t i = x0_.size(); i < x_.size(); ++i)
     if (std::abs(trial_x_[i] - x_[i]) > 0.5 * size_of(scene_.mesh)) {
       why = "a driven tool moves away: nothing holds it against its load";
-      wasted_iterations_ += spent;
       return false;
     }
   if (grounding_) {
@@ -301,15 +313,98 @@ bool Process::try_increment(double dt, bool softly, std::string& why) {
     double sum = 0.0;
     for (std::size_t i = 0; i < x0_.size(); ++i)
       sum += (trial_x_[i] - x_[i]) * (trial_x_[i] - x_[i]);
-    if (grounding_stiffness_ * std::sqrt(sum) > most_share * outcome->force_scale) {
+    if (grounding_stiffness_ * std::sqrt(sum) > most_share * force_scale) {
       why = "the workpiece moves away freely: neither supports nor contact hold it";
-      wasted_iterations_ += spent;
       return false;
     }
   }
-  last_iterations_ = outcome->iterations;
-  last_residual_ = outcome->residual;
   return true;
+}
+
+void Process::certify(double dt) {
+  const double before = now();
+  penetration_ = contact_->penetration({time_, time_ + dt, x_, trial_x_},
+                                       scene_.contact.max_penetration.value_or(HUGE_VAL));
+  times_.certificate += now() - before;
+}
+
+bool Process::too_deep() const {
+  const contact::ContactSettings& settings = scene_.contact;
+  if (settings.max_penetration)
+    return penetration_.bound > *settings.max_penetration;
+  constexpr double unasked = 1e-6; // of the element beneath
+  return settings.method == contact::Method::augmented && penetration_.share_at_points > unasked;
+}
+
+bool Process::limit_penetration(double dt, std::string& why) {
+  if (!contact_)
+    return true;
+  certify(dt);
+  constexpr int most_rounds = 8;
+  // Once contact points are so much less deep than is allowed, what is too deep lies between them.
+  constexpr double negligible = 0.01;
+  double gain = HUGE_VAL; // of the last round, at contact points
+  for (int round = 0; too_deep(); ++round) {
+    const auto& limit = scene_.contact.max_penetration;
+    if (round == most_rounds || (limit && penetration_.at_points <= negligible * *limit)) {
+      why = penetration_failure(round);
+      refused_as_too_deep_ = true;
+      return false;
+    }
+    press_harder(gain);
+    const double before = penetration_.at_points;
+    const auto again = newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_,
+                                      trial_x_, mechanics::Approach::from_solution);
+    if (!again) {
+      why = penetration_failure(round) + "; when pressed harder: " + again.error().reason;
+      return false;
+    }
+    last_residual_ = again->residual;
+    certify(dt);
+    gain = before / penetration_.at_points;
+  }
+  return true;
+}
+
+/// (P.7) A multiplier gains the ratio of the penalty to the body's own stiffness a round: where the
+/// penalty is soft that is little, and the penalty is raised as well.
+void Process::press_harder(double gain) {
+  constexpr double enough = 4.0;
+  const contact::ContactSettings& settings = scene_.contact;
+  if (settings.method == contact::Method::augmented) {
+    contact_->augment();
+    if (gain < enough)
+      contact_->stiffen(10.0);
+    return;
+  }
+  // Pressing lifts the contact points; what lies deeper between them comes along with them.
+  constexpr double aim = 0.5; // of the room that is left to the contact points
+  const double between = penetration_.bound - penetration_.at_points;
+  const double room = *settings.max_penetration - between;
+  constexpr double least = 2.0, most = 100.0;
+  contact_->stiffen(room > 0.0 ? std::clamp(penetration_.at_points / (aim * room), least, most)
+                               : most);
+}
+
+std::string Process::penetration_failure(int rounds) const {
+  const Vec3& at = penetration_.position;
+  const std::string deep =
+      fmt::format("a face lies {:.4g} inside tool '{}' near ({:.6g}, {:.6g}, {:.6g})",
+                  penetration_.bound, scene_.tools[penetration_.tool].name, at[0], at[1], at[2]);
+  if (!scene_.contact.max_penetration)
+    return deep + fmt::format(" after {} augmentations", rounds);
+  const double limit = *scene_.contact.max_penetration;
+  if (penetration_.at_points <= limit)
+    return deep + fmt::format(", more than max_penetration = {:.4g}, though no contact point is "
+                              "deeper than {:.2g}: the tool passes between them, and no pressure "
+                              "keeps it out. A finer mesh there lessens it, on quad8 and hex20 "
+                              "form = \"compatible\" may; else allow more",
+                              limit, penetration_.at_points);
+  return deep +
+         fmt::format(", more than max_penetration = {:.4g}, and contact points {:.2g}, after "
+                     "pressing harder {} times: start with a larger contact.penalty, or "
+                     "allow more",
+                     limit, penetration_.at_points, rounds);
 }
 
 void Process::accept(double dt) {
@@ -349,7 +444,7 @@ void Process::update_energy() {
   for (const auto& load : fading_)
     energy_.external += load->work();
   if (contact_) {
-    energy_.external += contact_->work().external;
+    energy_.external += contact_->work().external + contact_->work().enforcement;
     energy_.friction = contact_->work().friction;
     energy_.contact = contact_->work().stored;
   }
@@ -368,9 +463,9 @@ IncrementReport Process::report(double dt, int cutbacks) const {
   r.cutbacks = cutbacks;
   r.volume = bulk_->volume(x_);
   if (contact_) {
-    const contact::Penetration worst = contact_->penetration({time_ - dt, time_, x_, x_});
-    r.max_penetration = worst.deepest;
-    r.penetration_share = worst.share;
+    r.max_penetration = penetration_.bound;
+    r.penetration_share = penetration_.share;
+    r.penetration = penetration_;
     r.contact_area = contact_->area();
   }
   for (const auto& state : bulk_->states())
@@ -382,6 +477,18 @@ IncrementReport Process::report(double dt, int cutbacks) const {
   r.energy = energy_;
   r.records = newton_->records();
   return r;
+}
+
+PostMortem
+Process::post_mortem(double dt, const std::string& why, std::vector<std::string> tried) const {
+  PostMortem post{time_ + dt,        dt, why, -1, penetration_.position, std::move(tried),
+                  newton_->records()};
+  if (!refused_as_too_deep_) {
+    post.worst_node = newton_->worst_unknown() / scene_.mesh.dimension();
+    post.worst_position =
+        as_points(x_, scene_.mesh.dimension(), scene_.mesh.points.size())[idx(post.worst_node)];
+  }
+  return post;
 }
 
 double Process::next_landing(double stage_end) const {
@@ -409,8 +516,10 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
                          std::min(smallest, largest), largest);
   start_stage(stage);
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
+  constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
   std::vector<std::string> tried;
   int failures = 0;
+  int refusals = 0;
   while (time_ < stage.end) {
     const double landing = next_landing(stage.end);
     // Two equal steps to a landing rather than a long and a tiny one.
@@ -421,10 +530,12 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
     std::string why = leap(scene_, stage, time_, time_ + step);
+    refused_as_too_deep_ = false;
     // After a failure a second try goes by way of a softer friction: it finds the neutral point of
     // a roll.
-    if (why.empty() && (try_increment(step, false, why) ||
-                        (contact_ && failures > 0 && try_increment(step, true, why)))) {
+    if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
+                        (contact_ && failures > 0 && !refused_as_too_deep_ &&
+                         try_increment(step, mechanics::Approach::softly, why)))) {
       accept(step);
       if (lands)
         time_ = landing;
@@ -433,7 +544,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         dt = std::min(std::max(dt, step) * 1.5, largest);
       else if (last_iterations_ > 9)
         dt = std::max(0.7 * step, smallest);
-      failures = 0;
+      failures = refusals = 0;
       tried.clear();
       for (const Observer* observer : observers)
         if (observer->stop_requested())
@@ -447,12 +558,10 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     constexpr int tries_with_last_step = 3;
     if (failures >= tries_with_last_step)
       last_step_.clear();
+    refusals += refused_as_too_deep_ ? 1 : 0;
     dt = 0.5 * step;
-    if (dt < smallest) {
-      PostMortem post{time_ + step, step, why, -1, Vec3::Zero(), tried, newton_->records()};
-      post.worst_node = newton_->worst_unknown() / scene_.mesh.dimension();
-      post.worst_position =
-          as_points(x_, scene_.mesh.dimension(), scene_.mesh.points.size())[idx(post.worst_node)];
+    if (dt < smallest || refusals == most_refusals) {
+      const PostMortem post = post_mortem(step, why, tried);
       for (Observer* observer : observers)
         observer->failed(*this, post);
       return RunStatus::not_converged;

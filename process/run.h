@@ -19,7 +19,7 @@ namespace billet::process {
 
 /// Energies of the run so far [N mm].
 struct EnergyBalance {
-  double external = 0.0;  ///< work of tools, supports and loads
+  double external = 0.0;  ///< work of tools, supports and loads, and of enforcement (C.23)
   double elastic = 0.0;   ///< stored in the workpiece
   double plastic = 0.0;   ///< dissipated in it
   double friction = 0.0;  ///< dissipated on its surface
@@ -36,15 +36,16 @@ struct IncrementReport {
   double time = 0.0; ///< at its end [s]
   double dt = 0.0;   ///< [s]
   int iterations = 0;
-  double residual = 0.0;           ///< relative [-]
-  int cutbacks = 0;                ///< tries that failed before it
-  double volume = 0.0;             ///< [mm^3]
-  double max_penetration = 0.0;    ///< sampled over whole faces in contact [mm]
-  double penetration_share = 0.0;  ///< the largest, relative to the element beneath [-]
-  double contact_area = 0.0;       ///< [mm^2]
-  double max_plastic_strain = 0.0; ///< [-]
-  double min_quality = 0.0;        ///< scaled Jacobian [-]
-  double wall_time = 0.0;          ///< since the start of the run [s]
+  double residual = 0.0;            ///< relative [-]
+  int cutbacks = 0;                 ///< tries that failed before it
+  double volume = 0.0;              ///< [mm^3]
+  double max_penetration = 0.0;     ///< no point of any face is deeper in a tool [mm]
+  double penetration_share = 0.0;   ///< nor deeper relative to the element beneath [-]
+  contact::Penetration penetration; ///< what these two were found with
+  double contact_area = 0.0;        ///< [mm^2]
+  double max_plastic_strain = 0.0;  ///< [-]
+  double min_quality = 0.0;         ///< scaled Jacobian [-]
+  double wall_time = 0.0;           ///< since the start of the run [s]
   EnergyBalance energy;
   std::vector<mechanics::IterationRecord> records;
 };
@@ -54,9 +55,9 @@ struct PostMortem {
   double time = 0.0; ///< that could not be reached [s]
   double dt = 0.0;   ///< shortest increment tried [s]
   std::string reason;
-  Index worst_node = -1;                           ///< with the largest residual
-  Vec3 worst_position = Vec3::Zero();              ///< of that node [mm]
-  std::vector<std::string> tried;                  ///< one line a try
+  Index worst_node = -1;              ///< with the largest residual
+  Vec3 worst_position = Vec3::Zero(); ///< of that node; without one: of the deepest point [mm]
+  std::vector<std::string> tried;     ///< one line a try
   std::vector<mechanics::IterationRecord> records; ///< of the last try
 };
 
@@ -79,9 +80,10 @@ enum class RunStatus { done, not_converged, stopped };
 /// Time spent by part of the program [s].
 struct PhaseTimes {
   double total = 0.0;
-  double assembly = 0.0; ///< elements, contact search, contact elements
-  double solve = 0.0;    ///< analysis, factorization, back substitution
-  double output = 0.0;   ///< observers
+  double assembly = 0.0;    ///< elements, contact search, contact elements
+  double solve = 0.0;       ///< analysis, factorization, back substitution
+  double certificate = 0.0; ///< bound of penetration
+  double output = 0.0;      ///< observers
 };
 
 class Process {
@@ -142,7 +144,19 @@ private:
   /// Lets the forces of tools that touch now and do not act at `next_time` fade until `gone_time`.
   void release_tools(double next_time, double gone_time);
   [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
-  [[nodiscard]] bool try_increment(double dt, bool softly, std::string& why);
+  [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
+  /// Whether an increment that Newton has solved may be accepted.
+  [[nodiscard]] bool plausible(double force_scale, std::string& why) const;
+  /// Presses harder until the limit of penetration holds. (P.7)
+  [[nodiscard]] bool limit_penetration(double dt, std::string& why);
+  [[nodiscard]] bool too_deep() const;
+  void press_harder(double gain);
+  [[nodiscard]] std::string penetration_failure(int rounds) const;
+  void certify(double dt);
+  /// Linear systems solved for the try now made.
+  [[nodiscard]] int spent() const;
+  [[nodiscard]] PostMortem
+  post_mortem(double dt, const std::string& why, std::vector<std::string> tried) const;
   void accept(double dt);
   void update_energy();
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
@@ -169,6 +183,8 @@ private:
   std::vector<double> velocity_;
   std::vector<double> plastic_rate_;
   std::vector<double> reactions_;
+  contact::Penetration penetration_; ///< of the last try that Newton solved
+  bool refused_as_too_deep_ = false; ///< the last try
   EnergyBalance energy_;
   double support_work_ = 0.0;
   double tool_energy_ = 0.0; ///< of penalties, gone with tools that left

@@ -101,6 +101,8 @@ ordered_json tools_json(const process::Process& process) {
         {"displacement", {way[0], way[1], way[2]}},
         {"turned", motion.angle(process.time(), process.driven(t))},
         {"touch_offset", {offset[0], offset[1], offset[2]}}};
+    if (const double error = process.scene().tools[t].chord_error; error > 0.0)
+      tools[process.scene().tools[t].name]["chord_error"] = error;
   }
   return tools;
 }
@@ -109,8 +111,9 @@ ordered_json timings_json(const process::PhaseTimes& t) {
   return {{"total", t.total},
           {"assembly", t.assembly},
           {"linear_solver", t.solve},
+          {"certificate", t.certificate},
           {"output", t.output},
-          {"rest", t.total - t.assembly - t.solve - t.output}};
+          {"rest", t.total - t.assembly - t.solve - t.certificate - t.output}};
 }
 
 /// A file such as workpiece_0012.vtu, as write_frame calls them.
@@ -229,9 +232,11 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
   write_vtu(folder_ / "failure" / "last_good.vtu", workpiece_frame(process, points, settings_));
   std::string text = fmt::format("time {:.10g} could not be reached (increment {:.4g}): {}\n",
                                  post.time, post.dt, post.reason);
-  text +=
-      fmt::format("largest residual at node {} near ({:.6g}, {:.6g}, {:.6g})\n", post.worst_node,
-                  post.worst_position[0], post.worst_position[1], post.worst_position[2]);
+  const std::string worst = post.worst_node < 0
+                                ? "deepest in a tool"
+                                : fmt::format("largest residual at node {}", post.worst_node);
+  text += fmt::format("{} near ({:.6g}, {:.6g}, {:.6g})\n", worst, post.worst_position[0],
+                      post.worst_position[1], post.worst_position[2]);
   text += "tried:\n";
   for (const std::string& line : post.tried)
     text += "  " + line + "\n";
@@ -239,8 +244,8 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
   for (const mechanics::IterationRecord& r : post.records)
     text += fmt::format("  {:3d} {:.3e} {:.3e} {:.3f} {}\n", r.iteration, r.residual, r.correction,
                         r.step, r.solver);
-  text += "what may help: a finer mesh where the worst node is, less deformation of one mesh "
-          "(remeshing is not available in this version), a check of the tools' motion there\n";
+  text += "what may help: a finer mesh there, less deformation of one mesh "
+          "(remeshing is not available in this version), a check of the tools' motion\n";
   write_file(folder_ / "failure" / "post_mortem.txt", text);
 }
 
@@ -284,10 +289,14 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
     summary["volume"] = last_->volume;
     summary["max_plastic_strain"] = last_->max_plastic_strain;
     summary["min_quality"] = last_->min_quality;
-    summary["penetration"] = {{"last", last_->max_penetration},
-                              {"largest", largest_penetration_},
-                              {"largest_share_of_element", largest_share_},
-                              {"how", "sampled over whole faces in contact"}};
+    summary["penetration"] = {
+        {"last", last_->max_penetration},
+        {"largest", largest_penetration_},
+        {"largest_share_of_element", largest_share_},
+        {"last_sampled", last_->penetration.sampled},
+        {"last_at_contact_points", last_->penetration.at_points},
+        {"penalty_raised_by", process.contact() != nullptr ? process.contact()->stiffening() : 1.0},
+        {"how", "upper bound over every point of every face"}};
   }
   summary["energy"] = energy_json(process.energy());
   summary["grounded_rigid_motions"] = process.grounded_motions();

@@ -136,8 +136,8 @@ std::vector<Broken> later_versions() {
           {"\"norton-hoff\" is not available in this version"}),
       one("later_remeshing", "[time]", "[remesh]\nwhen = { quality = 0.2 }\n[time]",
           {"remesh: not available in this version"}, "[remesh]"),
-      one("later_augmentation", "[time]", "[contact]\nmethod = \"augmented\"\n[time]",
-          {"\"augmented\" is not available in this version"}, "method ="),
+      one("later_integrator", "[time]", "[contact]\nintegrator = \"midpoint\"\n[time]",
+          {"\"midpoint\" is not available in this version"}, "integrator ="),
       one("later_anisotropy", punch_friction,
           "friction = { law = \"coulomb\", mu = 0.1, tensor = [[1, 0], [0, 2]], direction = [1, 0] "
           "}",

@@ -3,6 +3,7 @@
 #include "geometry/smooth_triangle_surface.h"
 #include "geometry/triangle_surface.h"
 #include "tests/geometry/round_meshes.h"
+#include "tests/geometry/sample_meshes.h"
 #include "tests/geometry/surface_checks.h"
 
 #include <Eigen/Geometry>
@@ -165,6 +166,13 @@ TEST(SmoothAccuracy, OnASphereGapAndNormalGainOrders) {
   }
 }
 
+TEST(SmoothAccuracy, FlatFacesHaveNoChordErrorAndABallsIsItsDepth) {
+  EXPECT_EQ(chord_error(cube(), 30.0 * degree), 0.0);
+  const TriangleMesh mesh = icosphere(3);
+  const double exact = make_smooth_triangle_surface(mesh, 30.0 * degree).smoothing.chord_error;
+  EXPECT_NEAR(chord_error(mesh, 30.0 * degree), exact, 0.05 * exact);
+}
+
 TEST(SmoothAccuracy, TheChordErrorIsReportedBeforeAndAfter) {
   for (const std::int32_t n : {16, 36, 180}) {
     RoundBar bar;
@@ -172,6 +180,7 @@ TEST(SmoothAccuracy, TheChordErrorIsReportedBeforeAndAfter) {
     const SmoothSurface smooth = make_smooth_triangle_surface(round_bar(bar), 30.0 * degree);
     const double sagitta = 10.0 * (1.0 - std::cos(std::numbers::pi / n));
     EXPECT_NEAR(smooth.smoothing.chord_error, sagitta, 0.05 * sagitta);
+    EXPECT_NEAR(chord_error(round_bar(bar), 30.0 * degree), sagitta, 0.05 * sagitta);
     const Errors after = errors(*smooth.surface, on_bar, near_bar(1000));
     EXPECT_GT(smooth.smoothing.remaining_error, after.gap);
     EXPECT_LT(smooth.smoothing.remaining_error, 0.1 * sagitta);

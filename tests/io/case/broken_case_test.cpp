@@ -181,10 +181,10 @@ const std::vector<Mistake>& mistakes() {
        "tool.punch.friction.evolution: not available"},
       // contact
       {plane, "form = \"compatible\"", "form = \"compat\"", "allowed is \"mixed\", \"compatible\""},
-      {plane, "method = \"penalty\"", "method = \"augmented\"", "not available in this version"},
+      {plane, "method = \"penalty\"", "method = \"augment\"", "did you mean 'augmented'?"},
       {plane, "\"radial\"", "\"midpoint\"", "\"midpoint\" is not available"},
       {plane, "penalty = 1000", "penalty = 0", "contact.penalty: found 0, allowed is a value > 0"},
-      {plane, "penalty = 1000", "max_penetration = 1e-3", "max_penetration: not available"},
+      {plane, "penalty = 1000", "max_penetration = 0", "found 0, allowed is a value > 0"},
       {plane, "penalty = 1000", "substeps = 3", "contact.substeps: not available"},
       {plane, "surface = \"set:skin\"", "surface = \"set:\"", "\"set:NAME\" or \"all\""},
       // time

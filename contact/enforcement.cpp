@@ -1,0 +1,47 @@
+// How contact keeps a limit of penetration: stiffer penalties, or multipliers; and what their
+// changes do to the balance of energy. (C.20)-(C.23)
+
+#include "contact/contact_term.h"
+
+#include <algorithm>
+
+namespace billet::contact {
+
+Penalty ContactTerm::penalty() const {
+  Penalty penalty = surface_->penalty();
+  penalty.normal *= stiffening_;
+  return penalty;
+}
+
+void ContactTerm::restart() {
+  stiffening_ = stiffening_old_;
+  for (ToolState& state : states_)
+    for (std::size_t k = 0; k < state.history.size(); ++k)
+      state.multiplier[k] = state.history[k].multiplier;
+}
+
+void ContactTerm::augment() {
+  for (ToolState& state : states_)
+    for (std::size_t k = 0; k < state.trial.size(); ++k)
+      state.multiplier[k] = std::max(0.0, state.trial[k].pressure);
+}
+
+double ContactTerm::stored(const Traction& now, double multiplier) const {
+  return 0.5 * (now.pressure * now.pressure - multiplier * multiplier) / penalty().normal;
+}
+
+double ContactTerm::enforcement_work(const PointHistory& old,
+                                     const Traction& now,
+                                     double multiplier) const {
+  const double K = penalty().normal;
+  const double K_old = K * (stiffening_old_ / stiffening_);
+  const double multiplier_old = old.closed() ? old.multiplier : 0.0;
+  if (now.status == Status::open) // it has parted at the old multiplier, which then went
+    return 0.5 * multiplier_old * multiplier_old / K_old;
+  const double depth = (now.pressure - multiplier) / K;
+  const double depth_old = old.closed() ? (old.pressure - old.multiplier) / K_old : 0.0;
+  return 0.5 *
+         ((multiplier - multiplier_old) * (depth + depth_old) + (K - K_old) * depth * depth_old);
+}
+
+} // namespace billet::contact

@@ -1,0 +1,90 @@
+#include "geometry/bezier_patch.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace billet::geometry {
+
+namespace {
+
+constexpr std::size_t order = 3; // points along a direction
+
+/// Calls `visit(first, stride)` for each row of three points along a direction.
+template <class Visit>
+void for_each_row(std::size_t size, std::size_t direction, const Visit& visit) {
+  const std::size_t stride = direction == 0 ? 1 : order;
+  for (std::size_t row = 0; row < size / order; ++row)
+    visit(direction == 0 ? row * order : row, stride);
+}
+
+} // namespace
+
+BezierPatch::BezierPatch(std::span<const Vec3> at) : size_(at.size()) {
+  assert(size_ == order || size_ == order * order);
+  std::copy(at.begin(), at.end(), control_.begin());
+  for (std::size_t direction = 0; direction < size_ / order && direction < 2; ++direction)
+    for_each_row(size_, direction, [&](std::size_t first, std::size_t stride) {
+      Vec3& middle = control_[first + stride];
+      middle = 2.0 * middle - 0.5 * (control_[first] + control_[first + 2 * stride]);
+    });
+}
+
+Vec3 BezierPatch::centre() const {
+  const auto along = [&](std::size_t first) {
+    return Vec3(0.25 * (control_[first] + 2.0 * control_[first + 1] + control_[first + 2]));
+  };
+  return size_ == order ? along(0)
+                        : Vec3(0.25 * (along(0) + 2.0 * along(order) + along(2 * order)));
+}
+
+double BezierPatch::farthest(const Vec3& from) const {
+  double most2 = 0.0;
+  for (const Vec3& point : control())
+    most2 = std::max(most2, (point - from).squaredNorm());
+  return std::sqrt(most2);
+}
+
+Vec3 BezierPatch::farthest_corner(const Vec3& from) const {
+  const std::size_t last_row = size_ - order;
+  std::size_t best = 0;
+  for (const std::size_t corner : {order - 1, last_row, size_ - 1})
+    if ((control_[corner] - from).squaredNorm() > (control_[best] - from).squaredNorm())
+      best = corner;
+  return control_[best];
+}
+
+double BezierPatch::length(std::size_t direction) const {
+  double most = 0.0;
+  for_each_row(size_, direction, [&](std::size_t first, std::size_t stride) {
+    const Vec3& middle = control_[first + stride];
+    most = std::max(most, (middle - control_[first]).norm() +
+                              (control_[first + 2 * stride] - middle).norm());
+  });
+  return most;
+}
+
+std::array<BezierPatch, 2> BezierPatch::halves() const {
+  const std::size_t direction = size_ > order && length(1) > length(0) ? 1 : 0;
+  std::array<BezierPatch, 2> halves{*this, *this};
+  for_each_row(size_, direction, [&](std::size_t first, std::size_t stride) {
+    const std::size_t middle = first + stride, last = middle + stride;
+    const Vec3 left = 0.5 * (control_[first] + control_[middle]);
+    const Vec3 right = 0.5 * (control_[middle] + control_[last]);
+    const Vec3 cut = 0.5 * (left + right);
+    halves[0].control_[middle] = left;
+    halves[0].control_[last] = cut;
+    halves[1].control_[first] = cut;
+    halves[1].control_[middle] = right;
+  });
+  return halves;
+}
+
+BezierPatch BezierPatch::in_tool(const Pose& pose) const {
+  BezierPatch moved = *this;
+  for (std::size_t i = 0; i < size_; ++i)
+    moved.control_[i] = pose.to_tool(control_[i]);
+  return moved;
+}
+
+} // namespace billet::geometry
