@@ -3,6 +3,7 @@
 #include "geometry/base/error.h"
 #include "geometry/first_contact.h"
 #include "mechanics/mesh_check.h"
+#include "process/passage_guard.h"
 
 #include <fmt/format.h>
 
@@ -275,6 +276,8 @@ bool Process::try_increment(double dt, bool softly, std::string& why) {
     for (std::size_t i = 0; i < x_.size(); ++i)
       trial_x_[i] += factor * last_step_[i];
   }
+  if (passes_through(dt, why))
+    return false;
   const auto outcome =
       newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, softly);
   const int spent = static_cast<int>(newton_->records().size()) - 1;
@@ -295,6 +298,10 @@ bool Process::try_increment(double dt, bool softly, std::string& why) {
       wasted_iterations_ += spent;
       return false;
     }
+  if (passes_through(dt, why)) {
+    wasted_iterations_ += spent;
+    return false;
+  }
   if (grounding_) {
     // The grounding may carry rounding, never a load.
     constexpr double most_share = 1e-3;
@@ -310,6 +317,12 @@ bool Process::try_increment(double dt, bool softly, std::string& why) {
   last_iterations_ = outcome->iterations;
   last_residual_ = outcome->residual;
   return true;
+}
+
+bool Process::passes_through(double dt, std::string& why) const {
+  if (contact_)
+    why = passage_complaint(scene_.tools, *surface_, *contact_, {time_, time_ + dt, x_, trial_x_});
+  return contact_ && !why.empty();
 }
 
 void Process::accept(double dt) {

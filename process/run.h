@@ -143,6 +143,8 @@ private:
   void release_tools(double next_time, double gone_time);
   [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
   [[nodiscard]] bool try_increment(double dt, bool softly, std::string& why);
+  /// Whether the trial carries the workpiece through a tool.
+  [[nodiscard]] bool passes_through(double dt, std::string& why) const;
   void accept(double dt);
   void update_energy();
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
