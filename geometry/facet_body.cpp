@@ -29,10 +29,12 @@ using Model = fcl::BVHModel<fcl::OBBRSSd>;
 // Triangles of an area below 3e-8 have no normal for FCL's distances, whatever the unit.
 constexpr double unit_share = 1e-6; // of the size of the scene
 
+double unit(const FacetBody& body) { return unit_share * body.size(); }
+
 fcl::Transform3d to_fcl(const PlacedBody& placed) {
   fcl::Transform3d transform = fcl::Transform3d::Identity();
   transform.linear() = placed.pose.rotation;
-  transform.translation() = placed.pose.translation / placed.body.unit();
+  transform.translation() = placed.pose.translation / unit(placed.body);
   return transform;
 }
 
@@ -78,8 +80,9 @@ struct FacetBody::Tree {
 };
 
 FacetBody::FacetBody(DisplayMesh drawing, double size)
-    : drawing_(std::move(drawing)), unit_(unit_share * size), closed_(has_no_rim(drawing_)),
-      tree_(drawing_.triangles.empty() ? nullptr : std::make_unique<const Tree>(drawing_, unit_)) {}
+    : drawing_(std::move(drawing)), size_(size), closed_(has_no_rim(drawing_)),
+      tree_(drawing_.triangles.empty() ? nullptr
+                                       : std::make_unique<const Tree>(drawing_, unit(*this))) {}
 
 FacetBody::FacetBody(FacetBody&&) noexcept = default;
 FacetBody& FacetBody::operator=(FacetBody&&) noexcept = default;
@@ -133,12 +136,12 @@ std::optional<Cut> deepest_cut_of_segments(const PlacedBody& a, const PlacedBody
 double clearance(const PlacedBody& a, const PlacedBody& b) {
   if (a.body.tree() == nullptr || b.body.tree() == nullptr)
     return clearance_of_segments(a, b);
-  assert(a.body.unit() == b.body.unit());
+  assert(a.body.size() == b.body.size());
   const fcl::DistanceRequestd request(false, false);
   fcl::DistanceResultd result;
   fcl::distance(&a.body.tree()->model, to_fcl(a), &b.body.tree()->model, to_fcl(b), request,
                 result);
-  return std::max(result.min_distance, 0.0) * a.body.unit();
+  return std::max(result.min_distance, 0.0) * unit(a.body);
 }
 
 std::optional<Cut> deepest_cut(const PlacedBody& a, const PlacedBody& b) {

@@ -35,15 +35,15 @@ public:
   /// Whether every edge (in the plane: every end) belongs to two facets.
   [[nodiscard]] bool closed() const { return closed_; }
 
-  /// Length that is 1 in the tree [mm].
-  [[nodiscard]] double unit() const { return unit_; }
+  /// Of the scene [mm].
+  [[nodiscard]] double size() const { return size_; }
   /// The search tree over the triangles; for facet_body.cpp alone.
   struct Tree;
   [[nodiscard]] const Tree* tree() const { return tree_.get(); }
 
 private:
   DisplayMesh drawing_;
-  double unit_ = 1.0;
+  double size_;
   bool closed_ = false;
   std::unique_ptr<const Tree> tree_; ///< none for lines
 };

@@ -130,7 +130,6 @@ public:
   [[nodiscard]] int grounded_motions() const { return grounded_; }
 
 private:
-  void bring_to_touch();
   void check_overlap() const;
   void make_terms();
   [[nodiscard]] contact::DriveScale drive_scale() const;
