@@ -14,7 +14,6 @@
 #include <array>
 #include <cassert>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -42,25 +41,6 @@ const Vec3& point(const DisplayMesh& mesh, std::int32_t i) {
   return mesh.points[static_cast<std::size_t>(i)];
 }
 
-bool has_no_rim(const DisplayMesh& drawing) {
-  TriangleMesh mesh{drawing.points, drawing.triangles};
-  Box box;
-  for (const Vec3& p : drawing.points)
-    box.add(p);
-  constexpr double rounding = 1e-12; // the poles of a sphere are rings of that radius
-  if (!mesh.triangles.empty())
-    clean_up(mesh, rounding * box.size());
-  std::map<std::pair<std::int32_t, std::int32_t>, int> users;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      ++users[std::minmax(t[i], t[(i + 1) % 3])];
-  for (const auto& line : drawing.lines)
-    for (const std::int32_t end : line)
-      ++users[{end, end}];
-  return !users.empty() && std::all_of(users.begin(), users.end(),
-                                       [](const auto& edge) { return edge.second % 2 == 0; });
-}
-
 } // namespace
 
 struct FacetBody::Tree {
@@ -80,7 +60,7 @@ struct FacetBody::Tree {
 };
 
 FacetBody::FacetBody(DisplayMesh drawing, double size)
-    : drawing_(std::move(drawing)), size_(size), closed_(has_no_rim(drawing_)),
+    : drawing_(std::move(drawing)), size_(size),
       tree_(drawing_.triangles.empty() ? nullptr
                                        : std::make_unique<const Tree>(drawing_, unit(*this))) {}
 
@@ -132,6 +112,34 @@ std::optional<Cut> deepest_cut_of_segments(const PlacedBody& a, const PlacedBody
 }
 
 } // namespace
+
+bool closed(const DisplayMesh& drawing) {
+  TriangleMesh mesh{drawing.points, drawing.triangles};
+  Box box;
+  for (const Vec3& p : drawing.points)
+    box.add(p);
+  constexpr double rounding = 1e-12; // the poles of a sphere are rings of that radius
+  if (!mesh.triangles.empty())
+    clean_up(mesh, rounding * box.size());
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges; // both ends of a line are one each
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back(std::minmax(t[i], t[(i + 1) % 3]));
+  for (const auto& line : drawing.lines)
+    for (const std::int32_t end : line)
+      edges.emplace_back(end, end);
+  std::sort(edges.begin(), edges.end());
+  std::size_t uses = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    ++uses;
+    if (k + 1 < edges.size() && edges[k + 1] == edges[k])
+      continue;
+    if (uses % 2 != 0)
+      return false;
+    uses = 0;
+  }
+  return !edges.empty();
+}
 
 double clearance(const PlacedBody& a, const PlacedBody& b) {
   if (a.body.tree() == nullptr || b.body.tree() == nullptr)

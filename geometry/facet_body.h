@@ -32,8 +32,6 @@ public:
 
   /// As given [mm].
   [[nodiscard]] const DisplayMesh& drawing() const { return drawing_; }
-  /// Whether every edge (in the plane: every end) belongs to two facets.
-  [[nodiscard]] bool closed() const { return closed_; }
 
   /// Of the scene [mm].
   [[nodiscard]] double size() const { return size_; }
@@ -44,9 +42,11 @@ public:
 private:
   DisplayMesh drawing_;
   double size_;
-  bool closed_ = false;
   std::unique_ptr<const Tree> tree_; ///< none for lines
 };
+
+/// Whether every edge (in the plane: every end) belongs to two facets, so that there is an inside.
+[[nodiscard]] bool closed(const DisplayMesh& drawing);
 
 /// A body somewhere.
 struct PlacedBody {

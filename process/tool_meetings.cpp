@@ -24,7 +24,7 @@ constexpr int most_steps = 400;             // that a pair near to each other ta
 constexpr std::size_t most_vertices = 4000; // asked for their depth in the other tool
 constexpr double closed_gap = 1e-9;         // share of the size at which a clearance is none
 constexpr int most_closing_steps = 60;
-constexpr int halvings = 40;
+constexpr int halvings = 25;
 constexpr double most_delay = 20.0; // tolerated overlaps between closing and its being seen
 
 Box box_of(std::span<const Vec3> points) {
@@ -146,8 +146,9 @@ public:
        const contact::Tool& b,
        const FacetBody& body_a,
        const FacetBody& body_b,
+       const std::array<bool, 2>& solid,
        double size)
-      : tools_{&a, &b}, bodies_{&body_a, &body_b}, size_(size) {}
+      : tools_{&a, &b}, bodies_{&body_a, &body_b}, solid_(solid), size_(size) {}
 
   [[nodiscard]] double clearance(double time) const {
     return geometry::clearance(placed(0, time), placed(1, time));
@@ -183,7 +184,7 @@ private:
   /// Corners of tool i that lie in the other one, if that has an inside.
   void add_corners(std::size_t i, double time, geometry::Cut& deepest) const {
     const contact::Tool& other = *tools_[1 - i];
-    if (bounded(other) && !bodies_[1 - i]->closed())
+    if (!solid_[1 - i])
       return;
     const Pose here = tools_[i]->motion.pose(time), there = other.motion.pose(time);
     const std::vector<Vec3>& all = bodies_[i]->drawing().points;
@@ -199,6 +200,7 @@ private:
 
   std::array<const contact::Tool*, 2> tools_;
   std::array<const FacetBody*, 2> bodies_;
+  std::array<bool, 2> solid_; ///< which have an inside
   double size_;
 };
 
@@ -263,13 +265,15 @@ private:
 struct Setting {
   const Scene& scene;
   std::vector<FacetBody> bodies;
-  double size;      ///< of everything [mm]
-  double tolerated; ///< overlap [mm]
+  std::vector<char> solid; ///< which have an inside
+  double size;             ///< of everything [mm]
+  double tolerated;        ///< overlap [mm]
 };
 
 std::optional<ToolMeeting> meeting_of(const Setting& setting, std::size_t i, std::size_t j) {
   const contact::Tool &a = setting.scene.tools[i], &b = setting.scene.tools[j];
-  const Pair pair(a, b, setting.bodies[i], setting.bodies[j], setting.size);
+  const Pair pair(a, b, setting.bodies[i], setting.bodies[j],
+                  {setting.solid[i] != 0, setting.solid[j] != 0}, setting.size);
   const Follower follower(pair, setting.size, setting.tolerated);
   for (const Span& span : common_spans(setting.scene, i, j)) {
     if (follower.overlapping(span.from)) {
@@ -291,11 +295,16 @@ std::optional<ToolMeeting> meeting_of(const Setting& setting, std::size_t i, std
 } // namespace
 
 std::vector<ToolMeeting> tool_meetings(const Scene& scene) {
-  const Box window = window_of(scene);
-  Setting setting{scene, {}, window.size(), tolerated_share * box_of(scene.mesh.points).size()};
-  for (const contact::Tool& tool : scene.tools)
-    setting.bodies.push_back(body_of(scene, tool, window));
   std::vector<ToolMeeting> meetings;
+  if (scene.tools.size() < 2)
+    return meetings;
+  const Box window = window_of(scene);
+  Setting setting{scene, {}, {}, window.size(), tolerated_share * box_of(scene.mesh.points).size()};
+  for (const contact::Tool& tool : scene.tools) {
+    setting.bodies.push_back(body_of(scene, tool, window));
+    const bool solid = !bounded(tool) || geometry::closed(setting.bodies.back().drawing());
+    setting.solid.push_back(solid ? 1 : 0);
+  }
   for (std::size_t i = 0; i < setting.bodies.size(); ++i)
     for (std::size_t j = i + 1; j < setting.bodies.size(); ++j)
       if (const auto meeting = meeting_of(setting, i, j))

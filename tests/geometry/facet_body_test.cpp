@@ -141,13 +141,14 @@ TEST(FacetBody, FacesThatLieOnEachOtherDoNotCut) {
   EXPECT_NEAR(deep->place.x(), 0.995, 0.006);
 }
 
-TEST(FacetBody, KnowsAClosedBodyFromASheetAndAProfileFromAnOpenOne) {
-  EXPECT_TRUE(body_of(cube()).closed());
-  EXPECT_FALSE(body_of(sheet(3, [](double, double) { return 0.0; })).closed());
-  EXPECT_TRUE(body_of(sphere_mesh(6)).closed());
+TEST(FacetBody, AClosedDrawingIsKnownFromASheetAndAnOpenProfile) {
+  EXPECT_TRUE(closed(body_of(cube()).drawing()));
+  EXPECT_TRUE(closed(body_of(sphere_mesh(6)).drawing()));
+  EXPECT_FALSE(closed(body_of(sheet(3, [](double, double) { return 0.0; })).drawing()));
   const std::vector<Vec2> corners{{0, 0}, {1, 0}, {1, 1}};
-  EXPECT_TRUE(FacetBody(make_profile(polygon(corners, true))->display({}, true), 1.0).closed());
-  EXPECT_FALSE(FacetBody(make_profile(polygon(corners, false))->display({}, true), 1.0).closed());
+  EXPECT_TRUE(closed(make_profile(polygon(corners, true))->display({}, true)));
+  EXPECT_FALSE(closed(make_profile(polygon(corners, false))->display({}, true)));
+  EXPECT_FALSE(closed({}));
 }
 
 TEST(FacetBody, ProfilesInThePlaneHaveDistancesAndCuts) {
