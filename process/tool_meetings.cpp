@@ -88,6 +88,17 @@ std::vector<Span> common_spans(const Scene& scene, std::size_t i, std::size_t j)
   return spans;
 }
 
+/// Largest distance of points in space from the axis that a tool turns about [mm].
+double longest_arm(const geometry::Motion& motion, double time, std::span<const Vec3> points) {
+  const Vec3 on_axis = motion.axis_point() + motion.offset + motion.translation(time);
+  double longest = 0.0;
+  for (const Vec3& p : points) {
+    const Vec3 v = p - on_axis;
+    longest = std::max(longest, (v - v.dot(motion.axis()) * motion.axis()).norm());
+  }
+  return longest;
+}
+
 /// How far a pair moves relative to each other: a bound of every point's way over time.
 class RelativeWay {
 public:
@@ -163,17 +174,12 @@ public:
     return deepest;
   }
 
-  /// Longest lever of a tool's drawing about its axis, the other tool within reach included [mm].
+  /// Longest lever of a tool's drawing about its axis [mm].
   [[nodiscard]] double arm(std::size_t i, double time) const {
-    const geometry::Motion& motion = tools_[i]->motion;
-    const Pose pose = motion.pose(time);
-    const Vec3 point = motion.axis_point() + motion.offset + motion.translation(time);
-    double longest = 0.0;
-    for (const Vec3& p : bodies_[i]->drawing().points) {
-      const Vec3 v = pose.to_space(p) - point;
-      longest = std::max(longest, (v - v.dot(motion.axis()) * motion.axis()).norm());
-    }
-    return longest;
+    std::vector<Vec3> points = bodies_[i]->drawing().points;
+    for (Vec3& p : points)
+      p = tools_[i]->motion.pose(time).to_space(p);
+    return longest_arm(tools_[i]->motion, time, points);
   }
 
 private:
@@ -262,52 +268,88 @@ private:
   double tolerated_;
 };
 
-struct Setting {
-  const Scene& scene;
-  std::vector<FacetBody> bodies;
-  std::vector<char> solid; ///< which have an inside
-  double size;             ///< of everything [mm]
-  double tolerated;        ///< overlap [mm]
-};
-
-std::optional<ToolMeeting> meeting_of(const Setting& setting, std::size_t i, std::size_t j) {
-  const contact::Tool &a = setting.scene.tools[i], &b = setting.scene.tools[j];
-  const Pair pair(a, b, setting.bodies[i], setting.bodies[j],
-                  {setting.solid[i] != 0, setting.solid[j] != 0}, setting.size);
-  const Follower follower(pair, setting.size, setting.tolerated);
-  for (const Span& span : common_spans(setting.scene, i, j)) {
-    if (follower.overlapping(span.from)) {
-      if (!bounded(a) || !bounded(b))
-        continue;
-      const geometry::Cut deepest = pair.overlap(span.from);
-      return ToolMeeting{i, j, span.from, true, deepest.depth, deepest.place};
-    }
-    if (driven(a) || driven(b))
-      continue;
-    const std::array arms{pair.arm(0, span.from), pair.arm(1, span.from)};
-    const RelativeWay way(setting.scene, a, b, span, arms);
-    if (const auto met = follower.meeting(span, way))
-      return ToolMeeting{i, j, met->first, false, 0.0, met->second.place};
+/// What all pairs have in common; tools are drawn when they are first asked for.
+class Shop {
+public:
+  explicit Shop(const Scene& scene)
+      : scene_(scene), window_(window_of(scene)),
+        tolerated_(tolerated_share * box_of(scene.mesh.points).size()), drawn_(scene.tools.size()) {
   }
-  return std::nullopt;
-}
+
+  [[nodiscard]] std::optional<ToolMeeting> meeting(std::size_t i, std::size_t j) {
+    if (!within_reach(i, j))
+      return std::nullopt;
+    const contact::Tool &a = scene_.tools[i], &b = scene_.tools[j];
+    const Drawn &body_a = drawn(i), &body_b = drawn(j);
+    const Pair pair(a, b, body_a.body, body_b.body, {body_a.solid, body_b.solid}, window_.size());
+    const Follower follower(pair, window_.size(), tolerated_);
+    for (const Span& span : common_spans(scene_, i, j)) {
+      if (follower.overlapping(span.from)) {
+        if (!bounded(a) || !bounded(b))
+          continue;
+        const geometry::Cut deepest = pair.overlap(span.from);
+        return ToolMeeting{i, j, span.from, true, deepest.depth, deepest.place};
+      }
+      if (driven(a) || driven(b))
+        continue;
+      const std::array arms{pair.arm(0, span.from), pair.arm(1, span.from)};
+      const RelativeWay way(scene_, a, b, span, arms);
+      if (const auto met = follower.meeting(span, way))
+        return ToolMeeting{i, j, met->first, false, 0.0, met->second.place};
+    }
+    return std::nullopt;
+  }
+
+private:
+  struct Drawn {
+    FacetBody body;
+    bool solid; ///< it has an inside
+  };
+
+  /// Whether two tools' boxes are no farther apart than the way they make: most are, and large
+  /// surfaces need no trees then.
+  [[nodiscard]] bool within_reach(std::size_t i, std::size_t j) const {
+    const contact::Tool &a = scene_.tools[i], &b = scene_.tools[j];
+    if (!bounded(a) || !bounded(b))
+      return true;
+    const std::array places{placed_corners(a), placed_corners(b)};
+    const std::array arms{longest_arm(a.motion, 0.0, places[0]),
+                          longest_arm(b.motion, 0.0, places[1])};
+    const RelativeWay way(scene_, a, b, {0.0, scene_.stages.back().end}, arms);
+    return box_of(places[0]).overlaps(box_of(places[1]), way.total() + tolerated_);
+  }
+
+  static std::vector<Vec3> placed_corners(const contact::Tool& tool) {
+    std::vector<Vec3> list = corners(tool.surface->bounds());
+    for (Vec3& corner : list)
+      corner = tool.motion.pose(0.0).to_space(corner);
+    return list;
+  }
+
+  [[nodiscard]] const Drawn& drawn(std::size_t i) {
+    if (!drawn_[i]) {
+      const contact::Tool& tool = scene_.tools[i];
+      FacetBody body = body_of(scene_, tool, window_);
+      const bool solid = !bounded(tool) || geometry::closed(body.drawing());
+      drawn_[i].emplace(Drawn{std::move(body), solid});
+    }
+    return *drawn_[i];
+  }
+
+  const Scene& scene_;
+  Box window_;
+  double tolerated_; ///< overlap [mm]
+  std::vector<std::optional<Drawn>> drawn_;
+};
 
 } // namespace
 
 std::vector<ToolMeeting> tool_meetings(const Scene& scene) {
+  Shop shop(scene);
   std::vector<ToolMeeting> meetings;
-  if (scene.tools.size() < 2)
-    return meetings;
-  const Box window = window_of(scene);
-  Setting setting{scene, {}, {}, window.size(), tolerated_share * box_of(scene.mesh.points).size()};
-  for (const contact::Tool& tool : scene.tools) {
-    setting.bodies.push_back(body_of(scene, tool, window));
-    const bool solid = !bounded(tool) || geometry::closed(setting.bodies.back().drawing());
-    setting.solid.push_back(solid ? 1 : 0);
-  }
-  for (std::size_t i = 0; i < setting.bodies.size(); ++i)
-    for (std::size_t j = i + 1; j < setting.bodies.size(); ++j)
-      if (const auto meeting = meeting_of(setting, i, j))
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+    for (std::size_t j = i + 1; j < scene.tools.size(); ++j)
+      if (const auto meeting = shop.meeting(i, j))
         meetings.push_back(*meeting);
   return meetings;
 }

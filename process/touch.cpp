@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace billet::process {
@@ -93,6 +95,16 @@ double excess(const geometry::RigidSurface& surface, const DisplayMesh& mesh) {
   return most;
 }
 
+/// Drops the triangles that the workpiece cannot meet: of a large die most.
+void keep_within(const Box& window, DisplayMesh& mesh) {
+  std::erase_if(mesh.triangles, [&](const auto& triangle) {
+    Box box;
+    for (const std::int32_t corner : triangle)
+      box.add(mesh.points[static_cast<std::size_t>(corner)]);
+    return !box.overlaps(window, facet_tolerance * window.size());
+  });
+}
+
 /// The unit vector of the first displacement that a tool's motion has; zero: it stands still.
 Vec3 first_direction(const geometry::Motion& motion, double end) {
   constexpr int looks = 100;
@@ -130,7 +142,7 @@ public:
     const double distance = tool.motion.force && by_points
                                 ? *by_points
                                 : by_facets(tool, direction, by_points ? *by_points : reach);
-    if (!by_points && !(distance < reach))
+    if (!by_points && !(distance < reach && faces_workpiece(tool, distance * direction)))
       throw Error(Fault::geometry, "",
                   fmt::format("tool '{}' cannot be brought to touch: {}", tool.name,
                               by_points.error().reason),
@@ -140,21 +152,34 @@ public:
   }
 
 private:
+  /// Whether the tool, moved there, has no point of the workpiece behind its surface.
+  [[nodiscard]] bool faces_workpiece(const contact::Tool& tool, const Vec3& offset) const {
+    const geometry::Pose start = tool.motion.pose(0.0);
+    std::vector<Vec3> points;
+    for (const Vec3& p : points_)
+      points.push_back(start.to_tool(p - offset));
+    std::vector<geometry::Projection> feet(points.size());
+    tool.surface->project(points, reach_share * size_, feet);
+    return std::none_of(feet.begin(), feet.end(), [&](const geometry::Projection& foot) {
+      return foot.gap < -facet_tolerance * size_;
+    });
+  }
+
   [[nodiscard]] double
   by_facets(const contact::Tool& tool, const Vec3& direction, double latest) const {
     const geometry::Pose start = tool.motion.pose(0.0);
-    Box window; // in the tool's frame, where it starts and where it arrives
+    Box window; // in the tool's frame: the workpiece where the tool starts, arrives, backs off to
     for (const Vec3& p : points_)
-      for (const double s : {0.0, latest})
+      for (const double s : {std::min(0.0, latest) - size_, latest})
         window.add(start.to_tool(p - s * direction));
-    const DisplayMesh drawing =
-        tool.surface->display(window, analysis_ != mechanics::Analysis::solid);
+    DisplayMesh drawing = tool.surface->display(window, analysis_ != mechanics::Analysis::solid);
+    keep_within(window, drawing);
     Box all = window;
     for (const Vec3& p : drawing.points)
       all.add(p);
     const double tolerance =
         facet_tolerance * size_ + excess(*tool.surface, drawing) + workpiece_.error;
-    const FacetBody body(drawing, all.size()), workpiece(workpiece_.mesh, all.size());
+    const FacetBody body(std::move(drawing), all.size()), workpiece(workpiece_.mesh, all.size());
     return geometry::facet_contact({body, start}, direction, {workpiece, {}}, latest, tolerance);
   }
 

@@ -1,3 +1,4 @@
+#include "geometry/base/error.h"
 #include "geometry/profile.h"
 #include "geometry/triangle_surface.h"
 #include "process/run.h"
@@ -60,6 +61,22 @@ TEST(Touch, ASpikeComesToRestOnTheMiddleOfAFace) {
     scene.tools[0].motion.place.translation += Vec3(x, 0.2, 0.0);
     EXPECT_NEAR(travel(std::move(scene)), 1.5, precision) << x;
   }
+}
+
+TEST(Touch, APinThatPassesAllPointsTouchesNevertheless) {
+  // A rod so thin and long that its whole length goes through the face between the points.
+  geometry::TriangleMesh rod = geometry::cube();
+  for (Vec3& p : rod.points)
+    p = Vec3(0.02, 0.02, 0.5).cwiseProduct(p);
+  EXPECT_NEAR(travel(one_face(Analysis::solid, geometry::make_triangle_surface(rod), 1.5)), 1.5,
+              1e-7);
+}
+
+TEST(Touch, ASheetThatFacesAwayIsRefused) {
+  const auto away = [](double x, double y) { return 0.0 * (x + y); };
+  Scene scene =
+      one_face(Analysis::solid, geometry::make_triangle_surface(geometry::sheet(3, away)), 1.5);
+  EXPECT_THROW(Process{std::move(scene)}, Error);
 }
 
 TEST(Touch, ASpikeInTheFaceBacksOff) {
