@@ -32,7 +32,7 @@ void add_nodes(const contact::ContactSurface& surface,
   std::vector<char> seen(trial.x.size(), 0);
   for (Index f = 0; f < surface.n_faces(); ++f)
     for (const Index node : surface.scatter().nodes(f)) {
-      const auto first = static_cast<std::size_t>(node * dim);
+      const auto first = static_cast<std::size_t>(node) * static_cast<std::size_t>(dim);
       if (std::exchange(seen[first], char{1}) != 0)
         continue;
       Vec3 before = Vec3::Zero(), after = Vec3::Zero();
@@ -96,7 +96,7 @@ std::string passage_complaint(std::span<const contact::Tool> tools,
     if (!contact.acts(t, trial.time))
       continue;
     const geometry::Motion& motion = tools[t].motion;
-    const std::string complaint = complaint_about(
+    std::string complaint = complaint_about(
         tools[t], points, whereabouts(motion, trial.time_old, contact.driven(t, trial.x_old)),
         whereabouts(motion, trial.time, contact.driven(t, trial.x)));
     if (!complaint.empty())

@@ -36,6 +36,7 @@ Box box_of(std::span<const Vec3> points) {
 
 std::vector<Vec3> corners(const Box& box) {
   std::vector<Vec3> list;
+  list.reserve(8);
   for (int i = 0; i < 8; ++i)
     list.emplace_back((i & 1) != 0 ? box.high.x() : box.low.x(),
                       (i & 2) != 0 ? box.high.y() : box.low.y(),

@@ -1,6 +1,8 @@
 #include "geometry/profile.h"
+#include "geometry/triangle_surface.h"
 #include "process/passage_guard.h"
 #include "process/run.h"
+#include "tests/geometry/sample_meshes.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +85,27 @@ TEST(PassageGuard, ASurfaceThatMovesThroughAStandingDieIsSeen) {
                                                     *process.contact(), {0.0, 0.1, before, after});
     EXPECT_EQ(complaint.empty(), shift > -1.1) << shift << ": the middle of the blade is at -1.1";
   }
+}
+
+TEST(PassageGuard, AThinPlateOfTrianglesDoesNotPassASolid) {
+  geometry::TriangleMesh plate = geometry::cube();
+  for (Vec3& p : plate.points)
+    p = Vec3(-1.2, -1, -1) + Vec3(0.2, 12, 12).cwiseProduct(p);
+  geometry::Motion motion;
+  motion.velocity = Vec3(5, 0, 0);
+  Scene scene = blade_scene(motion);
+  scene.analysis = Analysis::solid;
+  scene.mesh = mechanics::box_mesh(
+      {ElementKind::hex8, Vec3::Zero(), Vec3(10, 10, 10), {3, 3, 3}, {1, 1, 1}});
+  scene.supports.clear();
+  for (const int axis : {0, 1, 2})
+    scene.supports.push_back({nodes_at(scene.mesh, 2, 0.0), axis, TimeFunction(0.0)});
+  scene.tools[0].surface = geometry::make_triangle_surface(plate);
+  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  EXPECT_GT(done.process->cutbacks(), 0);
+  EXPECT_LT(done.last().loads[0].force[0], -1.0);
 }
 
 TEST(PassageGuard, ATravelOfADrivenDieCounts) {
