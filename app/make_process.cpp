@@ -3,12 +3,36 @@
 #include "geometry/base/error.h"
 #include "io/results/frames.h"
 #include "io/scene_builder.h"
+#include "process/tool_meetings.h"
+
+#include <fmt/format.h>
 
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace billet::app {
+
+namespace {
+
+/// Tools that go through each other: legal, for they do not feel it, and hardly ever meant.
+void note_meetings(const process::Scene& scene,
+                   const io::UnitSystem& units,
+                   std::vector<std::string>& notes) {
+  for (const process::ToolMeeting& m : process::tool_meetings(scene)) {
+    const std::string pair = fmt::format("warning: tools '{}' and '{}'", scene.tools[m.first].name,
+                                         scene.tools[m.second].name);
+    const std::string place = fmt::format("({:.6g}, {:.6g}, {:.6g}) {}", m.place[0], m.place[1],
+                                          m.place[2], units.length);
+    notes.push_back(
+        m.from_start ? fmt::format("{} overlap by {:.3g} {} from t = {:.6g} {} on, deepest at {}",
+                                   pair, m.depth, units.length, m.time, units.time, place)
+                     : fmt::format("{} meet at t = {:.6g} {} at {} and go through each other", pair,
+                                   m.time, units.time, place));
+  }
+}
+
+} // namespace
 
 ReadyProcess make_process(const io::Case& content, const std::string& file) {
   std::vector<std::string> notes;
@@ -17,6 +41,7 @@ ReadyProcess make_process(const io::Case& content, const std::string& file) {
     io::BuiltScene built = io::build_scene(content, file);
     notes = std::move(built.notes);
     auto process = std::make_unique<process::Process>(std::move(built.scene));
+    note_meetings(process->scene(), content.units, notes);
     return {std::move(process), std::move(notes)};
   } catch (const Error& error) {
     std::vector<Complaint> complaints = error.complaints();

@@ -12,6 +12,13 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace billet::app {
 
 namespace {
@@ -89,7 +96,11 @@ int run_case(const Arguments& arguments) {
                            mechanics::blas_core()));
   for (const std::string& note : ready.notes)
     progress.say(note);
-  io::RunWriter writer(folder, name, content, {BILLET_VERSION, mechanics::blas_core(), threads});
+  std::vector<std::string> warnings;
+  std::copy_if(ready.notes.begin(), ready.notes.end(), std::back_inserter(warnings),
+               [](const std::string& note) { return note.starts_with("warning: "); });
+  io::RunWriter writer(folder, name, content,
+                       {BILLET_VERSION, mechanics::blas_core(), threads, std::move(warnings)});
   progress.write_to(folder / "run.log");
   const process::RunStatus status = process.run({&writer, &progress});
   if (const std::string warning = writer.warning(); !warning.empty())

@@ -5,6 +5,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)
 find_package(CGAL REQUIRED)
+find_package(fcl 0.7 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)

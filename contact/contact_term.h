@@ -112,6 +112,9 @@ public:
   /// Tools that may act now (a stage's choice), one flag a tool.
   void enable(std::vector<char> enabled) { enabled_ = std::move(enabled); }
 
+  /// Whether a tool is enabled and active.
+  [[nodiscard]] bool acts(std::size_t tool, double time) const;
+
   /// Resultants of the last committed trial, one a tool.
   [[nodiscard]] std::span<const ToolLoad> loads() const { return loads_; }
   [[nodiscard]] const ContactWork& work() const { return work_; }
@@ -188,7 +191,6 @@ private:
   [[nodiscard]] double
   enforcement_work(const PointHistory& old, const Traction& now, double multiplier) const;
   [[nodiscard]] Index face_of(std::size_t point) const;
-  [[nodiscard]] bool acts(std::size_t tool, double time) const;
 
   const ContactSurface* surface_;
   const mechanics::Bulk* bulk_;

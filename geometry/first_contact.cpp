@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace billet::geometry {
@@ -19,6 +20,8 @@ constexpr double contact_gap = 1e-12; // share of the size at which a gap counts
 constexpr double near_gap = 1e-6;     // share of the size below which the root is bracketed
 constexpr int most_steps = 100000;    // grazing contact: each step closes a small part of the gap
 constexpr int most_secants = 200;
+constexpr double facet_gap = 1e-9; // share of the size at which facets touch
+constexpr int most_retreats = 60;  // of doubled length
 
 // The smallest gap over the points as a function of the tool's offset. The gap is 1-Lipschitz: a
 // point whose gap cannot have come down to the smallest one since it was asked is not asked again.
@@ -178,6 +181,91 @@ Outcome<double> distance_to_contact(const RigidSurface& surface,
     now.gap = approach(now.s);
   }
   return Failure{"the tool slides along the workpiece without closing the gap"};
+}
+
+namespace {
+
+// The facets of a tool on its way towards those of the workpiece.
+class FacetApproach {
+public:
+  FacetApproach(const PlacedBody& tool,
+                const Vec3& direction,
+                const PlacedBody& workpiece,
+                double tolerance)
+      : tool_(tool), direction_(direction), workpiece_(workpiece), tolerance_(tolerance) {}
+
+  [[nodiscard]] bool open(double s) const { return gap(s) > closed_gap(); }
+  [[nodiscard]] double gap(double s) const { return clearance(at(s), workpiece_); }
+  [[nodiscard]] bool cuts(double s) const { return depth(s) > tolerance_; }
+
+  /// Backwards from s to where nothing cuts.
+  [[nodiscard]] double retreat(double s) const {
+    double back = 0.0;
+    for (int i = 0; i < most_retreats; ++i) {
+      const double deep = depth(s);
+      if (deep <= tolerance_)
+        break;
+      back = std::max(2.0 * back, deep);
+      s -= back;
+    }
+    // A slender tip is out of a face a little further back.
+    return !open(s) && open(s - margin()) ? s - margin() : s;
+  }
+
+  /// Where facets that cut at `cutting` closed: if that was long ago they glided along each other,
+  /// and what counts is where the cut gets as deep as the tolerance.
+  [[nodiscard]] double closing(double last_open, double clear, double cutting) const {
+    for (int i = 0; i < most_steps && last_open < cutting && open(last_open); ++i)
+      last_open += gap(last_open);
+    if (cutting - last_open <= margin())
+      return std::min(last_open, cutting);
+    for (int i = 0; i < most_secants && cutting - clear > tolerance_; ++i) {
+      const double middle = 0.5 * (clear + cutting);
+      (cuts(middle) ? cutting : clear) = middle;
+    }
+    return cutting - last_open <= margin() ? last_open : clear;
+  }
+
+private:
+  // The depth of a pair of facets is the way out sideways too: that of a slender tip is a small
+  // part of how far it has come in.
+  [[nodiscard]] double margin() const { return 100.0 * tolerance_; }
+  [[nodiscard]] double closed_gap() const { return facet_gap * tool_.body.size(); }
+  [[nodiscard]] PlacedBody at(double s) const {
+    return {tool_.body, {tool_.pose.rotation, tool_.pose.translation + s * direction_}};
+  }
+  [[nodiscard]] double depth(double s) const {
+    return deepest_cut(at(s), workpiece_).value_or(Cut{}).depth;
+  }
+
+  const PlacedBody& tool_;
+  const Vec3& direction_;
+  const PlacedBody& workpiece_;
+  double tolerance_;
+};
+
+} // namespace
+
+double facet_contact(const PlacedBody& tool,
+                     const Vec3& direction,
+                     const PlacedBody& workpiece,
+                     double latest,
+                     double tolerance) {
+  const FacetApproach approach(tool, direction, workpiece, tolerance);
+  double s = approach.retreat(std::min(0.0, latest)), last_open = s;
+  // What is closed may be a tip about to enter or a wall to glide along: short steps first.
+  double shortest = tolerance;
+  for (int i = 0; i < most_steps && s < latest; ++i) {
+    const double gap = approach.gap(s);
+    shortest = gap > tolerance ? tolerance : 2.0 * shortest;
+    if (approach.open(s))
+      last_open = s;
+    const double next = std::min(s + std::max(gap, shortest), latest);
+    if (approach.cuts(next))
+      return approach.closing(last_open, s, next);
+    s = next;
+  }
+  return latest;
 }
 
 } // namespace billet::geometry

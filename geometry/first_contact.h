@@ -4,12 +4,16 @@
 // gap without touching (conservative advancement); near contact, where the gap is a fraction of a
 // millionth of the size, the root is bracketed and found by secants. (G.15)
 //
+// Points of the workpiece miss a tip of the tool that comes down between them; facets of both do
+// not.
+//
 // Frame   points and direction in space; lengths in mm.
 
 #pragma once
 
 #include "geometry/base/outcome.h"
 #include "geometry/base/vector.h"
+#include "geometry/facet_body.h"
 #include "geometry/motion.h"
 #include "geometry/rigid_surface.h"
 
@@ -33,5 +37,19 @@ namespace billet::geometry {
                                                   const Vec3& direction,
                                                   std::span<const Vec3> points,
                                                   double reach);
+
+/// The same for the facets of both: where they begin to cut deeper than `tolerance` if that is
+/// before `latest`, else `latest`. If they do so from the start (at 0, or where the tool has backed
+/// off to), the tool backs off further. (G.33)
+///
+/// @param tool       at its start, s = 0
+/// @param direction  of the tool's motion, unit vector
+/// @param latest     offset at which the points of the workpiece are reached [mm]
+/// @param tolerance  by how much the facets may be off the true surfaces [mm], > 0
+[[nodiscard]] double facet_contact(const PlacedBody& tool,
+                                   const Vec3& direction,
+                                   const PlacedBody& workpiece,
+                                   double latest,
+                                   double tolerance);
 
 } // namespace billet::geometry

@@ -23,14 +23,27 @@ double Motion::angle(double time, const Driven& driven) const {
   return torque ? driven.turn : 0.0;
 }
 
-Pose Motion::pose(double time, const Driven& driven) const {
-  Pose turned;
+Vec3 Motion::axis() const {
   if (rotation)
-    turned = rotation_about(rotation->point, rotation->axis, angle(time));
-  else if (torque)
-    turned = rotation_about(torque->point, torque->axis, driven.turn);
-  return {turned.rotation * place.rotation,
-          turned.to_space(place.translation) + offset + translation(time, driven)};
+    return rotation->axis;
+  return torque ? torque->axis : Vec3(Vec3::Zero());
+}
+
+Vec3 Motion::axis_point() const {
+  if (rotation)
+    return rotation->point;
+  return torque ? torque->point : Vec3(Vec3::Zero());
+}
+
+Pose Motion::pose(double time, const Driven& driven) const {
+  return pose_at(translation(time, driven), angle(time, driven));
+}
+
+Pose Motion::pose_at(const Vec3& shift, double turned_by) const {
+  Pose turned;
+  if (rotation || torque)
+    turned = rotation_about(axis_point(), axis(), turned_by);
+  return {turned.rotation * place.rotation, turned.to_space(place.translation) + offset + shift};
 }
 
 } // namespace billet::geometry

@@ -65,10 +65,16 @@ struct Motion {
   Vec3 offset = Vec3::Zero();
 
   [[nodiscard]] Pose pose(double time, const Driven& driven = {}) const;
+  /// Where the tool is when it has been shifted and turned by that much.
+  [[nodiscard]] Pose pose_at(const Vec3& shift, double turned_by) const;
   /// Displacement of the tool's reference point (without offset) [mm].
   [[nodiscard]] Vec3 translation(double time, const Driven& driven = {}) const;
   /// Angle turned since time 0 [rad].
   [[nodiscard]] double angle(double time, const Driven& driven = {}) const;
+  /// Unit vector along the axis of turns, zero if there are none.
+  [[nodiscard]] Vec3 axis() const;
+  /// A point on that axis at time 0, without offset [mm].
+  [[nodiscard]] Vec3 axis_point() const;
 };
 
 } // namespace billet::geometry

@@ -42,9 +42,9 @@ struct Border {
 /// Residual and tangent over the mesh's pattern.
 struct System {
   SparseMatrix tangent;
-  std::vector<double> residual; ///< shape (n_dofs + n_extra) [N]
-  bool symmetric = true;        ///< every term said that its tangent is symmetric
-  std::vector<Border> borders;  ///< shape (n_extra)
+  std::vector<double> residual;  ///< shape (n_dofs + n_extra) [N]
+  bool symmetric = true;         ///< every term said that its tangent is symmetric
+  std::vector<Border> borders{}; ///< shape (n_extra)
   int contact_changes = 0; ///< contact points that opened, closed, stuck or slid since the last
                            ///< trial: the iteration is not smooth where there are any
 

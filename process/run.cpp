@@ -1,8 +1,9 @@
 #include "process/run.h"
 
 #include "geometry/base/error.h"
-#include "geometry/first_contact.h"
 #include "mechanics/mesh_check.h"
+#include "process/passage_guard.h"
+#include "process/touch.h"
 
 #include <fmt/format.h>
 
@@ -79,7 +80,8 @@ Process::Process(Scene scene)
   velocity_.assign(x0_.size(), 0.0);
   reactions_.assign(x0_.size(), 0.0);
   make_terms();
-  bring_to_touch();
+  if (surface_)
+    bring_to_touch(scene_, *surface_, x_);
   check_overlap();
   if (contact_) {
     contact_->start(x_, 0.0);
@@ -142,42 +144,6 @@ void Process::make_loads() {
       loads_.push_back(mechanics::make_dead_load(std::get<DeadForces>(spec).forces,
                                                  std::get<DeadForces>(spec).amplitude));
     terms_.push_back(loads_.back().get());
-  }
-}
-
-void Process::bring_to_touch() {
-  if (!contact_)
-    return;
-  std::vector<Vec3> points(surface_->n_points());
-  surface_->positions(x_, points);
-  for (Index f = 0; f < surface_->n_faces(); ++f)
-    for (const Index node : surface_->scatter().nodes(f))
-      points.push_back(scene_.mesh.points[idx(node)]);
-  const double reach = 100.0 * size_of(scene_.mesh);
-  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (scene_.touch[t] == 0)
-      continue;
-    contact::Tool& tool = scene_.tools[t];
-    const double end = scene_.stages.back().end;
-    Vec3 direction = Vec3::Zero();
-    for (int step = 1; step <= 100 && direction.isZero(0.0); ++step)
-      direction = tool.motion.force
-                      ? Vec3(tool.motion.force->load(end * step / 100.0) * tool.motion.force->axis)
-                      : tool.motion.translation(end * step / 100.0);
-    if (direction.isZero(0.0))
-      throw Error(Fault::case_file, "",
-                  fmt::format("tool '{}' has touch = true but does not move", tool.name),
-                  "give it a velocity, a displacement or a force, or place it where it touches");
-    direction.normalize();
-    const auto distance = geometry::distance_to_contact(*tool.surface, tool.motion.pose(0.0),
-                                                        direction, points, reach);
-    if (!distance)
-      throw Error(Fault::geometry, "",
-                  fmt::format("tool '{}' cannot be brought to touch: {}", tool.name,
-                              distance.error().reason),
-                  "check its place, the direction of its motion and which way its surface faces "
-                  "(flip = true turns an STL)");
-    tool.motion.offset = *distance * direction;
   }
 }
 
@@ -280,6 +246,8 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     for (std::size_t i = 0; i < x_.size(); ++i)
       trial_x_[i] += factor * last_step_[i];
   }
+  if (passes_through(dt, why))
+    return false;
   if (contact_)
     contact_->restart();
   const auto outcome =
@@ -288,7 +256,8 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     why = outcome.error().reason;
   else
     last_residual_ = outcome->residual;
-  const bool solved = outcome && plausible(outcome->force_scale, why) && limit_penetration(dt, why);
+  const bool solved = outcome && plausible(outcome->force_scale, why) && !passes_through(dt, why) &&
+                      limit_penetration(dt, why);
   if (solved)
     last_iterations_ = spent();
   else
@@ -405,6 +374,12 @@ std::string Process::penetration_failure(int rounds) const {
                      "pressing harder {} times: start with a larger contact.penalty, or "
                      "allow more",
                      limit, penetration_.at_points, rounds);
+}
+
+bool Process::passes_through(double dt, std::string& why) const {
+  if (contact_)
+    why = passage_complaint(scene_.tools, *surface_, *contact_, {time_, time_ + dt, x_, trial_x_});
+  return contact_ && !why.empty();
 }
 
 void Process::accept(double dt) {

@@ -132,7 +132,6 @@ public:
   [[nodiscard]] int grounded_motions() const { return grounded_; }
 
 private:
-  void bring_to_touch();
   void check_overlap() const;
   void make_terms();
   [[nodiscard]] contact::DriveScale drive_scale() const;
@@ -157,6 +156,8 @@ private:
   [[nodiscard]] int spent() const;
   [[nodiscard]] PostMortem
   post_mortem(double dt, const std::string& why, std::vector<std::string> tried) const;
+  /// Whether the trial carries the workpiece through a tool.
+  [[nodiscard]] bool passes_through(double dt, std::string& why) const;
   void accept(double dt);
   void update_energy();
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;

@@ -301,6 +301,10 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   summary["energy"] = energy_json(process.energy());
   summary["grounded_rigid_motions"] = process.grounded_motions();
   summary["tools"] = tools_json(process);
+  std::vector<std::string> warnings = facts_.warnings;
+  if (std::string quality = warning(); !quality.empty())
+    warnings.push_back(std::move(quality));
+  summary["warnings"] = warnings;
   if (post_)
     summary["failure"] = {{"time", post_->time}, {"reason", post_->reason}};
   summary["seconds"] = timings_json(process.times());

@@ -24,6 +24,7 @@ struct RunFacts {
   std::string version;   ///< of billet
   std::string blas_core; ///< kernels OpenBLAS chose
   int threads = 1;
+  std::vector<std::string> warnings; ///< about the inputs
 };
 
 /// How a run ended, for the summary.

@@ -197,6 +197,24 @@ TEST_F(CommandLine, check_tells_size_pairs_and_advice_and_solves_nothing) {
   EXPECT_TRUE(loose.prints("1 rigid motion(s) are held by contact alone")) << loose.out;
 }
 
+TEST_F(CommandLine, tools_that_go_through_each_other_are_told_before_and_after_the_run) {
+  // A stop beside the specimen, a little too high: the punch is on it after half of its way.
+  write_text(folder_.path() / "stop.toml", upsetting + R"(
+[[tool]]
+name    = "stop"
+surface = { points = [[20, 7.3], [30, 7.3], [30, 7.45], [20, 7.45]], closed = true }
+)");
+  const std::string warning = "warning: tools 'punch' and 'stop' meet at t = 0.05 s at (";
+  const Outcome check = run({"check", "stop.toml"});
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_TRUE(check.prints(warning)) << check.out;
+  const Outcome done = run({"run", "stop.toml", "-o", "r"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_TRUE(done.says(warning)) << done.err;
+  for (const char* file : {"run.log", "summary.json"})
+    EXPECT_NE(content_of(folder_.path() / "r" / file).find(warning), std::string::npos) << file;
+}
+
 TEST_F(CommandLine, info_tells_of_stls_meshes_and_results) {
   write_text(folder_.path() / "die.stl", square_stl(20, 0, true));
   const Outcome stl = run({"info", "die.stl"});

@@ -1,4 +1,5 @@
 #include "geometry/analytic_surfaces.h"
+#include "geometry/facet_body.h"
 #include "geometry/first_contact.h"
 #include "geometry/profile.h"
 #include "geometry/triangle_surface.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace billet::geometry {
@@ -118,6 +120,41 @@ TEST(FirstContact, AFineMeshNearGrazingContactConverges) {
   const Outcome<double> s = distance_to_contact(*plane, {}, direction, points, far);
   ASSERT_TRUE(s) << s.error().reason;
   EXPECT_NEAR(*s, 0.5 / std::sin(angle), precision);
+}
+
+TEST(FirstContact, FacetsMeetWhereFclSeesThemTouchAndNotLater) {
+  // Two bodies of spikes. Their points alone meet later or at the same time; just before the
+  // facets' contact they are apart, just after it they cut.
+  const TriangleMesh mesh = spiky(5);
+  const SurfacePtr tool = make_triangle_surface(mesh);
+  const FacetBody body({mesh.points, {}, mesh.triangles}, 10.0);
+  std::mt19937 generator(31);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  int sooner = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Pose start = rotation_about(Vec3(1, 2, 3), Vec3(any(generator), 1, 0).normalized(), 2.0);
+    Pose there;
+    there.translation = start.translation + Vec3(5, 0.5 * any(generator), 0.5 * any(generator));
+    const Vec3 direction = (there.translation - start.translation).normalized();
+    std::vector<Vec3> points;
+    for (const Vec3& p : mesh.points)
+      points.push_back(there.to_space(p));
+    const Outcome<double> latest = distance_to_contact(*tool, start, direction, points, far);
+    constexpr double tolerance = 1e-6, step = 1e-5;
+    const double s =
+        facet_contact({body, start}, direction, {body, there}, latest ? *latest : 10.0, tolerance);
+    EXPECT_LE(s, latest ? *latest : 10.0);
+    const auto at = [&](double offset) {
+      return PlacedBody{body, moved(start, offset * direction)};
+    };
+    EXPECT_GT(clearance(at(s - step), {body, there}), 0.0) << k;
+    if (latest && *latest - s < step)
+      continue;
+    ++sooner;
+    ASSERT_LT(s, 10.0);
+    EXPECT_TRUE(deepest_cut(at(s + step), {body, there})) << k;
+  }
+  EXPECT_GT(sooner, 10);
 }
 
 } // namespace

@@ -1,0 +1,175 @@
+#include "geometry/facet_body.h"
+
+#include "geometry/base/box.h"
+#include "geometry/segment_pair.h"
+#include "geometry/triangle_mesh.h"
+#include "geometry/triangle_pair.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace billet::geometry {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Model = fcl::BVHModel<fcl::OBBRSSd>;
+
+// Triangles of an area below 3e-8 have no normal for FCL's distances, whatever the unit.
+constexpr double unit_share = 1e-6; // of the size of the scene
+
+double unit(const FacetBody& body) { return unit_share * body.size(); }
+
+fcl::Transform3d to_fcl(const PlacedBody& placed) {
+  fcl::Transform3d transform = fcl::Transform3d::Identity();
+  transform.linear() = placed.pose.rotation;
+  transform.translation() = placed.pose.translation / unit(placed.body);
+  return transform;
+}
+
+const Vec3& point(const DisplayMesh& mesh, std::int32_t i) {
+  return mesh.points[static_cast<std::size_t>(i)];
+}
+
+} // namespace
+
+struct FacetBody::Tree {
+  Model model;
+
+  Tree(const DisplayMesh& drawing, double unit) {
+    std::vector<fcl::Vector3d> points(drawing.points.begin(), drawing.points.end());
+    for (fcl::Vector3d& p : points)
+      p /= unit;
+    std::vector<fcl::Triangle> triangles;
+    for (const auto& t : drawing.triangles)
+      triangles.emplace_back(t[0], t[1], t[2]);
+    model.beginModel();
+    model.addSubModel(points, triangles);
+    model.endModel();
+  }
+};
+
+FacetBody::FacetBody(DisplayMesh drawing, double size)
+    : drawing_(std::move(drawing)), size_(size),
+      tree_(drawing_.triangles.empty() ? nullptr
+                                       : std::make_unique<const Tree>(drawing_, unit(*this))) {}
+
+FacetBody::FacetBody(FacetBody&&) noexcept = default;
+FacetBody& FacetBody::operator=(FacetBody&&) noexcept = default;
+FacetBody::~FacetBody() = default;
+
+namespace {
+
+std::vector<Segment> segments(const PlacedBody& placed) {
+  std::vector<Segment> list;
+  const DisplayMesh& drawing = placed.body.drawing();
+  for (const auto& [from, to] : drawing.lines)
+    list.push_back({placed.pose.to_space(point(drawing, from)).head<2>(),
+                    placed.pose.to_space(point(drawing, to)).head<2>()});
+  return list;
+}
+
+std::array<Vec3, 3> triangle(const PlacedBody& placed, int number) {
+  const DisplayMesh& drawing = placed.body.drawing();
+  std::array<Vec3, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i)
+    corners[i] = placed.pose.to_space(
+        point(drawing, drawing.triangles[static_cast<std::size_t>(number)][i]));
+  return corners;
+}
+
+double clearance_of_segments(const PlacedBody& a, const PlacedBody& b) {
+  double least = infinity;
+  const std::vector<Segment> others = segments(b);
+  for (const Segment& s : segments(a))
+    for (const Segment& other : others)
+      least = std::min(least, distance(s, other));
+  return least;
+}
+
+std::optional<Cut> deepest_cut_of_segments(const PlacedBody& a, const PlacedBody& b) {
+  std::optional<Cut> deepest;
+  const std::vector<Segment> others = segments(b);
+  for (const Segment& s : segments(a))
+    for (const Segment& other : others) {
+      const double depth = cut_depth(s, other);
+      if (depth <= 0.0 || (deepest && depth <= deepest->depth))
+        continue;
+      const Vec2 place = crossing(s, other);
+      deepest = Cut{depth, {place.x(), place.y(), 0.0}};
+    }
+  return deepest;
+}
+
+} // namespace
+
+bool closed(const DisplayMesh& drawing) {
+  TriangleMesh mesh{drawing.points, drawing.triangles};
+  Box box;
+  for (const Vec3& p : drawing.points)
+    box.add(p);
+  constexpr double rounding = 1e-12; // the poles of a sphere are rings of that radius
+  if (!mesh.triangles.empty())
+    clean_up(mesh, rounding * box.size());
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges; // both ends of a line are one each
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back(std::minmax(t[i], t[(i + 1) % 3]));
+  for (const auto& line : drawing.lines)
+    for (const std::int32_t end : line)
+      edges.emplace_back(end, end);
+  std::sort(edges.begin(), edges.end());
+  std::size_t uses = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    ++uses;
+    if (k + 1 < edges.size() && edges[k + 1] == edges[k])
+      continue;
+    if (uses % 2 != 0)
+      return false;
+    uses = 0;
+  }
+  return !edges.empty();
+}
+
+double clearance(const PlacedBody& a, const PlacedBody& b) {
+  if (a.body.tree() == nullptr || b.body.tree() == nullptr)
+    return clearance_of_segments(a, b);
+  assert(a.body.size() == b.body.size());
+  const fcl::DistanceRequestd request(false, false);
+  fcl::DistanceResultd result;
+  fcl::distance(&a.body.tree()->model, to_fcl(a), &b.body.tree()->model, to_fcl(b), request,
+                result);
+  return std::max(result.min_distance, 0.0) * unit(a.body);
+}
+
+std::optional<Cut> deepest_cut(const PlacedBody& a, const PlacedBody& b) {
+  if (a.body.tree() == nullptr || b.body.tree() == nullptr)
+    return deepest_cut_of_segments(a, b);
+  constexpr std::size_t all = std::numeric_limits<std::int32_t>::max();
+  const fcl::CollisionRequestd request(all, false);
+  fcl::CollisionResultd result;
+  fcl::collide(&a.body.tree()->model, to_fcl(a), &b.body.tree()->model, to_fcl(b), request, result);
+  std::optional<Cut> deepest;
+  for (std::size_t i = 0; i < result.numContacts(); ++i) {
+    const fcl::Contactd& contact = result.getContact(i);
+    const TrianglePair pair(triangle(a, static_cast<int>(contact.b1)),
+                            triangle(b, static_cast<int>(contact.b2)));
+    const double depth = pair.depth();
+    // FCL counts triangles that touch to its rounding; what counts here is decided exactly.
+    if (depth > (deepest ? deepest->depth : 0.0) && pair.meets())
+      deepest = Cut{depth, pair.place()};
+  }
+  return deepest;
+}
+
+} // namespace billet::geometry

@@ -1,0 +1,206 @@
+#include "process/touch.h"
+
+#include "geometry/base/error.h"
+#include "geometry/facet_body.h"
+#include "geometry/first_contact.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+using geometry::DisplayMesh;
+using geometry::FacetBody;
+
+constexpr double reach_share = 100.0;     // longest way to touch, in sizes of the workpiece
+constexpr double facet_tolerance = 1e-6;  // share of the size of the scene
+constexpr std::size_t most_facets = 4000; // asked how far a drawing is from its surface
+constexpr int cells = 4;                  // a side of a face's grid of samples
+
+Box box_of(std::span<const Vec3> points) {
+  Box box;
+  for (const Vec3& p : points)
+    box.add(p);
+  return box;
+}
+
+/// The surface of the workpiece in facets, and by how much these are off it [mm].
+struct DrawnWorkpiece {
+  DisplayMesh mesh;
+  double error = 0.0;
+};
+
+void add_cells(std::size_t first, bool solid, DisplayMesh& mesh) {
+  const auto at = [&](int i, int j) {
+    return static_cast<std::int32_t>(first) + j * (cells + 1) + i;
+  };
+  for (int i = 0; i < cells && !solid; ++i)
+    mesh.lines.push_back({at(i, 0), at(i + 1, 0)});
+  for (int j = 0; j < cells && solid; ++j)
+    for (int i = 0; i < cells; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+}
+
+/// By how much the middle of the first line of samples is off its chord; a quarter of that remains
+/// between neighbours of a parabola half as far apart.
+double sagitta(const std::vector<Vec3>& samples) {
+  constexpr double halved = 0.25;
+  double most = 0.0;
+  for (std::size_t k = 0; k + 2 < samples.size(); k += 1)
+    if (k % (cells + 1) + 2 <= cells)
+      most = std::max(most, (samples[k + 1] - 0.5 * (samples[k] + samples[k + 2])).norm());
+  return halved * most;
+}
+
+DrawnWorkpiece drawn(const contact::ContactSurface& surface, std::span<const double> x) {
+  DrawnWorkpiece workpiece;
+  for (mechanics::Index f = 0; f < surface.n_faces(); ++f) {
+    const std::vector<Vec3> samples = surface.samples(x, f);
+    add_cells(workpiece.mesh.points.size(), surface.analysis() == mechanics::Analysis::solid,
+              workpiece.mesh);
+    workpiece.mesh.points.insert(workpiece.mesh.points.end(), samples.begin(), samples.end());
+    workpiece.error = std::max(workpiece.error, sagitta(samples));
+  }
+  return workpiece;
+}
+
+/// How far a drawing stands out of the surface it stands for, at middles of its facets [mm].
+double excess(const geometry::RigidSurface& surface, const DisplayMesh& mesh) {
+  const auto point = [&](std::int32_t i) { return mesh.points[static_cast<std::size_t>(i)]; };
+  std::vector<Vec3> middles;
+  for (std::size_t k = 0; k < mesh.triangles.size(); k += 1 + mesh.triangles.size() / most_facets) {
+    const auto& [a, b, c] = mesh.triangles[k];
+    for (const Vec3& p : {point(a), point(b), point(c)})
+      middles.push_back(0.5 * (point(a) + point(b) + point(c) - p));
+  }
+  for (const auto& [a, b] : mesh.lines)
+    middles.push_back(0.5 * (point(a) + point(b)));
+  const Box box = box_of(mesh.points);
+  std::vector<geometry::Projection> feet(middles.size());
+  double most = 0.0;
+  if (box.size() > 0.0)
+    surface.project(middles, box.size(), feet);
+  for (const geometry::Projection& foot : feet)
+    if (foot.found())
+      most = std::max(most, foot.gap);
+  return most;
+}
+
+/// Drops the triangles that the workpiece cannot meet: of a large die most.
+void keep_within(const Box& window, DisplayMesh& mesh) {
+  std::erase_if(mesh.triangles, [&](const auto& triangle) {
+    Box box;
+    for (const std::int32_t corner : triangle)
+      box.add(mesh.points[static_cast<std::size_t>(corner)]);
+    return !box.overlaps(window, facet_tolerance * window.size());
+  });
+}
+
+/// The unit vector of the first displacement that a tool's motion has; zero: it stands still.
+Vec3 first_direction(const geometry::Motion& motion, double end) {
+  constexpr int looks = 100;
+  Vec3 direction = Vec3::Zero();
+  for (int step = 1; step <= looks && direction.isZero(0.0); ++step) {
+    const double time = end * step / looks;
+    direction = motion.force ? Vec3(motion.force->load(time) * motion.force->axis)
+                             : motion.translation(time);
+  }
+  return direction.isZero(0.0) ? direction : Vec3(direction.normalized());
+}
+
+/// Brings tools to one workpiece.
+class Toucher {
+public:
+  Toucher(const Scene& scene, const contact::ContactSurface& surface, std::span<const double> x)
+      : analysis_(scene.analysis), end_(scene.stages.back().end), points_(surface.n_points()),
+        size_(box_of(scene.mesh.points).size()), workpiece_(drawn(surface, x)) {
+    surface.positions(x, points_);
+    for (mechanics::Index f = 0; f < surface.n_faces(); ++f)
+      for (const mechanics::Index node : surface.scatter().nodes(f))
+        points_.push_back(scene.mesh.points[static_cast<std::size_t>(node)]);
+  }
+
+  void bring(contact::Tool& tool) const {
+    const Vec3 direction = first_direction(tool.motion, end_);
+    if (direction.isZero(0.0))
+      throw Error(Fault::case_file, "",
+                  fmt::format("tool '{}' has touch = true but does not move", tool.name),
+                  "give it a velocity, a displacement or a force, or place it where it touches");
+    const double reach = reach_share * size_;
+    const auto by_points = geometry::distance_to_contact(*tool.surface, tool.motion.pose(0.0),
+                                                         direction, points_, reach);
+    // Points are what carries the load of a driven tool: it must rest on one.
+    const double distance = tool.motion.force && by_points
+                                ? *by_points
+                                : by_facets(tool, direction, by_points ? *by_points : reach);
+    if (!by_points && !(distance < reach && faces_workpiece(tool, distance * direction)))
+      throw Error(Fault::geometry, "",
+                  fmt::format("tool '{}' cannot be brought to touch: {}", tool.name,
+                              by_points.error().reason),
+                  "check its place, the direction of its motion and which way its surface faces "
+                  "(flip = true turns an STL)");
+    tool.motion.offset = distance * direction;
+  }
+
+private:
+  /// Whether the tool, moved there, has no point of the workpiece behind its surface.
+  [[nodiscard]] bool faces_workpiece(const contact::Tool& tool, const Vec3& offset) const {
+    const geometry::Pose start = tool.motion.pose(0.0);
+    std::vector<Vec3> points;
+    for (const Vec3& p : points_)
+      points.push_back(start.to_tool(p - offset));
+    std::vector<geometry::Projection> feet(points.size());
+    tool.surface->project(points, reach_share * size_, feet);
+    return std::none_of(feet.begin(), feet.end(), [&](const geometry::Projection& foot) {
+      return foot.gap < -facet_tolerance * size_;
+    });
+  }
+
+  [[nodiscard]] double
+  by_facets(const contact::Tool& tool, const Vec3& direction, double latest) const {
+    const geometry::Pose start = tool.motion.pose(0.0);
+    Box window; // in the tool's frame: the workpiece where the tool starts, arrives, backs off to
+    for (const Vec3& p : points_)
+      for (const double s : {std::min(0.0, latest) - size_, latest})
+        window.add(start.to_tool(p - s * direction));
+    DisplayMesh drawing = tool.surface->display(window, analysis_ != mechanics::Analysis::solid);
+    keep_within(window, drawing);
+    Box all = window;
+    for (const Vec3& p : drawing.points)
+      all.add(p);
+    const double tolerance =
+        facet_tolerance * size_ + excess(*tool.surface, drawing) + workpiece_.error;
+    const FacetBody body(std::move(drawing), all.size()), workpiece(workpiece_.mesh, all.size());
+    return geometry::facet_contact({body, start}, direction, {workpiece, {}}, latest, tolerance);
+  }
+
+  mechanics::Analysis analysis_;
+  double end_;
+  std::vector<Vec3> points_;
+  double size_;
+  DrawnWorkpiece workpiece_;
+};
+
+} // namespace
+
+void bring_to_touch(Scene& scene,
+                    const contact::ContactSurface& surface,
+                    std::span<const double> x) {
+  if (std::none_of(scene.touch.begin(), scene.touch.end(), [](char touch) { return touch != 0; }))
+    return;
+  const Toucher toucher(scene, surface, x);
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (scene.touch[t] != 0)
+      toucher.bring(scene.tools[t]);
+}
+
+} // namespace billet::process

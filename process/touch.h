@@ -1,0 +1,23 @@
+// Brings tools to first contact with the workpiece: `touch = true`.
+//
+// Theory: docs/theory/process.md (P.4), geometry.md (G.15), (G.33).
+
+#pragma once
+
+#include "contact/contact_surface.h"
+#include "process/scene.h"
+
+#include <span>
+
+namespace billet::process {
+
+/// Sets the offset of every tool that is to be brought to touch.
+///
+/// @param x  positions of the nodes, shape (n_dofs) [mm]
+/// @throws Error (Fault::geometry, Fault::case_file) naming the tool that stands still or meets
+///         nothing
+void bring_to_touch(Scene& scene,
+                    const contact::ContactSurface& surface,
+                    std::span<const double> x);
+
+} // namespace billet::process
