@@ -15,11 +15,12 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Adds the closed circle of radius r about `centre` in the plane of e1 and e2.
 void add_circle(DisplayMesh& mesh, const Vec3& centre, double r, const Vec3& e1, const Vec3& e2) {
+  constexpr int pieces = 4 * pieces_round; // lines are cheap, and a roll is far larger than its gap
   const auto first = static_cast<std::int32_t>(mesh.points.size());
-  for (int j = 0; j < pieces_round; ++j) {
-    const double angle = 2.0 * std::numbers::pi * j / pieces_round;
+  for (int j = 0; j < pieces; ++j) {
+    const double angle = 2.0 * std::numbers::pi * j / pieces;
     mesh.points.push_back(centre + r * (std::cos(angle) * e1 + std::sin(angle) * e2));
-    mesh.lines.push_back({first + j, first + (j + 1) % pieces_round});
+    mesh.lines.push_back({first + j, first + (j + 1) % pieces});
   }
 }
 

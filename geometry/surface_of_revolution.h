@@ -71,7 +71,7 @@ struct AxisCoordinates {
 [[nodiscard]] std::pair<double, double> heights(const Axis& axis, const Box& window);
 
 /// Pieces of circle a full turn is drawn with.
-inline constexpr int pieces_round = 64;
+inline constexpr int pieces_round = 128;
 
 /// The meridian turned about the axis as triangles, or its section z = 0 as lines.
 [[nodiscard]] DisplayMesh
