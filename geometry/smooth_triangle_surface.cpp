@@ -83,6 +83,7 @@ private:
   EdgeCurves edges_;
   std::vector<CurvedTriangle> patches_;
   std::vector<Kind> kinds_;
+  std::vector<Box> boxes_; // of the patches
   BoxTree tree_;
   Box bounds_;
   Smoothing smoothing_;
@@ -91,7 +92,6 @@ private:
 SmoothTriangleSurface::SmoothTriangleSurface(const TriangleMesh& mesh, double feature_angle)
     : features_(mesh), normals_(corner_normals(mesh, feature_angle)),
       edges_(edge_curves(mesh, normals_)) {
-  std::vector<Box> boxes;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<CurvedTriangle::Side, 3> sides{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -112,9 +112,9 @@ SmoothTriangleSurface::SmoothTriangleSurface(const TriangleMesh& mesh, double fe
       box.add(corner(t, i));
     bounds_.add(box.low);
     bounds_.add(box.high);
-    boxes.push_back(box);
+    boxes_.push_back(box);
   }
-  tree_ = BoxTree(std::move(boxes));
+  tree_ = BoxTree(boxes_);
 }
 
 Kind SmoothTriangleSurface::classify(std::size_t t, const CurvedTriangle& patch) {
@@ -206,7 +206,7 @@ Place SmoothTriangleSurface::closest(std::int32_t triangle, const Vec3& x) const
       place = closest_on_side(t, x);
     }
   }
-  place.distance2 = std::max(place.distance2, distance2(tree_.box(triangle), x));
+  place.distance2 = std::max(place.distance2, distance2(boxes_[t], x));
   return place;
 }
 
