@@ -17,7 +17,8 @@
 
 namespace billet::geometry {
 
-struct Surroundings {
+/// One word, so that threads can store and load it as a whole.
+struct alignas(8) Surroundings {
   /// Largest height of points of other triangles over or under the plane of this one, as a multiple
   /// of how far they lie beside it [-]; infinite: nothing is known
   float slope;
