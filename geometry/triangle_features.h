@@ -14,6 +14,7 @@
 #include "geometry/triangle_mesh.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -47,6 +48,12 @@ public:
   [[nodiscard]] double rounding() const { return rounding_; }
 
   [[nodiscard]] ClosestFeature closest(std::int32_t triangle, const Vec3& x) const;
+
+  /// Distance of x from the plane of a triangle [mm]: a bound of that from the triangle.
+  [[nodiscard]] double height(std::int32_t triangle, const Vec3& x) const {
+    const auto t = static_cast<std::size_t>(triangle);
+    return std::abs((x - point(mesh_.triangles[t][0])).dot(face_normals_[t]));
+  }
 
   /// Where the foot of x in the plane of a triangle lies.
   [[nodiscard]] Inside inside(std::int32_t triangle, const Vec3& x) const;

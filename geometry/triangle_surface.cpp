@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,10 +34,12 @@ BoxTree tree_of(const TriangleMesh& mesh) {
 
 class TriangleSurface final : public RigidSurface {
 public:
-  explicit TriangleSurface(const TriangleMesh& mesh)
-      : features_(mesh), tree_(tree_of(mesh)), surroundings_(mesh.triangles.size()) {
+  TriangleSurface(const TriangleMesh& mesh, double worst_aspect)
+      : features_(mesh), tree_(tree_of(mesh)),
+        height_rounding_((1.0 + worst_aspect) * features_.rounding()),
+        surroundings_(mesh.triangles.size()) {
     for (std::atomic<Surroundings>& around : surroundings_)
-      around.store(not_yet, std::memory_order_relaxed);
+      around.store(never_asked, std::memory_order_relaxed);
   }
 
   [[nodiscard]] Box bounds() const override { return features_.bounds(); }
@@ -64,12 +67,13 @@ private:
   [[nodiscard]] bool is_certain(const ClosestFeature& closest, const Vec3& x) const;
   [[nodiscard]] Surroundings surroundings(std::int32_t triangle) const;
 
-  static constexpr Surroundings not_yet{-1.0F, 0.0F};
+  static constexpr Surroundings never_asked{-2.0F, 0.0F}, asked_once{-1.0F, 0.0F};
 
   TriangleFeatures features_;
   BoxTree tree_;
-  // Found when first asked for: most triangles of a die never meet the workpiece. Whichever thread
-  // comes first, the values are the same.
+  double height_rounding_; // of distances from planes [mm]
+  // Found when asked for the second time: most triangles of a die never meet the workpiece, and on
+  // a fine one many are met once. Whichever thread comes first, the values are the same.
   mutable std::vector<std::atomic<Surroundings>> surroundings_;
 };
 
@@ -92,13 +96,18 @@ Projection TriangleSurface::project_one(const Vec3& x, double reach, std::int32_
   }
   std::int32_t nearest = -1;
   ClosestFeature best{};
+  double limit = std::sqrt(limit2);
   tree_.walk(x, limit2, [&](std::int32_t triangle) {
+    // Far above a hollow thousands of triangles have boxes that are near enough.
+    if (features_.height(triangle, x) > limit + height_rounding_)
+      return limit2;
     const ClosestFeature candidate = closest(triangle, x);
     if (candidate.distance2 < limit2 ||
         (candidate.distance2 == limit2 && (nearest < 0 || triangle < nearest))) {
       best = candidate;
       nearest = triangle;
       limit2 = candidate.distance2;
+      limit = std::sqrt(limit2);
     }
     return limit2;
   });
@@ -140,8 +149,12 @@ bool TriangleSurface::is_certain(const ClosestFeature& closest, const Vec3& x) c
 Surroundings TriangleSurface::surroundings(std::int32_t triangle) const {
   std::atomic<Surroundings>& known = surroundings_[static_cast<std::size_t>(triangle)];
   Surroundings around = known.load(std::memory_order_relaxed);
-  if (around.slope != not_yet.slope)
+  if (around.slope >= 0.0F)
     return around;
+  if (around.slope == never_asked.slope) {
+    known.store(asked_once, std::memory_order_relaxed);
+    return {std::numeric_limits<float>::infinity(), 0.0F};
+  }
   SurroundingsOf gathered(features_.mesh(), triangle);
   const double limit2 = gathered.radius() * gathered.radius();
   tree_.walk(gathered.middle(), limit2, [&](std::int32_t other) {
@@ -156,10 +169,11 @@ Surroundings TriangleSurface::surroundings(std::int32_t triangle) const {
 } // namespace
 
 SurfacePtr make_triangle_surface(const TriangleMesh& mesh) {
-  std::vector<Complaint> found = complaints(health(mesh), "");
+  const MeshHealth state = health(mesh);
+  std::vector<Complaint> found = complaints(state, "");
   if (!found.empty())
     throw Error(Fault::geometry, std::move(found));
-  return std::make_unique<const TriangleSurface>(mesh);
+  return std::make_unique<const TriangleSurface>(mesh, state.worst_aspect);
 }
 
 } // namespace billet::geometry
