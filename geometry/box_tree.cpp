@@ -1,9 +1,24 @@
 #include "geometry/box_tree.h"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
+#include <cmath>
+#include <limits>
 
 namespace billet::geometry {
+
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+// Two steps outwards: one for the rounding to single precision, one for that of the shift to the
+// centre.
+float below(double value) {
+  return std::nextafter(std::nextafter(static_cast<float>(value), -infinite), -infinite);
+}
+float above(double value) { return -below(-value); }
+
+} // namespace
 
 // Not inlined, so that the compiler contracts it to fused multiply-adds in one way only.
 [[gnu::noinline]] double distance2(const Box& box, const Vec3& x) {
@@ -14,40 +29,100 @@ namespace billet::geometry {
   return dx * dx + dy * dy + dz * dz;
 }
 
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
-  if (boxes_.empty())
+BoxTree::BoxTree(const std::vector<Box>& boxes) {
+  if (boxes.empty())
     return;
-  std::vector<std::int32_t> numbers(boxes_.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
-  nodes_.reserve(2 * boxes_.size());
-  build(numbers);
+  Box all;
+  std::vector<Middle> middles;
+  middles.reserve(boxes.size());
+  for (const Box& box : boxes) {
+    all.add(box.low);
+    all.add(box.high);
+    middles.push_back({box.low + box.high, static_cast<std::int32_t>(middles.size())});
+  }
+  centre_ = 0.5 * (all.low + all.high);
+  nodes_.reserve(boxes.size() / 4 + 1);
+  build(boxes, middles);
 }
 
-// Halves at the median of the middles, along the longest side; equal middles by number.
-std::int32_t BoxTree::build(std::span<std::int32_t> numbers) {
-  Node node{{}, -1, numbers.front()};
-  Box middles;
-  for (const std::int32_t i : numbers) {
-    node.box.add(box(i).low);
-    node.box.add(box(i).high);
-    middles.add(0.5 * (box(i).low + box(i).high));
+void BoxTree::set_child(Node& node, std::size_t lane, std::int32_t child, const Box& box) const {
+  const Vec3 low = box.low - centre_, high = box.high - centre_;
+  for (std::size_t i = 0; i < 3; ++i) {
+    node.low[i][lane] = below(low[static_cast<Eigen::Index>(i)]);
+    node.high[i][lane] = above(high[static_cast<Eigen::Index>(i)]);
   }
-  if (numbers.size() > 1) {
-    Eigen::Index axis = 0;
-    (middles.high - middles.low).maxCoeff(&axis);
-    const std::size_t half = numbers.size() / 2;
-    const auto before = [&](std::int32_t i, std::int32_t j) {
-      const double p = box(i).low[axis] + box(i).high[axis];
-      const double q = box(j).low[axis] + box(j).high[axis];
-      return p < q || (p == q && i < j);
-    };
-    std::nth_element(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(half),
-                     numbers.end(), before);
-    node.left = build(numbers.first(half));
-    node.right = build(numbers.subspan(half));
+  node.child[lane] = child;
+}
+
+// A node over these boxes, of which every subtree but the last is full.
+std::int32_t BoxTree::build(const std::vector<Box>& boxes, std::span<Middle> middles) {
+  const auto number = nodes_.size();
+  Node node;
+  for (std::size_t i = 0; i < 3; ++i) {
+    node.low[i].fill(infinite);
+    node.high[i].fill(-infinite);
   }
+  node.child.fill(0);
   nodes_.push_back(node);
-  return static_cast<std::int32_t>(nodes_.size()) - 1;
+  std::size_t capacity = 1; // of a child
+  while (capacity * width < middles.size())
+    capacity *= width;
+  std::vector<std::span<Middle>> parts;
+  divide(middles, capacity, parts);
+  for (std::size_t lane = 0; lane < parts.size(); ++lane) {
+    Box box;
+    for (const Middle& m : parts[lane]) {
+      box.add(boxes[static_cast<std::size_t>(m.number)].low);
+      box.add(boxes[static_cast<std::size_t>(m.number)].high);
+    }
+    const std::int32_t child =
+        parts[lane].size() == 1 ? -1 - parts[lane].front().number : build(boxes, parts[lane]);
+    set_child(nodes_[number], lane, child, box);
+  }
+  return static_cast<std::int32_t>(number);
+}
+
+// Halves across the longest side of the middles until no part is larger than `capacity`.
+void BoxTree::divide(std::span<Middle> middles,
+                     std::size_t capacity,
+                     std::vector<std::span<Middle>>& parts) {
+  if (middles.size() <= capacity) {
+    parts.push_back(middles);
+    return;
+  }
+  Box extent;
+  for (const Middle& m : middles)
+    extent.add(m.twice);
+  Eigen::Index axis = 0;
+  (extent.high - extent.low).maxCoeff(&axis);
+  const std::size_t pieces = (middles.size() + capacity - 1) / capacity;
+  const std::size_t half = (pieces + 1) / 2 * capacity;
+  std::nth_element(middles.begin(), middles.begin() + static_cast<std::ptrdiff_t>(half),
+                   middles.end(), [axis](const Middle& a, const Middle& b) {
+                     return a.twice[axis] < b.twice[axis] ||
+                            (a.twice[axis] == b.twice[axis] && a.number < b.number);
+                   });
+  divide(middles.first(half), capacity, parts);
+  divide(middles.subspan(half), capacity, parts);
+}
+
+// In the compiler's vectors: left to itself it takes the lanes one by one.
+std::array<double, BoxTree::width> BoxTree::distances2(const Node& node, const Vec3& x) {
+  using Floats [[gnu::vector_size(width * sizeof(float))]] = float;
+  using Doubles [[gnu::vector_size(width * sizeof(double))]] = double;
+  const auto wide = [](const std::array<float, width>& values) {
+    return __builtin_convertvector(std::bit_cast<Floats>(values), Doubles);
+  };
+  const Doubles zero{};
+  Doubles sum = zero;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double at = x[static_cast<Eigen::Index>(i)];
+    const Doubles under = wide(node.low[i]) - at, over = at - wide(node.high[i]);
+    const Doubles beyond = under > over ? under : over;
+    const Doubles distance = zero > beyond ? zero : beyond;
+    sum += distance * distance;
+  }
+  return std::bit_cast<std::array<double, width>>(sum);
 }
 
 } // namespace billet::geometry

@@ -199,20 +199,41 @@ SurfacePoint CurvedTriangle::at(double v, double w) const {
   return point;
 }
 
-// The cubic lies within the hull of its control points; the bends are sampled, with a margin.
+// Sampled; the weights of the bends add up to less than one.
+double CurvedTriangle::largest_bend() const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int k = 0; k <= samples && bends_[i]; ++k)
+      largest = std::max(largest, bend(i, static_cast<double>(k) / samples).f.norm());
+  return largest;
+}
+
+// The cubic lies within the hull of its control points.
 Box CurvedTriangle::bounds() const {
   Box box;
   box.add(centre_);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const Vec3& c : sides_[i].curve.control)
+  for (const Side& side : sides_)
+    for (const Vec3& c : side.curve.control)
       box.add(c);
-    for (int k = 0; k <= samples && bends_[i]; ++k)
-      largest = std::max(largest, bend(i, static_cast<double>(k) / samples).f.norm());
-  }
+  const double largest = largest_bend();
   box.low.array() -= largest;
   box.high.array() += largest;
   return box;
+}
+
+// A cubic in Bernstein form is a mean of its control points, and each of them is at most as far
+// from the straight triangle as from the point of it with the same parameters.
+double CurvedTriangle::rise() const {
+  const Vec3 &a = sides_[0].curve.control[0], &b = sides_[1].curve.control[0],
+             &c = sides_[2].curve.control[0];
+  double largest = (centre_ - (a + b + c) / 3.0).norm();
+  for (const Side& side : sides_) {
+    const std::array<Vec3, 4>& control = side.curve.control;
+    const Vec3 third = (control[3] - control[0]) / 3.0;
+    largest = std::max({largest, (control[1] - control[0] - third).norm(),
+                        (control[2] - control[3] + third).norm()});
+  }
+  return largest + largest_bend();
 }
 
 CurvedTriangle::Shape CurvedTriangle::shape() const {

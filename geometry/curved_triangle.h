@@ -48,6 +48,8 @@ public:
   [[nodiscard]] SurfacePoint at(double v, double w) const;
 
   [[nodiscard]] Box bounds() const;
+  /// No point of it is farther than this from the straight triangle between the corners. [mm]
+  [[nodiscard]] double rise() const;
   [[nodiscard]] Shape shape() const;
   [[nodiscard]] const std::array<Side, 3>& sides() const { return sides_; }
 
@@ -64,6 +66,7 @@ public:
 private:
   [[nodiscard]] Taylor1<Vec3> bend(std::size_t side, double t) const;
   void add_bends(double v, double w, SurfacePoint& at) const;
+  [[nodiscard]] double largest_bend() const;
 
   std::array<Side, 3> sides_;
   Vec3 centre_;                               ///< control point of the middle [mm]

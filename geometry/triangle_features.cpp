@@ -60,6 +60,7 @@ void TriangleFeatures::find_normals() {
 
 void TriangleFeatures::find_edges() {
   triangle_edges_.resize(mesh_.triangles.size());
+  neighbours_.resize(mesh_.triangles.size(), {-1, -1, -1});
   for_each_edge(edge_uses(mesh_), [&](std::span<const EdgeUse> uses) {
     const auto number = static_cast<std::int32_t>(edges_.size());
     Vec3 sum = Vec3::Zero();
@@ -67,6 +68,9 @@ void TriangleFeatures::find_edges() {
       const auto t = static_cast<std::size_t>(use.triangle);
       triangle_edges_[t][static_cast<std::size_t>(use.side)] = number;
       sum += face_normals_[t];
+      if (uses.size() == 2)
+        neighbours_[t][static_cast<std::size_t>(use.side)] =
+            uses[&use == uses.data() ? 1 : 0].triangle;
     }
     const Vec3& first = face_normals_[static_cast<std::size_t>(uses[0].triangle)];
     Edge edge{uses[0].low, uses[0].high, unit_or(sum, first), uses.size() == 1, Vec3::Zero()};
@@ -102,6 +106,20 @@ ClosestFeature TriangleFeatures::closest(std::int32_t triangle, const Vec3& x) c
     return best;
   const double height = (x - point(corners[0])).dot(normal);
   return {height * height, Feature::face, triangle};
+}
+
+Inside TriangleFeatures::inside(std::int32_t triangle, const Vec3& x) const {
+  const auto t = static_cast<std::size_t>(triangle);
+  const std::array<std::int32_t, 3>& corners = mesh_.triangles[t];
+  Inside inside{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& from = point(corners[i]);
+    const Vec3 way = point(corners[(i + 1) % 3]) - from;
+    const double distance = face_normals_[t].dot(way.cross(x - from)) / way.norm();
+    if (distance < inside.distance)
+      inside = {distance, i};
+  }
+  return inside;
 }
 
 ClosestFeature TriangleFeatures::closest_on_edge(std::int32_t edge, const Vec3& x) const {

@@ -14,6 +14,8 @@
 #include "geometry/triangle_mesh.h"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -29,6 +31,12 @@ struct ClosestFeature {
   std::int32_t number; ///< which face, edge or vertex of the surface
 };
 
+/// How far a point of the plane of a triangle lies within its nearest side.
+struct Inside {
+  double distance;  ///< [mm]; < 0: beside the triangle
+  std::size_t side; ///< 0, 1, 2: from that corner to the next
+};
+
 class TriangleFeatures {
 public:
   /// @pre complaints(health(mesh)) is empty
@@ -36,8 +44,24 @@ public:
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
+  /// Of coordinates. [mm]
+  [[nodiscard]] double rounding() const { return rounding_; }
 
   [[nodiscard]] ClosestFeature closest(std::int32_t triangle, const Vec3& x) const;
+
+  /// Distance of x from the plane of a triangle [mm]: a bound of that from the triangle.
+  [[nodiscard]] double height(std::int32_t triangle, const Vec3& x) const {
+    const auto t = static_cast<std::size_t>(triangle);
+    return std::abs((x - point(mesh_.triangles[t][0])).dot(face_normals_[t]));
+  }
+
+  /// Where the foot of x in the plane of a triangle lies.
+  [[nodiscard]] Inside inside(std::int32_t triangle, const Vec3& x) const;
+
+  /// The triangle across a side; -1: none.
+  [[nodiscard]] std::int32_t neighbour(std::int32_t triangle, std::size_t side) const {
+    return neighbours_[static_cast<std::size_t>(triangle)][side];
+  }
 
   /// Signed projection onto that feature; not found beyond a rim. `patch` is left at -1.
   [[nodiscard]] Projection project(const ClosestFeature& closest, const Vec3& x) const;
@@ -77,6 +101,7 @@ private:
   std::vector<Vec3> vertex_normals_;                        ///< pseudo-normals, unit
   std::vector<Edge> edges_;                                 ///< sorted by (a, b)
   std::vector<std::array<std::int32_t, 3>> triangle_edges_; ///< from corner i to the next
+  std::vector<std::array<std::int32_t, 3>> neighbours_;     ///< across these edges; -1: none
   std::vector<std::pair<std::int32_t, std::int32_t>> rim_;  ///< (vertex, border edge), sorted
 };
 

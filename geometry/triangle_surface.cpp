@@ -1,60 +1,50 @@
 #include "geometry/triangle_surface.h"
 
 #include "geometry/base/error.h"
+#include "geometry/box_tree.h"
 #include "geometry/mesh_health.h"
 #include "geometry/triangle_features.h"
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
+#include "geometry/triangle_surroundings.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace billet::geometry {
 
 namespace {
 
-// CGAL only sorts boxes here: every distance that decides is ours, so its kernel need not be exact.
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+Box box_of(const TriangleMesh& mesh, std::size_t triangle) {
+  Box box;
+  for (const std::int32_t corner : mesh.triangles[triangle])
+    box.add(mesh.points[static_cast<std::size_t>(corner)]);
+  return box;
+}
 
-Kernel::Point_3 to_cgal(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
-
-// Every operation is monotone, also in rounding: a box is never farther than one it contains. Not
-// inlined, so that the compiler contracts it to fused multiply-adds in one way only.
-[[gnu::noinline]] double box_distance2(const CGAL::Bbox_3& box, const Vec3& x) {
-  const auto outside = [](double low, double high, double value) {
-    return std::max({low - value, value - high, 0.0});
-  };
-  const double dx = outside(box.xmin(), box.xmax(), x.x());
-  const double dy = outside(box.ymin(), box.ymax(), x.y());
-  const double dz = outside(box.zmin(), box.zmax(), x.z());
-  return dx * dx + dy * dy + dz * dz;
+BoxTree tree_of(const TriangleMesh& mesh) {
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    boxes.push_back(box_of(mesh, t));
+  return BoxTree(boxes);
 }
 
 class TriangleSurface final : public RigidSurface {
 public:
-  explicit TriangleSurface(const TriangleMesh& mesh);
+  TriangleSurface(const TriangleMesh& mesh, double worst_aspect)
+      : features_(mesh), tree_(tree_of(mesh)),
+        height_rounding_((1.0 + worst_aspect) * features_.rounding()),
+        surroundings_(mesh.triangles.size()) {
+    for (std::atomic<Surroundings>& around : surroundings_)
+      around.store(never_asked, std::memory_order_relaxed);
+  }
 
   [[nodiscard]] Box bounds() const override { return features_.bounds(); }
   [[nodiscard]] DisplayMesh display(const Box& /*window*/, bool /*planar*/) const override {
     return {features_.mesh().points, {}, features_.mesh().triangles};
-  }
-
-  // Never less than the distance to the triangle's box, so that leaving out boxes that are farther
-  // than the best triangle cannot change the result, whatever the rounding. (G.12)
-  [[nodiscard]] ClosestFeature closest(std::int32_t triangle, const Vec3& x) const {
-    ClosestFeature closest = features_.closest(triangle, x);
-    const CGAL::Bbox_3 box = triangles_[static_cast<std::size_t>(triangle)].bbox();
-    closest.distance2 = std::max(closest.distance2, box_distance2(box, x));
-    return closest;
-  }
-  [[nodiscard]] std::int32_t number(const Primitive& primitive) const {
-    return static_cast<std::int32_t>(primitive.id() - triangles_.begin());
   }
 
 private:
@@ -62,65 +52,30 @@ private:
   do_project(std::span<const Vec3> points, double reach, std::span<Projection> out) const override;
   [[nodiscard]] Projection project_one(const Vec3& x, double reach, std::int32_t hint) const;
 
+  // Never less than the distance to the triangle's box, so that leaving out boxes that are farther
+  // than the best triangle cannot change the result, whatever the rounding. (G.12)
+  [[nodiscard]] ClosestFeature closest(std::int32_t triangle, const Vec3& x) const {
+    ClosestFeature closest = features_.closest(triangle, x);
+    const Box box = box_of(features_.mesh(), static_cast<std::size_t>(triangle));
+    closest.distance2 = std::max(closest.distance2, distance2(box, x));
+    return closest;
+  }
+
+  [[nodiscard]] Projection
+  projection(std::int32_t triangle, const ClosestFeature& closest, const Vec3& x) const;
+  [[nodiscard]] std::int32_t triangle_below(std::int32_t hint, const Vec3& x) const;
+  [[nodiscard]] bool is_certain(const ClosestFeature& closest, const Vec3& x) const;
+  [[nodiscard]] Surroundings surroundings(std::int32_t triangle) const;
+
+  static constexpr Surroundings never_asked{-2.0F, 0.0F}, asked_once{-1.0F, 0.0F};
+
   TriangleFeatures features_;
-  Triangles triangles_; // the tree refers to them
-  Tree tree_;
+  BoxTree tree_;
+  double height_rounding_; // of distances from planes [mm]
+  // Found when asked for the second time: most triangles of a die never meet the workpiece, and on
+  // a fine one many are met once. Whichever thread comes first, the values are the same.
+  mutable std::vector<std::atomic<Surroundings>> surroundings_;
 };
-
-// Walks the tree, nearest box first, for the smallest (distance, triangle number).
-class NearestTriangle {
-public:
-  using Priority = double;
-
-  NearestTriangle(const TriangleSurface& surface, const Vec3& x, double limit2)
-      : surface_(surface), x_(x), limit2_(limit2) {}
-
-  [[nodiscard]] bool go_further() const { return true; }
-  template <class Query> void intersection(const Query& /*query*/, const Primitive& primitive) {
-    const std::int32_t number = surface_.number(primitive);
-    const ClosestFeature candidate = surface_.closest(number, x_);
-    if (candidate.distance2 > limit2_ ||
-        (candidate.distance2 == limit2_ && triangle_ >= 0 && number > triangle_))
-      return;
-    closest_ = candidate;
-    triangle_ = number;
-    limit2_ = candidate.distance2;
-  }
-  template <class Query, class Node>
-  [[nodiscard]] bool do_intersect(const Query& /*query*/, const Node& node) const {
-    return box_distance2(node.bbox(), x_) <= limit2_;
-  }
-  template <class Query, class Node>
-  [[nodiscard]] std::pair<bool, Priority> do_intersect_with_priority(const Query& /*query*/,
-                                                                     const Node& node) const {
-    const double distance2 = box_distance2(node.bbox(), x_);
-    return {distance2 <= limit2_, -distance2};
-  }
-
-  /// -1: nothing within the limit.
-  [[nodiscard]] std::int32_t triangle() const { return triangle_; }
-  [[nodiscard]] const ClosestFeature& closest() const { return closest_; }
-
-private:
-  const TriangleSurface& surface_;
-  const Vec3& x_;
-  double limit2_;
-  std::int32_t triangle_ = -1;
-  ClosestFeature closest_{};
-};
-
-TriangleSurface::TriangleSurface(const TriangleMesh& mesh) : features_(mesh) {
-  triangles_.reserve(mesh.triangles.size());
-  const auto corner = [&](std::int32_t i) {
-    return to_cgal(mesh.points[static_cast<std::size_t>(i)]);
-  };
-  for (const std::array<std::int32_t, 3>& t : mesh.triangles)
-    triangles_.emplace_back(corner(t[0]), corner(t[1]), corner(t[2]));
-  // CGAL builds both trees lazily under a lock; here they are ready before the first query.
-  tree_.insert(triangles_.begin(), triangles_.end());
-  tree_.build();
-  tree_.accelerate_distance_queries();
-}
 
 void TriangleSurface::do_project(std::span<const Vec3> points,
                                  double reach,
@@ -129,29 +84,96 @@ void TriangleSurface::do_project(std::span<const Vec3> points,
     out[i] = project_one(points[i], reach, out[i].patch);
 }
 
+// Smallest (distance, triangle number). (G.12)
 Projection TriangleSurface::project_one(const Vec3& x, double reach, std::int32_t hint) const {
-  const double reach2 = reach * reach;
-  if (box_distance2(tree_.bbox(), x) > reach2)
-    return {};
-  if (hint < 0 || static_cast<std::size_t>(hint) >= triangles_.size())
-    hint = static_cast<std::int32_t>(tree_.best_hint(to_cgal(x)).second - triangles_.cbegin());
-  NearestTriangle walk(*this, x, std::min(reach2, closest(hint, x).distance2));
-  tree_.traversal_with_priority(x, walk);
-  if (walk.triangle() < 0)
-    return {};
-  Projection p = features_.project(walk.closest(), x);
+  double limit2 = reach * reach;
+  if (hint >= 0 && static_cast<std::size_t>(hint) < features_.mesh().triangles.size()) {
+    const std::int32_t below = triangle_below(hint, x);
+    const ClosestFeature there = closest(below, x);
+    if (there.distance2 <= limit2 && is_certain(there, x))
+      return projection(below, there, x);
+    limit2 = std::min(limit2, there.distance2);
+  }
+  std::int32_t nearest = -1;
+  ClosestFeature best{};
+  double limit = std::sqrt(limit2);
+  tree_.walk(x, limit2, [&](std::int32_t triangle) {
+    // Far above a hollow thousands of triangles have boxes that are near enough.
+    if (features_.height(triangle, x) > limit + height_rounding_)
+      return limit2;
+    const ClosestFeature candidate = closest(triangle, x);
+    if (candidate.distance2 < limit2 ||
+        (candidate.distance2 == limit2 && (nearest < 0 || triangle < nearest))) {
+      best = candidate;
+      nearest = triangle;
+      limit2 = candidate.distance2;
+      limit = std::sqrt(limit2);
+    }
+    return limit2;
+  });
+  return nearest < 0 ? Projection{} : projection(nearest, best, x);
+}
+
+Projection TriangleSurface::projection(std::int32_t triangle,
+                                       const ClosestFeature& closest,
+                                       const Vec3& x) const {
+  Projection p = features_.project(closest, x);
   if (p.found())
-    p.patch = walk.triangle();
+    p.patch = triangle;
   return p;
+}
+
+// From the hint across the sides that x lies beyond; ends over an edge or a vertex, too.
+std::int32_t TriangleSurface::triangle_below(std::int32_t hint, const Vec3& x) const {
+  constexpr int most_steps = 8; // a point that has moved farther is better searched for
+  std::int32_t from = -1, at = hint;
+  for (int step = 0; step < most_steps; ++step) {
+    const Inside inside = features_.inside(at, x);
+    const std::int32_t next = features_.neighbour(at, inside.side);
+    if (inside.distance >= 0.0 || next < 0 || next == from)
+      break;
+    from = std::exchange(at, next);
+  }
+  return at;
+}
+
+// Whether the search would find this face, by far more than rounding. (G.24)
+bool TriangleSurface::is_certain(const ClosestFeature& closest, const Vec3& x) const {
+  constexpr double clearly = 1e3; // times the rounding of coordinates
+  if (closest.feature != Feature::face)
+    return false;
+  return is_nearest(surroundings(closest.number), std::sqrt(closest.distance2),
+                    features_.inside(closest.number, x).distance, clearly * features_.rounding());
+}
+
+Surroundings TriangleSurface::surroundings(std::int32_t triangle) const {
+  std::atomic<Surroundings>& known = surroundings_[static_cast<std::size_t>(triangle)];
+  Surroundings around = known.load(std::memory_order_relaxed);
+  if (around.slope >= 0.0F)
+    return around;
+  if (around.slope == never_asked.slope) {
+    known.store(asked_once, std::memory_order_relaxed);
+    return {std::numeric_limits<float>::infinity(), 0.0F};
+  }
+  SurroundingsOf gathered(features_.mesh(), triangle);
+  const double limit2 = gathered.radius() * gathered.radius();
+  tree_.walk(gathered.middle(), limit2, [&](std::int32_t other) {
+    gathered.add(other);
+    return limit2;
+  });
+  around = gathered.result();
+  known.store(around, std::memory_order_relaxed);
+  return around;
 }
 
 } // namespace
 
 SurfacePtr make_triangle_surface(const TriangleMesh& mesh) {
-  std::vector<Complaint> found = complaints(health(mesh), "");
+  const MeshHealth state = health(mesh);
+  std::vector<Complaint> found = complaints(state, "");
   if (!found.empty())
     throw Error(Fault::geometry, std::move(found));
-  return std::make_unique<const TriangleSurface>(mesh);
+  return std::make_unique<const TriangleSurface>(mesh, state.worst_aspect);
 }
 
 } // namespace billet::geometry

@@ -11,8 +11,9 @@
 // has its distance if it is in front, and is not found if it is behind; overshoot below 1e-9 of the
 // size of the mesh does not count as beyond. `patch` is the number of the triangle.
 //
-// Queries walk a CGAL AABB tree, nearest box first, and take the smallest (distance, triangle
-// number): the result has the same bits for any hint, order and thread.
+// Queries walk a tree of boxes, nearest first, and take the smallest (distance, triangle number):
+// the result has the same bits for any hint, order and thread. With the hint of a query nearby most
+// points close to the surface need no walk: their triangle is proven to be the nearest. (G.24)
 //
 // Frame   tool frame. Units: lengths in mm.
 

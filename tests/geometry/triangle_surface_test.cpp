@@ -1,5 +1,6 @@
 #include "geometry/base/error.h"
 #include "geometry/triangle_surface.h"
+#include "tests/geometry/round_meshes.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/geometry/surface_checks.h"
 
@@ -107,6 +108,21 @@ TEST(TriangleSurface, TheResultDoesNotDependOnTheHint) {
         EXPECT_TRUE(same_bits(p, projection(*surface, x, far, hint))) << x.transpose();
       // A tighter reach is another bound of the walk, too.
       EXPECT_TRUE(same_bits(p, projection(*surface, x, 1.0000001 * std::abs(p.gap) + rounding)));
+    }
+  }
+}
+
+TEST(TriangleSurface, APointThatMovesFindsWhatASearchFinds) {
+  for (const TriangleMesh& mesh : {icosphere(3), spiky(8), angle_bar()}) {
+    const SurfacePtr surface = make_triangle_surface(mesh);
+    Projection last;
+    for (int k = 0; k < 20'000; ++k) {
+      const double s = 1e-3 * k;
+      const Vec3 on_sphere(std::sin(s) * std::cos(1.3 * s), std::sin(s) * std::sin(1.3 * s),
+                           std::cos(s));
+      const Vec3 x = (1.0 + 0.1 * std::sin(0.7 * s)) * on_sphere;
+      last = projection(*surface, x, far, last.patch);
+      ASSERT_TRUE(same_bits(last, projection(*surface, x))) << x.transpose();
     }
   }
 }
