@@ -43,7 +43,7 @@ struct SmoothSurface {
                                                          double feature_angle);
 
 /// An estimate of `Smoothing::chord_error` without smoothing, from the normals at the corners of
-/// the triangles [mm]. (G.29)
+/// the triangles [mm]. (G.35)
 ///
 /// @param feature_angle  [rad], 0 <= feature_angle <= pi
 /// @pre complaints(health(mesh)) is empty

@@ -137,7 +137,7 @@ std::int32_t TriangleSurface::triangle_below(std::int32_t hint, const Vec3& x) c
   return at;
 }
 
-// Whether the search would find this face, by far more than rounding. (G.24)
+// Whether the search would find this face, by far more than rounding. (G.34)
 bool TriangleSurface::is_certain(const ClosestFeature& closest, const Vec3& x) const {
   constexpr double clearly = 1e3; // times the rounding of coordinates
   if (closest.feature != Feature::face)

@@ -13,7 +13,7 @@
 //
 // Queries walk a tree of boxes, nearest first, and take the smallest (distance, triangle number):
 // the result has the same bits for any hint, order and thread. With the hint of a query nearby most
-// points close to the surface need no walk: their triangle is proven to be the nearest. (G.24)
+// points close to the surface need no walk: their triangle is proven to be the nearest. (G.34)
 //
 // Frame   tool frame. Units: lengths in mm.
 

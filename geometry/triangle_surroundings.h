@@ -3,7 +3,7 @@
 //
 // Around a triangle the other triangles rise no steeper out of its plane than some slope, and
 // whatever does is some distance away. A point that projects well inside the triangle and is near
-// enough cannot be nearer to anything else. (G.24) Internal to geometry/.
+// enough cannot be nearer to anything else. (G.34) Internal to geometry/.
 //
 // Units   lengths in mm.
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The words keep step with the code: an equation tag such as (F.3) in a source stands in
-# docs/theory/, and a link from one page to another leads somewhere.
+# docs/theory/, no tag is given twice, and a link from one page to another leads somewhere.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 export LC_ALL=C.UTF-8
@@ -22,6 +22,13 @@ unknown_tags() {
   done
 }
 
+# Formulas end with their tag: \tag{F.3}, or (F.3) at the end of an indented line.
+tags_given_twice() {
+  { grep -hoE '\\tag\{[A-Z]{1,2}\.[0-9]+[a-z]?\}' docs/theory/*.md
+    grep -hE '^    .*\([A-Z]{1,2}\.[0-9]+[a-z]?\)$' docs/theory/*.md | grep -oE '\([A-Z0-9a-z.]+\)$'; } |
+    sed -E 's/\\tag\{(.*)\}/(\1)/' | sort | uniq -d | sed 's/$/ stands twice in docs\/theory/'
+}
+
 pages() { find . -name '*.md' -not -path './build/*' -not -path './results/*' -not -path './.git/*'; }
 
 dead_links() {
@@ -35,7 +42,7 @@ dead_links() {
   done
 }
 
-complaints=$(unknown_tags; dead_links)
+complaints=$(unknown_tags; tags_given_twice; dead_links)
 [[ -z $complaints ]] && exit 0
 printf '%s\n' "$complaints"
 exit 1
