@@ -354,16 +354,21 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
 }
 
 void Newton::limit_correction(std::span<const double> x_old, std::span<const double> x) {
-  constexpr double share = 0.1;
+  constexpr double share_of_way = 0.1;
+  // However short the increment, a contact that changes may need that much.
+  constexpr double share_of_body = 1e-4;
   double moved = 0.0;
   double length = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     moved += (x[i] - x_old[i]) * (x[i] - x_old[i]);
     length += correction_[i] * correction_[i];
   }
-  if (length > share * share * moved)
+  const double allowed =
+      std::max(share_of_way * std::sqrt(moved), share_of_body * settings_.largest_correction *
+                                                    std::sqrt(static_cast<double>(x.size())));
+  if (length > allowed * allowed)
     for (double& value : correction_)
-      value *= share * std::sqrt(moved / length);
+      value *= allowed / std::sqrt(length);
 }
 
 bool Newton::shorten_correction() {
