@@ -104,7 +104,7 @@ struct FrictionMaker {
   contact::AnyFrictionLaw operator()(const StickingFriction&) const { return contact::Sticking{}; }
   contact::AnyFrictionLaw operator()(const CoulombFriction& f) const {
     return contact::Coulomb{f.mu, f.threshold, stress_or_infinite(f.cap),
-                            f.cap && std::holds_alternative<ShearYield>(*f.cap)};
+                            f.cap && std::holds_alternative<ShearYield>(*f.cap), f.mu2};
   }
   contact::AnyFrictionLaw operator()(const TrescaFriction& f) const {
     const double* k = std::get_if<double>(&f.k);

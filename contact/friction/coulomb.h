@@ -1,4 +1,4 @@
-// Coulomb friction, with a threshold pressure and a cap.
+// Coulomb friction, with a threshold pressure, a term of second order and a cap.
 
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace billet::contact {
 
-/// tau_lim = min(mu (p - threshold)+, cap). (C.8): the paper's eqs 3 and 4.
+/// tau_lim = min(mu q + mu2 q^2, cap), q = (p - threshold)+. (C.8): the paper's eqs 3, 4 and 5.
 ///
 /// Below the threshold the limit is zero (the paper's print would make it negative). The cap is a
 /// stress, or the shear yield stress of the material beneath when `cap_at_shear_yield`.
@@ -18,15 +18,17 @@ struct Coulomb {
   double threshold = 0.0;                               ///< sigma_A [MPa]
   double cap = std::numeric_limits<double>::infinity(); ///< [MPa]
   bool cap_at_shear_yield = false;                      ///< the cap is k
+  double mu2 = 0.0;                                     ///< of second order [1/MPa]
 
   static constexpr std::string_view name = "coulomb";
 
   [[nodiscard]] SlipLimit slip_limit(const InterfacePoint& at) const noexcept {
     const double most = cap_at_shear_yield ? std::min(cap, at.shear_yield) : cap;
-    const double sliding = mu * (at.pressure - threshold);
+    const double q = std::max(0.0, at.pressure - threshold);
+    const double sliding = (mu + mu2 * q) * q;
     if (sliding <= 0.0)
       return {0.0, 0.0};
-    return sliding < most ? SlipLimit{sliding, mu} : SlipLimit{most, 0.0};
+    return sliding < most ? SlipLimit{sliding, mu + 2.0 * mu2 * q} : SlipLimit{most, 0.0};
   }
 };
 

@@ -176,7 +176,7 @@ struct StickingFriction {
 struct CoulombFriction {
   double mu = 0.0;                  ///< [-]
   double threshold = 0.0;           ///< [MPa]
-  double mu2 = 0.0;                 ///< [1/MPa]; always 0 in this version
+  double mu2 = 0.0;                 ///< [1/MPa]
   std::optional<ShearStrength> cap; ///< absent: no cap
 
   bool operator==(const CoulombFriction&) const = default;

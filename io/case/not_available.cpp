@@ -32,7 +32,6 @@ constexpr std::array features{
     NotAvailable{"tool.*.friction.law", "asperity"},
     NotAvailable{"tool.*.friction.law", "thick-film"},
     NotAvailable{"tool.*.friction.law", "viscoplastic"},
-    NotAvailable{"tool.*.friction.mu2"},
     NotAvailable{"tool.*.friction.tensor"},
     NotAvailable{"tool.*.friction.direction"},
     NotAvailable{"tool.*.friction.evolution"},

@@ -53,6 +53,7 @@ inline std::vector<NamedLaw> every_law() {
           {"coulomb threshold", Coulomb{0.3, 20.0}},
           {"coulomb capped", Coulomb{0.3, 0.0, 25.0}},
           {"coulomb capped at k", Coulomb{0.6, 0.0, 1e9, true}},
+          {"coulomb quadratic", Coulomb{0.2, 5.0, 1e9, true, 5e-3}},
           {"tresca", Tresca{0.5, 80.0}},
           {"tresca of the material", Tresca{0.2, {}}}};
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 namespace billet::contact {
 namespace {
@@ -14,6 +15,22 @@ TEST(Coulomb, HasTheSpotValuesOfThePaper) {
   // VALIDATION FRI-02: phi = .15, p = 1000: eq 3 150; eq 4 with sigma_A = 100 135.
   EXPECT_DOUBLE_EQ((Coulomb{0.15}.slip_limit({1000.0, k}).shear), 150.0);
   EXPECT_DOUBLE_EQ((Coulomb{0.15, 100.0, k}.slip_limit({1000.0, k}).shear), 135.0);
+}
+
+TEST(Coulomb, HasTheSpotValuesOfSecondOrder) {
+  // VALIDATION FRI-02, eq 5: phi_1 = .15, phi_2 = 2e-4 / MPa, capped at k.
+  const Coulomb law{0.15, 0.0, k, false, 2e-4};
+  const Coulomb above{0.15, 100.0, k, false, 2e-4};
+  for (const auto& [p, without, with_threshold] :
+       std::vector<std::array<double, 3>>{{0, 0, 0},
+                                          {50, 8, 0},
+                                          {200, 38, 17},
+                                          {500, 125, 92},
+                                          {1000, 300, 297},
+                                          {2500, 300, 300}}) {
+    EXPECT_NEAR(law.slip_limit({p, k}).shear, without, 1e-12 * k) << p;
+    EXPECT_NEAR(above.slip_limit({p, k}).shear, with_threshold, 1e-12 * k) << p;
+  }
 }
 
 TEST(Coulomb, CarriesNothingBelowItsThresholdPressure) {
@@ -43,12 +60,14 @@ TEST(Coulomb, GivesItsSlopeExactlyOnEveryBranch) {
   expect_exact_slope(Coulomb{0.3, 100.0}, pressures, k);
   expect_exact_slope(Coulomb{0.5, 0.0, 200.0}, pressures, k);
   expect_exact_slope(Coulomb{0.5, 100.0, 200.0, true}, pressures, 60.0);
+  expect_exact_slope(Coulomb{0.15, 100.0, k, false, 2e-4}, pressures, k);
 }
 
 TEST(Coulomb, NeverFallsWithThePressure) {
   expect_monotone_limit(Coulomb{0.3}, k);
   expect_monotone_limit(Coulomb{10.0, 50.0, 700.0}, k);
   expect_monotone_limit(Coulomb{0.5, 100.0, 1e9, true}, k);
+  expect_monotone_limit(Coulomb{0.15, 100.0, k, false, 2e-4}, k);
 }
 
 TEST(Coulomb, IsFrictionlessWithoutACoefficient) {
