@@ -25,6 +25,7 @@ Process::Process(Scene scene)
   velocity_.assign(x0_.size(), 0.0);
   reactions_.assign(x0_.size(), 0.0);
   make_terms();
+  start_stage(scene_.stages.front()); // only its tools have to lie right at the start
   if (surface_)
     bring_to_touch(scene_, *surface_, x_);
   check_overlap();
@@ -97,9 +98,10 @@ void Process::make_loads() {
 void Process::check_overlap() const {
   if (!contact_)
     return;
-  for (const contact::Tool& tool : scene_.tools) {
-    if (!tool.active(0.0))
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (!contact_->acts(t, 0.0))
       continue;
+    const contact::Tool& tool = scene_.tools[t];
     const geometry::Pose pose = tool.motion.pose(0.0);
     for (Index f = 0; f < surface_->n_faces(); ++f) {
       std::vector<Vec3> points = surface_->samples(x_, f);
@@ -129,11 +131,9 @@ contact::DriveScale Process::drive_scale() const {
 }
 
 void Process::check_drives() const {
-  for (const contact::Tool& tool : scene_.tools) {
-    if (!tool.motion.force || !tool.active(0.0))
-      continue;
-    const auto t = static_cast<std::size_t>(&tool - scene_.tools.data());
-    if (!contact_->lies_on(t))
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    const contact::Tool& tool = scene_.tools[t];
+    if (tool.motion.force && contact_->acts(t, 0.0) && !contact_->lies_on(t))
       throw Error(Fault::case_file, "",
                   fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
                               "nothing tells where it is",
