@@ -2,6 +2,7 @@
 
 #include "app/command_line.h"
 #include "app/make_process.h"
+#include "geometry/base/box.h"
 #include "io/case/read_case.h"
 #include "mechanics/linear_solver.h"
 #include "mechanics/mesh_check.h"
@@ -70,9 +71,7 @@ std::string_view law_name(const contact::AnyFrictionLaw& friction) {
 }
 
 void print_mesh(const process::Scene& scene, const io::Case& content) {
-  Box box;
-  for (const Vec3& p : scene.mesh.points)
-    box.add(p);
+  const Box box = box_of(scene.mesh.points);
   const auto qualities = mechanics::element_qualities(scene.mesh, scene.mesh.points);
   fmt::print("workpiece: {} {} elements, {} nodes, material law '{}'\n", scene.mesh.n_elements(),
              mechanics::name(scene.mesh.kind), scene.mesh.n_points(),

@@ -1,6 +1,7 @@
 // billet info: what a file contains, and what is wrong with it.
 
 #include "app/command_line.h"
+#include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
@@ -43,9 +44,7 @@ int info_stl(const std::filesystem::path& path, const std::optional<std::string>
 int info_mesh(const std::filesystem::path& path) {
   const io::MeshFile file = io::read_mesh(path);
   const mechanics::Mesh& mesh = file.mesh;
-  Box box;
-  for (const Vec3& p : mesh.points)
-    box.add(p);
+  const Box box = box_of(mesh.points);
   fmt::print("{}: {} {} elements, {} nodes\n", path.string(), mesh.n_elements(),
              mechanics::name(mesh.kind), mesh.n_points());
   fmt::print("  box ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", box.low[0], box.low[1],

@@ -115,9 +115,7 @@ std::optional<Cut> deepest_cut_of_segments(const PlacedBody& a, const PlacedBody
 
 bool closed(const DisplayMesh& drawing) {
   TriangleMesh mesh{drawing.points, drawing.triangles};
-  Box box;
-  for (const Vec3& p : drawing.points)
-    box.add(p);
+  const Box box = box_of(drawing.points);
   constexpr double rounding = 1e-12; // the poles of a sphere are rings of that radius
   if (!mesh.triangles.empty())
     clean_up(mesh, rounding * box.size());

@@ -186,7 +186,7 @@ void Search::look(Piece& piece) const {
 }
 
 Projection Search::look_at_point(Piece& piece, const Vec3& x) const {
-  const Projection at = query(piece, x);
+  Projection at = query(piece, x);
   if (at.found() && at.gap >= -settings_.reach && -at.gap > piece.sample) {
     piece.sample = -at.gap;
     piece.sampled_at = x;

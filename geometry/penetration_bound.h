@@ -8,7 +8,7 @@
 // An open surface ends at its rim, and its gap jumps there (G.11): what of a face lies behind it
 // and beyond the rim does not count, and near the rim the bound is that of a finite refinement.
 //
-// Frame   tool frame. Units: lengths in mm. Theory: docs/theory/geometry.md (G.24)-(G.27).
+// Frame   tool frame. Units: lengths in mm. Theory: docs/theory/geometry.md (G.24)-(G.28).
 
 #pragma once
 
@@ -53,7 +53,7 @@ struct BoundSearch {
   double known_relative = 0.0;  ///< and that deep relative to its element [-]
 };
 
-/// (G.24)-(G.27)
+/// (G.24)-(G.28)
 [[nodiscard]] PenetrationBound bound_penetration(const RigidSurface& surface,
                                                  std::span<const CandidateFace> faces,
                                                  const BoundSearch& search);

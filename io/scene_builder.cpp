@@ -1,5 +1,6 @@
 #include "io/scene_builder.h"
 
+#include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "io/mesh/read_mesh.h"
 #include "io/tool_builder.h"
@@ -96,9 +97,7 @@ class Selector {
 public:
   Selector(const Mesh& mesh, const std::vector<Face>& boundary, std::string place)
       : mesh_(mesh), boundary_(boundary), place_(std::move(place)) {
-    Box box;
-    for (const Vec3& p : mesh.points)
-      box.add(p);
+    const Box box = box_of(mesh.points);
     size_ = box.size();
   }
 

@@ -1,9 +1,10 @@
 #include "mechanics/newton.h"
 
+#include "geometry/base/stopwatch.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -13,21 +14,6 @@ namespace billet::mechanics {
 namespace {
 
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
-/// Adds the time until its end to a sum.
-class Stopwatch {
-public:
-  explicit Stopwatch(double& sum) : sum_(sum) {}
-  ~Stopwatch() {
-    sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
-private:
-  double& sum_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0.0;

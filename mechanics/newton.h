@@ -92,7 +92,7 @@ public:
   /// Residual of the last trial [N]; at prescribed unknowns: the force of the support.
   [[nodiscard]] std::span<const double> residual() const { return system_.residual; }
   [[nodiscard]] const NewtonTimes& times() const { return times_; }
-  /// Positions of the largest residual of the last trial (for a post-mortem).
+  /// Free unknown of a node with the largest residual of the last trial (for a post-mortem).
   [[nodiscard]] Index worst_unknown() const;
 
 private:

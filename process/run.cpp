@@ -1,14 +1,13 @@
 #include "process/run.h"
 
-#include "geometry/base/error.h"
+#include "geometry/base/box.h"
+#include "geometry/base/stopwatch.h"
 #include "mechanics/mesh_check.h"
 #include "process/passage_guard.h"
-#include "process/touch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -19,23 +18,11 @@ namespace {
 
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_points) {
   std::vector<Vec3> points(n_points, Vec3::Zero());
   for (std::size_t i = 0; i < n_points * idx(dim); ++i)
     points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
   return points;
-}
-
-/// Size of a mesh: the diagonal of its box.
-double size_of(const mechanics::Mesh& mesh) {
-  Box box;
-  for (const Vec3& p : mesh.points)
-    box.add(p);
-  return box.size();
 }
 
 /// Steps as shares of a stage, when the case does not say.
@@ -47,10 +34,14 @@ constexpr double smallest_share = 1e-7;
 /// but the path of strain is lost.
 constexpr double most_plastic_increment = 0.5;
 
+/// The step to take when `left` is left to a landing: two equal ones rather than a long and a tiny
+/// one.
+double step_towards(double left, double dt) { return dt >= left ? left : std::min(dt, 0.5 * left); }
+
 /// Why an increment is too long for the tools; empty: it is not. A tool that moves farther than
 /// this in one increment could pass the workpiece unseen.
 std::string leap(const Scene& scene, const Stage& stage, double from, double to) {
-  const double farthest = 0.5 * size_of(scene.mesh);
+  const double farthest = 0.5 * box_of(scene.mesh.points).size();
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const contact::Tool& tool = scene.tools[t];
     const double way = (tool.motion.translation(to) - tool.motion.translation(from)).norm();
@@ -67,132 +58,6 @@ double EnergyBalance::error() const {
   const double inside = elastic + plastic + friction + contact + grounding;
   const double largest = std::max({std::abs(external), elastic, plastic, friction, contact});
   return largest > 0.0 ? std::abs(external - inside) / largest : 0.0;
-}
-
-Process::Process(Scene scene)
-    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)) {
-  started_ = now();
-  for (const Vec3& p : scene_.mesh.points)
-    x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());
-  x_ = x0_;
-  x_.resize(x0_.size() + contact::drive_unknowns(scene_.tools).size(), 0.0);
-  trial_x_ = x_;
-  velocity_.assign(x0_.size(), 0.0);
-  reactions_.assign(x0_.size(), 0.0);
-  make_terms();
-  if (surface_)
-    bring_to_touch(scene_, *surface_, x_);
-  check_overlap();
-  if (contact_) {
-    contact_->start(x_, 0.0);
-    check_drives();
-  }
-}
-
-Process::~Process() = default;
-
-void Process::make_terms() {
-  bulk_ =
-      std::make_unique<mechanics::Bulk>(scene_.mesh, scene_.analysis, scene_.material, pattern_);
-  plastic_rate_.assign(bulk_->states().size(), 0.0);
-  constexpr double strain_floor = 1e-7; // stresses below that share of E count as none
-  newton_ = std::make_unique<mechanics::Newton>(
-      pattern_, scene_.solver,
-      mechanics::NewtonSettings{.tolerance = scene_.tolerance,
-                                .force_floor =
-                                    strain_floor * body_stiffness() * size_of(scene_.mesh),
-                                .largest_correction = size_of(scene_.mesh)},
-      contact::drive_unknowns(scene_.tools).size());
-  terms_ = {bulk_.get()};
-  make_loads();
-  if (!scene_.tools.empty()) {
-    surface_ = std::make_unique<contact::ContactSurface>(scene_.mesh, *bulk_, pattern_,
-                                                         scene_.contact_faces, scene_.contact);
-    contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
-                                                      4.0 * size_of(scene_.mesh), drive_scale());
-    terms_.push_back(contact_.get());
-  }
-  grounded_ = free_rigid_motions(scene_);
-  if (grounded_ > 0 && scene_.tools.empty())
-    throw Error(Fault::case_file, "",
-                fmt::format("the workpiece can move freely: {} rigid motion(s) are held by no "
-                            "support and there is no tool",
-                            grounded_),
-                "add a [[support]] that holds them");
-  if (grounded_ > 0) {
-    // Spread over all nodes it is a hundred-millionth of the body's own stiffness.
-    constexpr double share = 1e-8;
-    grounding_stiffness_ = share * body_stiffness() / scene_.mesh.n_points();
-    grounding_ = mechanics::make_grounding(grounding_stiffness_, pattern_);
-    terms_.push_back(grounding_.get());
-  }
-}
-
-double Process::body_stiffness() const {
-  const double young = scene_.material.elasticity.young;
-  // Force per length: in plane strain it is that of a slice of unit thickness.
-  return scene_.analysis == mechanics::Analysis::plane_strain ? young
-                                                              : young * size_of(scene_.mesh);
-}
-
-void Process::make_loads() {
-  for (const LoadSpec& spec : scene_.loads) {
-    if (const auto* pressure = std::get_if<PressureOn>(&spec))
-      loads_.push_back(mechanics::make_pressure(scene_.mesh, scene_.analysis, pattern_,
-                                                pressure->faces, pressure->pressure));
-    else
-      loads_.push_back(mechanics::make_dead_load(std::get<DeadForces>(spec).forces,
-                                                 std::get<DeadForces>(spec).amplitude));
-    terms_.push_back(loads_.back().get());
-  }
-}
-
-void Process::check_overlap() const {
-  if (!contact_)
-    return;
-  for (const contact::Tool& tool : scene_.tools) {
-    if (!tool.active(0.0))
-      continue;
-    const geometry::Pose pose = tool.motion.pose(0.0);
-    for (Index f = 0; f < surface_->n_faces(); ++f) {
-      std::vector<Vec3> points = surface_->samples(x_, f);
-      for (Vec3& p : points)
-        p = pose.to_tool(p);
-      std::vector<geometry::Projection> feet(points.size());
-      tool.surface->project(points, size_of(scene_.mesh), feet);
-      // A chord of a curved face may lie a little inside a tool that touches its nodes.
-      constexpr double allowed_share = 0.02;
-      for (std::size_t i = 0; i < feet.size(); ++i)
-        if (-feet[i].gap > allowed_share * surface_->depth(f)) {
-          const Vec3 at = pose.to_space(points[i]);
-          throw Error(Fault::geometry, "",
-                      fmt::format("the workpiece overlaps tool '{}' before the start: {:.6g} deep "
-                                  "at ({:.6g}, {:.6g}, {:.6g})",
-                                  tool.name, -feet[i].gap, at[0], at[1], at[2]),
-                      "move the tool or the workpiece apart, or give the tool touch = true");
-        }
-    }
-  }
-}
-
-contact::DriveScale Process::drive_scale() const {
-  // A hundred-millionth of the body's own stiffness: it carries rounding, never a load.
-  constexpr double share = 1e-8;
-  return {size_of(scene_.mesh), share * body_stiffness()};
-}
-
-void Process::check_drives() const {
-  for (const contact::Tool& tool : scene_.tools) {
-    if (!tool.motion.force || !tool.active(0.0))
-      continue;
-    const auto t = static_cast<std::size_t>(&tool - scene_.tools.data());
-    if (!contact_->lies_on(t))
-      throw Error(Fault::case_file, "",
-                  fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
-                              "nothing tells where it is",
-                              tool.name),
-                  "give it touch = true, or place it where it touches");
-  }
 }
 
 void Process::start_stage(const Stage& stage) {
@@ -272,7 +137,7 @@ bool Process::plausible(double force_scale, std::string& why) const {
     return false;
   }
   for (std::size_t i = x0_.size(); i < x_.size(); ++i)
-    if (std::abs(trial_x_[i] - x_[i]) > 0.5 * size_of(scene_.mesh)) {
+    if (std::abs(trial_x_[i] - x_[i]) > 0.5 * box_of(scene_.mesh.points).size()) {
       why = "a driven tool moves away: nothing holds it against its load";
       return false;
     }
@@ -288,92 +153,6 @@ bool Process::plausible(double force_scale, std::string& why) const {
     }
   }
   return true;
-}
-
-void Process::certify(double dt) {
-  const double before = now();
-  penetration_ = contact_->penetration({time_, time_ + dt, x_, trial_x_},
-                                       scene_.contact.max_penetration.value_or(HUGE_VAL));
-  times_.certificate += now() - before;
-}
-
-bool Process::too_deep() const {
-  const contact::ContactSettings& settings = scene_.contact;
-  if (settings.max_penetration)
-    return penetration_.bound > *settings.max_penetration;
-  constexpr double unasked = 1e-6; // of the element beneath
-  return settings.method == contact::Method::augmented && penetration_.share_at_points > unasked;
-}
-
-bool Process::limit_penetration(double dt, std::string& why) {
-  if (!contact_)
-    return true;
-  certify(dt);
-  constexpr int most_rounds = 8;
-  // Once contact points are so much less deep than is allowed, what is too deep lies between them.
-  constexpr double negligible = 0.01;
-  double gain = HUGE_VAL; // of the last round, at contact points
-  for (int round = 0; too_deep(); ++round) {
-    const auto& limit = scene_.contact.max_penetration;
-    if (round == most_rounds || (limit && penetration_.at_points <= negligible * *limit)) {
-      why = penetration_failure(round);
-      refused_as_too_deep_ = true;
-      return false;
-    }
-    press_harder(gain);
-    const double before = penetration_.at_points;
-    const auto again = newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_,
-                                      trial_x_, mechanics::Approach::from_solution);
-    if (!again) {
-      why = penetration_failure(round) + "; when pressed harder: " + again.error().reason;
-      return false;
-    }
-    last_residual_ = again->residual;
-    certify(dt);
-    gain = before / penetration_.at_points;
-  }
-  return true;
-}
-
-/// (P.7) A multiplier gains the ratio of the penalty to the body's own stiffness a round: where the
-/// penalty is soft that is little, and the penalty is raised as well.
-void Process::press_harder(double gain) {
-  constexpr double enough = 4.0;
-  const contact::ContactSettings& settings = scene_.contact;
-  if (settings.method == contact::Method::augmented) {
-    contact_->augment();
-    if (gain < enough)
-      contact_->stiffen(10.0);
-    return;
-  }
-  // Pressing lifts the contact points; what lies deeper between them comes along with them.
-  constexpr double aim = 0.5; // of the room that is left to the contact points
-  const double between = penetration_.bound - penetration_.at_points;
-  const double room = *settings.max_penetration - between;
-  constexpr double least = 2.0, most = 100.0;
-  contact_->stiffen(room > 0.0 ? std::clamp(penetration_.at_points / (aim * room), least, most)
-                               : most);
-}
-
-std::string Process::penetration_failure(int rounds) const {
-  const Vec3& at = penetration_.position;
-  const std::string deep =
-      fmt::format("a face lies {:.4g} inside tool '{}' near ({:.6g}, {:.6g}, {:.6g})",
-                  penetration_.bound, scene_.tools[penetration_.tool].name, at[0], at[1], at[2]);
-  if (!scene_.contact.max_penetration)
-    return deep + fmt::format(" after {} augmentations", rounds);
-  const double limit = *scene_.contact.max_penetration;
-  if (penetration_.at_points <= limit)
-    return deep + fmt::format(", more than max_penetration = {:.4g}, though no contact point is "
-                              "deeper than {:.2g}: the tool passes between them, and no pressure "
-                              "keeps it out. A finer mesh there lessens it, on quad8 and hex20 "
-                              "form = \"compatible\" may; else allow more",
-                              limit, penetration_.at_points);
-  return deep +
-         fmt::format(", more than max_penetration = {:.4g}, and contact points {:.2g}, after "
-                     "pressing harder {} times: start with a larger contact.penalty, or "
-                     "allow more",
-                     limit, penetration_.at_points, rounds);
 }
 
 bool Process::passes_through(double dt, std::string& why) const {
@@ -448,7 +227,7 @@ IncrementReport Process::report(double dt, int cutbacks) const {
   const auto qualities = mechanics::element_qualities(
       scene_.mesh, as_points(x_, scene_.mesh.dimension(), scene_.mesh.points.size()));
   r.min_quality = *std::min_element(qualities.begin(), qualities.end());
-  r.wall_time = now() - started_;
+  r.wall_time = seconds_now() - started_;
   r.energy = energy_;
   r.records = newton_->records();
   return r;
@@ -476,10 +255,9 @@ double Process::next_landing(double stage_end) const {
 }
 
 void Process::notify(const std::vector<Observer*>& observers, const IncrementReport& report) {
-  const double before = now();
+  const Stopwatch timed(times_.output);
   for (Observer* observer : observers)
     observer->incremented(*this, report);
-  times_.output += now() - before;
 }
 
 RunStatus
@@ -497,10 +275,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   int refusals = 0;
   while (time_ < stage.end) {
     const double landing = next_landing(stage.end);
-    // Two equal steps to a landing rather than a long and a tiny one.
-    double step = std::min(dt, landing - time_);
-    if (step < landing - time_ && step > 0.5 * (landing - time_))
-      step = 0.5 * (landing - time_);
+    const double step = step_towards(landing - time_, dt);
     const bool lands = step == landing - time_;
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
@@ -546,7 +321,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
 }
 
 RunStatus Process::run(const std::vector<Observer*>& observers) {
-  const double begun = now();
+  const double begun = seconds_now();
   for (Observer* observer : observers)
     observer->started(*this);
   RunStatus status = RunStatus::done;
@@ -559,7 +334,7 @@ RunStatus Process::run(const std::vector<Observer*>& observers) {
   }
   times_.assembly = newton_->times().assembly;
   times_.solve = newton_->times().solve;
-  times_.total = now() - begun;
+  times_.total = seconds_now() - begun;
   for (Observer* observer : observers)
     observer->finished(*this);
   return status;

@@ -1,5 +1,7 @@
 #include "process/scene.h"
 
+#include "geometry/base/box.h"
+
 #include <Eigen/Dense>
 
 namespace billet::process {
@@ -30,9 +32,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> rigid_motions(mechanics::Analysis analy
 } // namespace
 
 int free_rigid_motions(const Scene& scene) {
-  Box box;
-  for (const Vec3& p : scene.mesh.points)
-    box.add(p);
+  const Box box = box_of(scene.mesh.points);
   const Vec3 centre = 0.5 * (box.low + box.high);
   const auto n = rigid_motions(scene.analysis, Vec3::Zero()).cols();
   // Gram matrix of the motions at the supported unknowns: its rank is the number of motions held.

@@ -1,10 +1,12 @@
 #include "process/tool_meetings.h"
 
+#include "geometry/base/box.h"
 #include "geometry/facet_body.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -20,19 +22,12 @@ using geometry::Pose;
 // Overlaps below this share of the workpiece's size are clearances closed by facets, and nobody's
 // concern.
 constexpr double tolerated_share = 1e-3;
-constexpr int most_steps = 400;             // that a pair near to each other takes along its motion
-constexpr std::size_t most_vertices = 4000; // asked for their depth in the other tool
-constexpr double closed_gap = 1e-9;         // share of the size at which a clearance is none
+constexpr int most_steps = 400;           // that a pair near to each other takes along its motion
+constexpr std::size_t most_places = 8000; // asked for their depth in the other tool
+constexpr double closed_gap = 1e-9;       // share of the size at which a clearance is none
 constexpr int most_closing_steps = 60;
 constexpr int halvings = 25;
 constexpr double most_delay = 20.0; // tolerated overlaps between closing and its being seen
-
-Box box_of(std::span<const Vec3> points) {
-  Box box;
-  for (const Vec3& p : points)
-    box.add(p);
-  return box;
-}
 
 std::vector<Vec3> corners(const Box& box) {
   std::vector<Vec3> list;
@@ -87,6 +82,14 @@ std::vector<Span> common_spans(const Scene& scene, std::size_t i, std::size_t j)
     start = stage.end;
   }
   return spans;
+}
+
+/// Whether a tool has acted before a time, and a load drives it: where it is then is not known.
+bool moved_by_load(const Scene& scene, std::size_t tool, double time) {
+  if (!driven(scene.tools[tool]))
+    return false;
+  const std::vector<Span> acts = common_spans(scene, tool, tool);
+  return !acts.empty() && acts.front().from < time;
 }
 
 /// Largest distance of points in space from the axis that a tool turns about [mm].
@@ -151,6 +154,18 @@ private:
   std::vector<double> ways_{0.0};
 };
 
+/// Corners of a drawing, and middles of its facets: of two punches of one section no facets cut and
+/// no corner is deep in the other, however far they have gone through each other.
+std::vector<Vec3> places(const geometry::DisplayMesh& drawing) {
+  std::vector<Vec3> list = drawing.points;
+  const auto point = [&](std::int32_t i) { return drawing.points[static_cast<std::size_t>(i)]; };
+  for (const auto& [a, b, c] : drawing.triangles)
+    list.push_back((point(a) + point(b) + point(c)) / 3.0);
+  for (const auto& [a, b] : drawing.lines)
+    list.push_back(0.5 * (point(a) + point(b)));
+  return list;
+}
+
 /// Two tools and how they lie to each other at a time.
 class Pair {
 public:
@@ -166,12 +181,12 @@ public:
     return geometry::clearance(placed(0, time), placed(1, time));
   }
 
-  /// The deepest overlap: of facets that cut, and of corners of one in the solid of the other.
+  /// The deepest overlap: of facets that cut, and of places of one in the solid of the other.
   [[nodiscard]] geometry::Cut overlap(double time) const {
     geometry::Cut deepest =
         geometry::deepest_cut(placed(0, time), placed(1, time)).value_or(geometry::Cut{});
     for (const std::size_t i : {0u, 1u})
-      add_corners(i, time, deepest);
+      add_places(i, time, deepest);
     return deepest;
   }
 
@@ -188,15 +203,15 @@ private:
     return {*bodies_[i], tools_[i]->motion.pose(time)};
   }
 
-  /// Corners of tool i that lie in the other one, if that has an inside.
-  void add_corners(std::size_t i, double time, geometry::Cut& deepest) const {
+  /// Places of tool i that lie in the other one, if that has an inside.
+  void add_places(std::size_t i, double time, geometry::Cut& deepest) const {
     const contact::Tool& other = *tools_[1 - i];
     if (!solid_[1 - i])
       return;
     const Pose here = tools_[i]->motion.pose(time), there = other.motion.pose(time);
-    const std::vector<Vec3>& all = bodies_[i]->drawing().points;
+    const std::vector<Vec3> all = places(bodies_[i]->drawing());
     std::vector<Vec3> points;
-    for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / most_vertices)
+    for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / most_places)
       points.push_back(there.to_tool(here.to_space(all[k])));
     std::vector<geometry::Projection> feet(points.size());
     other.surface->project(points, size_, feet);
@@ -285,6 +300,8 @@ public:
     const Pair pair(a, b, body_a.body, body_b.body, {body_a.solid, body_b.solid}, window_.size());
     const Follower follower(pair, window_.size(), tolerated_);
     for (const Span& span : common_spans(scene_, i, j)) {
+      if (moved_by_load(scene_, i, span.from) || moved_by_load(scene_, j, span.from))
+        break;
       if (follower.overlapping(span.from)) {
         if (!bounded(a) || !bounded(b))
           continue;

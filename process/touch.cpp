@@ -1,5 +1,6 @@
 #include "process/touch.h"
 
+#include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/facet_body.h"
 #include "geometry/first_contact.h"
@@ -24,13 +25,6 @@ constexpr double facet_tolerance = 1e-6;  // share of the size of the scene
 constexpr std::size_t most_facets = 4000; // asked how far a drawing is from its surface
 constexpr int cells = 4;                  // a side of a face's grid of samples
 
-Box box_of(std::span<const Vec3> points) {
-  Box box;
-  for (const Vec3& p : points)
-    box.add(p);
-  return box;
-}
-
 /// The surface of the workpiece in facets, and by how much these are off it [mm].
 struct DrawnWorkpiece {
   DisplayMesh mesh;
@@ -50,14 +44,22 @@ void add_cells(std::size_t first, bool solid, DisplayMesh& mesh) {
     }
 }
 
-/// By how much the middle of the first line of samples is off its chord; a quarter of that remains
-/// between neighbours of a parabola half as far apart.
+/// By how much a sample is off the chord of its neighbours, along rows and columns; a quarter of
+/// that remains between neighbours, for a parabola half as far apart.
 double sagitta(const std::vector<Vec3>& samples) {
   constexpr double halved = 0.25;
+  constexpr std::size_t row = cells + 1;
   double most = 0.0;
-  for (std::size_t k = 0; k + 2 < samples.size(); k += 1)
-    if (k % (cells + 1) + 2 <= cells)
-      most = std::max(most, (samples[k + 1] - 0.5 * (samples[k] + samples[k + 2])).norm());
+  const auto look = [&](std::size_t first, std::size_t stride) {
+    const Vec3 chord = 0.5 * (samples[first] + samples[first + 2 * stride]);
+    most = std::max(most, (samples[first + stride] - chord).norm());
+  };
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (k % row + 2 < row)
+      look(k, 1);
+    if (k + 2 * row < samples.size())
+      look(k, row);
+  }
   return halved * most;
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/base/vector.h"
 
 #include <limits>
+#include <span>
 
 namespace billet {
 
@@ -25,5 +26,13 @@ struct Box {
            ((other.low.array() - margin) <= high.array()).all();
   }
 };
+
+/// The smallest box that holds all points.
+inline Box box_of(std::span<const Vec3> points) {
+  Box box;
+  for (const Vec3& p : points)
+    box.add(p);
+  return box;
+}
 
 } // namespace billet

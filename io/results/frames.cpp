@@ -1,5 +1,6 @@
 #include "io/results/frames.h"
 
+#include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
 #include "mechanics/elements/elements.h"
@@ -259,9 +260,7 @@ SurfaceFrame tool_frame(const process::Process& process,
                         const FrameSettings& settings) {
   const contact::Tool& rigid = process.scene().tools[tool];
   const geometry::Pose pose = rigid.motion.pose(process.time(), process.driven(tool));
-  Box box;
-  for (const Vec3& p : points)
-    box.add(p);
+  const Box box = box_of(points);
   constexpr double margin_share = 0.15;
   const Vec3 margin = Vec3::Constant(margin_share * box.size());
   Box window;

@@ -55,7 +55,7 @@ TEST(Enforcement, AugmentingKeepsThePressureWhenThePenetrationGoes) {
   EXPECT_LT((bench.force() - pressed).norm(), 1e-12 * pressed.norm());
   bench.assemble(moved(bench.x, {0, 0.5 * depth, 0}), 1.0);
   EXPECT_LT((bench.force() - 0.5 * pressed).norm(), 1e-12 * pressed.norm());
-  // Half a millimetre off the floor the known distance must not hide what a multiplier holds.
+  // Off the floor the known distance must not hide what a multiplier holds.
   bench.assemble(moved(bench.x, {0, 0.9 * depth, 0}), 1.0);
   EXPECT_LT((bench.force() - 0.1 * pressed).norm(), 1e-12 * pressed.norm());
 }

@@ -13,17 +13,6 @@ namespace {
 constexpr double tolerance = 1e-4;
 constexpr double precision = 1e-9;
 
-TriangleMesh soup(const TriangleMesh& mesh) {
-  TriangleMesh loose;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto first = static_cast<std::int32_t>(loose.points.size());
-    loose.triangles.push_back({first, first + 1, first + 2});
-    for (std::size_t i = 0; i < 3; ++i)
-      loose.points.push_back(corner(mesh, t, i));
-  }
-  return loose;
-}
-
 TriangleMesh two_cubes(const Vec3& apart) {
   TriangleMesh mesh = cube();
   for (const TriangleMesh other = cube(); const auto& t : other.triangles)

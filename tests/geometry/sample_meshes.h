@@ -140,4 +140,16 @@ inline double winding(const TriangleMesh& mesh, const Vec3& x) {
   return angle / (4.0 * std::numbers::pi);
 }
 
+/// Every triangle with corners of its own, as in an STL.
+inline TriangleMesh soup(const TriangleMesh& mesh) {
+  TriangleMesh loose;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto first = static_cast<std::int32_t>(loose.points.size());
+    loose.triangles.push_back({first, first + 1, first + 2});
+    for (std::size_t i = 0; i < 3; ++i)
+      loose.points.push_back(corner(mesh, t, i));
+  }
+  return loose;
+}
+
 } // namespace billet::geometry

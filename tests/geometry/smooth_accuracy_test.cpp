@@ -72,6 +72,22 @@ double order(double coarse, double fine, double ratio) {
   return std::log(coarse / fine) / std::log(ratio);
 }
 
+struct RawAndSmooth {
+  Errors raw;
+  Errors smooth;
+};
+
+/// Errors of a bar's facets, as they are and smoothed, printed as the begin of a line.
+RawAndSmooth
+row_of_table(std::int32_t n, const TriangleMesh& bar, const std::vector<Vec3>& points) {
+  const RawAndSmooth found{
+      errors(*make_triangle_surface(bar), on_bar, points),
+      errors(*make_smooth_triangle_surface(bar, 30.0 * degree).surface, on_bar, points)};
+  std::printf("%4d  %9.2e  %9.2e   %9.2e   %9.2e", n, found.raw.gap, found.raw.normal,
+              found.smooth.gap, found.smooth.normal);
+  return found;
+}
+
 void bar_table(const char* title, RoundBar bar, double least_gain) {
   std::printf("%s\n   N   raw gap    raw normal  smooth gap  smooth normal  orders\n", title);
   Errors last;
@@ -79,12 +95,7 @@ void bar_table(const char* title, RoundBar bar, double least_gain) {
   const std::vector<Vec3> points = near_bar(2000);
   for (const std::int32_t n : {16, 36, 64, 180, 256}) {
     bar.n = n;
-    const TriangleMesh mesh = round_bar(bar);
-    const Errors raw = errors(*make_triangle_surface(mesh), on_bar, points);
-    const Errors smooth =
-        errors(*make_smooth_triangle_surface(mesh, 30.0 * degree).surface, on_bar, points);
-    std::printf("%4d  %9.2e  %9.2e   %9.2e   %9.2e", n, raw.gap, raw.normal, smooth.gap,
-                smooth.normal);
+    const auto [raw, smooth] = row_of_table(n, round_bar(bar), points);
     if (last_n > 0)
       std::printf("     %4.1f %4.1f", order(last.gap, smooth.gap, 1.0 * n / last_n),
                   order(last.normal, smooth.normal, 1.0 * n / last_n));
@@ -132,12 +143,8 @@ TEST(SmoothAccuracy, OnIrregularTrianglesOfACylinderTheGainIsLargeToo) {
   std::printf("irregular\n   N   raw gap    raw normal  smooth gap  smooth normal\n");
   const std::vector<Vec3> points = near_bar(3000);
   for (const std::int32_t n : {36, 72}) {
-    const TriangleMesh mesh = irregular_bar(n);
-    const Errors raw = errors(*make_triangle_surface(mesh), on_bar, points);
-    const Errors smooth =
-        errors(*make_smooth_triangle_surface(mesh, 30.0 * degree).surface, on_bar, points);
-    std::printf("%4d  %9.2e  %9.2e   %9.2e   %9.2e\n", n, raw.gap, raw.normal, smooth.gap,
-                smooth.normal);
+    const auto [raw, smooth] = row_of_table(n, irregular_bar(n), points);
+    std::printf("\n");
     EXPECT_LT(smooth.gap, raw.gap / 8.0);
     EXPECT_LT(smooth.normal, raw.normal / 5.0);
   }

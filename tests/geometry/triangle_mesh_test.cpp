@@ -11,18 +11,6 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-// Every triangle with corners of its own, as in an STL.
-TriangleMesh soup(const TriangleMesh& mesh) {
-  TriangleMesh loose;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto first = static_cast<std::int32_t>(loose.points.size());
-    loose.triangles.push_back({first, first + 1, first + 2});
-    for (std::size_t i = 0; i < 3; ++i)
-      loose.points.push_back(corner(mesh, t, i));
-  }
-  return loose;
-}
-
 TEST(TriangleMesh, WeldingASoupGivesTheClosedBodyBack) {
   TriangleMesh mesh = soup(spiky(6));
   EXPECT_FALSE(health(mesh).closed());

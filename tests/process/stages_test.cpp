@@ -108,15 +108,10 @@ TEST(Stages, LetARollDragAStrip) {
   scene.material = billet_steel();
   scene.supports.push_back(held(scene.mesh, 1, 0.0));
   contact::Tool roll =
-      moving_tool("roll", geometry::make_circle({0, 2.0 + radius, 0}, radius, false), {0, 0, 0},
-                  contact::Sticking{});
-  roll.motion.velocity.reset();
-  roll.motion.displacement =
-      std::array{TimeFunction(0.0), TimeFunction({{0, 0}, {1, -press}}), TimeFunction(0.0)};
+      roll_above(2.0, radius, TimeFunction({{0, 0}, {1, -press}}), contact::Sticking{});
   // The speed rises from 0 at t = 1 to its value at 1.5: the angle is 0.75 of value times second.
-  roll.motion.rotation = geometry::Rotation{
-      {0, 2.0 + radius, 0}, Vec3::UnitZ(), TimeFunction({{1.0, 0.0}, {1.5, angle / 0.75}})};
-  roll.reference = Vec3(0, 2.0 + radius, 0);
+  roll.motion.rotation = geometry::Rotation{roll.reference, Vec3::UnitZ(),
+                                            TimeFunction({{1.0, 0.0}, {1.5, angle / 0.75}})};
   scene.tools.push_back(std::move(roll));
   scene.touch = {0};
   scene.contact_faces = faces_on(scene.mesh, 1, 2.0);

@@ -114,14 +114,14 @@ TEST(ToolMeetings, ProfilesAndRollsMeetInThePlane) {
                                 tool(rectangle({-5, -1}, {5, 0.5}))),
                             4.0),
                  2.5);
-  // Rolls are drawn in 64 chords: they meet late by at most their sagittas, 2 x 1.2e-3.
+  // Circles are drawn in 512 chords: they meet late by at most their sagittas, 2 x 1.9e-5.
   const auto meetings =
       tool_meetings(scene_with(Analysis::plane_strain,
                                two(tool(geometry::make_circle({0, 3, 0}, 1.0, false), {0, -1, 0}),
                                    tool(geometry::make_circle({0, 0, 0}, 1.0, false))),
                                4.0));
   ASSERT_EQ(meetings.size(), 1u);
-  EXPECT_NEAR(meetings[0].time, 1.0, 2.5e-3);
+  EXPECT_NEAR(meetings[0].time, 1.0, 4e-5);
   EXPECT_NEAR(meetings[0].place.y(), 1.0, 0.1);
 }
 
@@ -183,6 +183,35 @@ TEST(ToolMeetings, OnlyWhileBothAct) {
   EXPECT_TRUE(tool_meetings(stages).empty());
   stages.stages[1].unload = false;
   expect_meeting(stages, 2.0);
+}
+
+TEST(ToolMeetings, PunchesOfOneSectionMeet) {
+  // No facet of one cuts the other's, and corners only reach its sides.
+  expect_meeting(scene_with(Analysis::solid,
+                            two(tool(block({0, 0, 2}, {1, 1, 3}), {0, 0, -1}),
+                                tool(block({0, 0, -1}, {1, 1, 0.5}))),
+                            2.0),
+                 1.5);
+  expect_meeting(scene_with(Analysis::axisymmetric,
+                            two(tool(rectangle({0, 2}, {1, 3}), {0, -1, 0}),
+                                tool(rectangle({0, -1}, {1, 0.5}))),
+                            2.0),
+                 1.5);
+}
+
+TEST(ToolMeetings, AToolThatALoadDrivesIsLookedAtWhereItStartsOnly) {
+  Scene scene =
+      scene_with(Analysis::solid,
+                 two(tool(block({0, 0, 1}, {1, 1, 2})), tool(block({0, 0, 1.5}, {1, 1, 3}))), 1.0);
+  scene.tools[0].motion.velocity.reset();
+  scene.tools[0].motion.force = geometry::Drive{Vec3::Zero(), -Vec3::UnitZ(), TimeFunction(1.0)};
+  scene.stages = {{"alone", 1.0, {1, 0}, false}, {"both", 2.0, {1, 1}, false}};
+  EXPECT_TRUE(tool_meetings(scene).empty()) << "the load has moved it by then";
+  scene.stages[0].tools = {0, 1};
+  const auto meetings = tool_meetings(scene);
+  ASSERT_EQ(meetings.size(), 1u);
+  EXPECT_TRUE(meetings[0].from_start);
+  EXPECT_EQ(meetings[0].time, 1.0);
 }
 
 TEST(ToolMeetings, RandomDiesAgreeWithSmallSteps) {

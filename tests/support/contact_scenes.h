@@ -104,6 +104,20 @@ flat_die(Analysis analysis, double height, const contact::AnyFrictionLaw& fricti
   return moving_tool("die", geometry::make_plane(height * along, -along), -along, friction);
 }
 
+/// A roll in the plane whose lowest point is (0, `top`); its axis goes up by `rise` over time [mm].
+inline contact::Tool roll_above(double top,
+                                double radius,
+                                const TimeFunction& rise,
+                                const contact::AnyFrictionLaw& friction) {
+  const Vec3 centre(0.0, top + radius, 0.0);
+  contact::Tool roll =
+      moving_tool("roll", geometry::make_circle(centre, radius, false), Vec3::Zero(), friction);
+  roll.motion.velocity.reset();
+  roll.motion.displacement = std::array{TimeFunction(0.0), rise, TimeFunction(0.0)};
+  roll.reference = centre;
+  return roll;
+}
+
 /// A part with symmetry planes through the origin, from 0 to `height`, pressed by a flat die.
 struct Upsetting {
   mechanics::Mesh mesh;

@@ -1,0 +1,99 @@
+// How an increment keeps the limit of penetration: certified, and pressed harder until it holds.
+// (P.7)
+
+#include "geometry/base/stopwatch.h"
+#include "process/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace billet::process {
+
+void Process::certify(double dt) {
+  const Stopwatch timed(times_.certificate);
+  penetration_ = contact_->penetration({time_, time_ + dt, x_, trial_x_},
+                                       scene_.contact.max_penetration.value_or(HUGE_VAL));
+}
+
+bool Process::too_deep() const {
+  const contact::ContactSettings& settings = scene_.contact;
+  if (settings.max_penetration)
+    return penetration_.bound > *settings.max_penetration;
+  constexpr double unasked = 1e-6; // of the element beneath
+  return settings.method == contact::Method::augmented && penetration_.share_at_points > unasked;
+}
+
+bool Process::limit_penetration(double dt, std::string& why) {
+  if (!contact_)
+    return true;
+  certify(dt);
+  constexpr int most_rounds = 8;
+  // Once contact points are so much less deep than is allowed, what is too deep lies between them.
+  constexpr double negligible = 0.01;
+  double gain = HUGE_VAL; // of the last round, at contact points
+  for (int round = 0; too_deep(); ++round) {
+    const auto& limit = scene_.contact.max_penetration;
+    if (round == most_rounds || (limit && penetration_.at_points <= negligible * *limit)) {
+      why = penetration_failure(round);
+      refused_as_too_deep_ = true;
+      return false;
+    }
+    press_harder(gain);
+    const double before = penetration_.at_points;
+    const auto again = newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_,
+                                      trial_x_, mechanics::Approach::from_solution);
+    if (!again) {
+      why = penetration_failure(round) + "; when pressed harder: " + again.error().reason;
+      return false;
+    }
+    last_residual_ = again->residual;
+    certify(dt);
+    gain = before / penetration_.at_points;
+  }
+  return true;
+}
+
+/// (P.7) A multiplier gains the ratio of the penalty to the body's own stiffness a round: where the
+/// penalty is soft that is little, and the penalty is raised as well.
+void Process::press_harder(double gain) {
+  constexpr double enough = 4.0;
+  const contact::ContactSettings& settings = scene_.contact;
+  if (settings.method == contact::Method::augmented) {
+    contact_->augment();
+    if (gain < enough)
+      contact_->stiffen(10.0);
+    return;
+  }
+  // Pressing lifts the contact points; what lies deeper between them comes along with them.
+  constexpr double aim = 0.5; // of the room that is left to the contact points
+  const double between = penetration_.bound - penetration_.at_points;
+  const double room = *settings.max_penetration - between;
+  constexpr double least = 2.0, most = 100.0;
+  contact_->stiffen(room > 0.0 ? std::clamp(penetration_.at_points / (aim * room), least, most)
+                               : most);
+}
+
+std::string Process::penetration_failure(int rounds) const {
+  const Vec3& at = penetration_.position;
+  const std::string deep =
+      fmt::format("a face lies {:.4g} inside tool '{}' near ({:.6g}, {:.6g}, {:.6g})",
+                  penetration_.bound, scene_.tools[penetration_.tool].name, at[0], at[1], at[2]);
+  if (!scene_.contact.max_penetration)
+    return deep + fmt::format(" after {} augmentations", rounds);
+  const double limit = *scene_.contact.max_penetration;
+  if (penetration_.at_points <= limit)
+    return deep + fmt::format(", more than max_penetration = {:.4g}, though no contact point is "
+                              "deeper than {:.2g}: the tool passes between them, and no pressure "
+                              "keeps it out. A finer mesh there lessens it, on quad8 and hex20 "
+                              "form = \"compatible\" may; else allow more",
+                              limit, penetration_.at_points);
+  return deep +
+         fmt::format(", more than max_penetration = {:.4g}, and contact points {:.2g}, after "
+                     "pressing harder {} times: start with a larger contact.penalty, or "
+                     "allow more",
+                     limit, penetration_.at_points, rounds);
+}
+
+} // namespace billet::process

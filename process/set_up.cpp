@@ -1,0 +1,145 @@
+// What a run is made of, and the checks that it can begin.
+
+#include "geometry/base/box.h"
+#include "geometry/base/error.h"
+#include "geometry/base/stopwatch.h"
+#include "mechanics/loads.h"
+#include "process/run.h"
+#include "process/touch.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <variant>
+
+namespace billet::process {
+
+Process::Process(Scene scene)
+    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)) {
+  started_ = seconds_now();
+  for (const Vec3& p : scene_.mesh.points)
+    x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());
+  x_ = x0_;
+  x_.resize(x0_.size() + contact::drive_unknowns(scene_.tools).size(), 0.0);
+  trial_x_ = x_;
+  velocity_.assign(x0_.size(), 0.0);
+  reactions_.assign(x0_.size(), 0.0);
+  make_terms();
+  start_stage(scene_.stages.front()); // only its tools have to lie right at the start
+  if (surface_)
+    bring_to_touch(scene_, *surface_, x_);
+  check_overlap();
+  if (contact_) {
+    contact_->start(x_, 0.0);
+    check_drives();
+  }
+}
+
+Process::~Process() = default;
+
+void Process::make_terms() {
+  bulk_ =
+      std::make_unique<mechanics::Bulk>(scene_.mesh, scene_.analysis, scene_.material, pattern_);
+  plastic_rate_.assign(bulk_->states().size(), 0.0);
+  constexpr double strain_floor = 1e-7; // stresses below that share of E count as none
+  newton_ = std::make_unique<mechanics::Newton>(
+      pattern_, scene_.solver,
+      mechanics::NewtonSettings{.tolerance = scene_.tolerance,
+                                .force_floor = strain_floor * body_stiffness() *
+                                               box_of(scene_.mesh.points).size(),
+                                .largest_correction = box_of(scene_.mesh.points).size()},
+      contact::drive_unknowns(scene_.tools).size());
+  terms_ = {bulk_.get()};
+  make_loads();
+  if (!scene_.tools.empty()) {
+    surface_ = std::make_unique<contact::ContactSurface>(scene_.mesh, *bulk_, pattern_,
+                                                         scene_.contact_faces, scene_.contact);
+    contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
+                                                      4.0 * box_of(scene_.mesh.points).size(),
+                                                      drive_scale());
+    terms_.push_back(contact_.get());
+  }
+  grounded_ = free_rigid_motions(scene_);
+  if (grounded_ > 0 && scene_.tools.empty())
+    throw Error(Fault::case_file, "",
+                fmt::format("the workpiece can move freely: {} rigid motion(s) are held by no "
+                            "support and there is no tool",
+                            grounded_),
+                "add a [[support]] that holds them");
+  if (grounded_ > 0) {
+    // Spread over all nodes it is a hundred-millionth of the body's own stiffness.
+    constexpr double share = 1e-8;
+    grounding_stiffness_ = share * body_stiffness() / scene_.mesh.n_points();
+    grounding_ = mechanics::make_grounding(grounding_stiffness_, pattern_);
+    terms_.push_back(grounding_.get());
+  }
+}
+
+double Process::body_stiffness() const {
+  const double young = scene_.material.elasticity.young;
+  // Force per length: in plane strain it is that of a slice of unit thickness.
+  return scene_.analysis == mechanics::Analysis::plane_strain
+             ? young
+             : young * box_of(scene_.mesh.points).size();
+}
+
+void Process::make_loads() {
+  for (const LoadSpec& spec : scene_.loads) {
+    if (const auto* pressure = std::get_if<PressureOn>(&spec))
+      loads_.push_back(mechanics::make_pressure(scene_.mesh, scene_.analysis, pattern_,
+                                                pressure->faces, pressure->pressure));
+    else
+      loads_.push_back(mechanics::make_dead_load(std::get<DeadForces>(spec).forces,
+                                                 std::get<DeadForces>(spec).amplitude));
+    terms_.push_back(loads_.back().get());
+  }
+}
+
+void Process::check_overlap() const {
+  if (!contact_)
+    return;
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (!contact_->acts(t, 0.0))
+      continue;
+    const contact::Tool& tool = scene_.tools[t];
+    const geometry::Pose pose = tool.motion.pose(0.0);
+    for (Index f = 0; f < surface_->n_faces(); ++f) {
+      std::vector<Vec3> points = surface_->samples(x_, f);
+      for (Vec3& p : points)
+        p = pose.to_tool(p);
+      std::vector<geometry::Projection> feet(points.size());
+      tool.surface->project(points, box_of(scene_.mesh.points).size(), feet);
+      // A chord of a curved face may lie a little inside a tool that touches its nodes.
+      constexpr double allowed_share = 0.02;
+      for (std::size_t i = 0; i < feet.size(); ++i)
+        if (-feet[i].gap > allowed_share * surface_->depth(f)) {
+          const Vec3 at = pose.to_space(points[i]);
+          throw Error(Fault::geometry, "",
+                      fmt::format("the workpiece overlaps tool '{}' before the start: {:.6g} deep "
+                                  "at ({:.6g}, {:.6g}, {:.6g})",
+                                  tool.name, -feet[i].gap, at[0], at[1], at[2]),
+                      "move the tool or the workpiece apart, or give the tool touch = true");
+        }
+    }
+  }
+}
+
+contact::DriveScale Process::drive_scale() const {
+  // A hundred-millionth of the body's own stiffness: it carries rounding, never a load.
+  constexpr double share = 1e-8;
+  return {box_of(scene_.mesh.points).size(), share * body_stiffness()};
+}
+
+void Process::check_drives() const {
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    const contact::Tool& tool = scene_.tools[t];
+    if (tool.motion.force && contact_->acts(t, 0.0) && !contact_->lies_on(t))
+      throw Error(Fault::case_file, "",
+                  fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
+                              "nothing tells where it is",
+                              tool.name),
+                  "give it touch = true, or place it where it touches");
+  }
+}
+
+} // namespace billet::process
