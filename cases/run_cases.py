@@ -71,12 +71,15 @@ def judge(value, check, results):
     return wanted, f"{100 * off:+.2f} %", abs(off) <= check["tolerance"]
 
 
+def wanted_of(name):
+    """Content of the case's check.toml, if it has one."""
+    path = CASES / name / "check.toml"
+    return tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+
 def evaluate(name, results):
     """Prints the checks of a case; returns the number of failed ones."""
-    content = {}
-    path = CASES / name / "check.toml"
-    if path.exists():
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    content = wanted_of(name)
     if "shape" in content:
         shape.write(results, name, content["shape"])
     if "script" in content:
@@ -99,6 +102,9 @@ def evaluate(name, results):
 def run(program, name, results):
     """Runs a case; returns the number of failures."""
     print(f"{name}:", flush=True)
+    before = wanted_of(name).get("before")
+    if before:
+        subprocess.run([sys.executable, CASES / name / before], check=True)
     done = subprocess.run([program, "run", CASES / name / "case.toml", "-o", results, "--quiet"],
                           stdout=subprocess.PIPE, text=True, check=False)
     print("".join(f"  {line}\n" for line in done.stdout.splitlines()), end="")
