@@ -21,6 +21,7 @@ constexpr int most_halvings = 60;           // of a face: its width is then that
 constexpr int halvings_at_rim = 5;          // of what has its centre beyond the rim of an open tool
 constexpr int most_balls = 5;               // tried for a piece
 constexpr double largest_ball = 1e6;        // radius over that of the piece; more is rounding
+constexpr double small_ball = 30.0;         // likewise, tried first: from afar many facets are near
 constexpr double share_of_tolerance = 0.25; // that the curvature of the ball may take
 constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon(); // of a distance
 constexpr std::size_t grain = 64; // pieces a task should have at least
@@ -198,9 +199,10 @@ Projection Search::look_at_point(Piece& piece, const Vec3& x) const {
 /// large to the point of the tool nearest its centre. Each of them gives a bound. (G.26)
 void Search::blow_up_ball(Piece& piece, const Projection& at) const {
   const double half = piece.shape.farthest(piece.shape.centre());
-  double radius =
+  const double enough =
       std::min(half * largest_ball,
                std::max(half, half * half / (2.0 * share_of_tolerance * tolerance(piece))));
+  double radius = std::min(enough, small_ball * half);
   for (int ball = 0; ball < most_balls; ++ball) {
     const Vec3 centre = at.foot + radius * at.normal;
     const Projection nearest = query(piece, centre);
@@ -211,7 +213,13 @@ void Search::blow_up_ball(Piece& piece, const Projection& at) const {
     const bool touches = nearest.gap >= radius - share_of_tolerance * tolerance(piece);
     const Vec3 way = nearest.foot - at.foot;
     const double height = way.dot(at.normal);
-    if (touches || excess(piece) <= 1.0 || !(height > 0.0))
+    if (excess(piece) <= 1.0)
+      return;
+    if (touches && ball == 0 && radius < enough) {
+      radius = enough;
+      continue;
+    }
+    if (touches || !(height > 0.0))
       return;
     radius = std::min(0.5 * way.squaredNorm() / height, radius);
   }
