@@ -1,6 +1,5 @@
 #include "process/run.h"
 
-#include "geometry/base/box.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/mesh_check.h"
 #include "process/passage_guard.h"
@@ -41,7 +40,7 @@ double step_towards(double left, double dt) { return dt >= left ? left : std::mi
 /// Why an increment is too long for the tools; empty: it is not. A tool that moves farther than
 /// this in one increment could pass the workpiece unseen.
 std::string leap(const Scene& scene, const Stage& stage, double from, double to) {
-  const double farthest = 0.5 * box_of(scene.mesh.points).size();
+  const double farthest = 0.5 * body_size(scene.mesh);
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const contact::Tool& tool = scene.tools[t];
     const double way = (tool.motion.translation(to) - tool.motion.translation(from)).norm();
@@ -137,7 +136,7 @@ bool Process::plausible(double force_scale, std::string& why) const {
     return false;
   }
   for (std::size_t i = x0_.size(); i < x_.size(); ++i)
-    if (std::abs(trial_x_[i] - x_[i]) > 0.5 * box_of(scene_.mesh.points).size()) {
+    if (std::abs(trial_x_[i] - x_[i]) > 0.5 * body_size(scene_.mesh)) {
       why = "a driven tool moves away: nothing holds it against its load";
       return false;
     }

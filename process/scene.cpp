@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+
 namespace billet::process {
 
 namespace {
@@ -46,6 +48,16 @@ int free_rigid_motions(const Scene& scene) {
   Eigen::FullPivLU<Eigen::MatrixXd> lu(gram);
   lu.setThreshold(1e-10);
   return static_cast<int>(n - (gram.isZero(0.0) ? 0 : lu.rank()));
+}
+
+double body_size(const mechanics::Mesh& mesh) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& point : mesh.points)
+    middle += point / static_cast<double>(mesh.points.size());
+  double farthest = 0.0;
+  for (const Vec3& point : mesh.points)
+    farthest = std::max(farthest, (point - middle).norm());
+  return 2.0 * farthest;
 }
 
 } // namespace billet::process

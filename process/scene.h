@@ -77,4 +77,8 @@ struct Scene {
 /// Rigid motions that the supports leave free (the contact may still stop them).
 [[nodiscard]] int free_rigid_motions(const Scene& scene);
 
+/// Diameter of the ball about the mean of the nodes that holds the part [mm]: a length that does
+/// not depend on how the part lies in space, as that of its box does.
+[[nodiscard]] double body_size(const mechanics::Mesh& mesh);
+
 } // namespace billet::process

@@ -1,6 +1,5 @@
 // What a run is made of, and the checks that it can begin.
 
-#include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/loads.h"
@@ -45,9 +44,9 @@ void Process::make_terms() {
   newton_ = std::make_unique<mechanics::Newton>(
       pattern_, scene_.solver,
       mechanics::NewtonSettings{.tolerance = scene_.tolerance,
-                                .force_floor = strain_floor * body_stiffness() *
-                                               box_of(scene_.mesh.points).size(),
-                                .largest_correction = box_of(scene_.mesh.points).size()},
+                                .force_floor =
+                                    strain_floor * body_stiffness() * body_size(scene_.mesh),
+                                .largest_correction = body_size(scene_.mesh)},
       contact::drive_unknowns(scene_.tools).size());
   terms_ = {bulk_.get()};
   make_loads();
@@ -55,8 +54,7 @@ void Process::make_terms() {
     surface_ = std::make_unique<contact::ContactSurface>(scene_.mesh, *bulk_, pattern_,
                                                          scene_.contact_faces, scene_.contact);
     contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
-                                                      4.0 * box_of(scene_.mesh.points).size(),
-                                                      drive_scale());
+                                                      4.0 * body_size(scene_.mesh), drive_scale());
     terms_.push_back(contact_.get());
   }
   grounded_ = free_rigid_motions(scene_);
@@ -78,9 +76,8 @@ void Process::make_terms() {
 double Process::body_stiffness() const {
   const double young = scene_.material.elasticity.young;
   // Force per length: in plane strain it is that of a slice of unit thickness.
-  return scene_.analysis == mechanics::Analysis::plane_strain
-             ? young
-             : young * box_of(scene_.mesh.points).size();
+  return scene_.analysis == mechanics::Analysis::plane_strain ? young
+                                                              : young * body_size(scene_.mesh);
 }
 
 void Process::make_loads() {
@@ -108,7 +105,7 @@ void Process::check_overlap() const {
       for (Vec3& p : points)
         p = pose.to_tool(p);
       std::vector<geometry::Projection> feet(points.size());
-      tool.surface->project(points, box_of(scene_.mesh.points).size(), feet);
+      tool.surface->project(points, body_size(scene_.mesh), feet);
       // A chord of a curved face may lie a little inside a tool that touches its nodes.
       constexpr double allowed_share = 0.02;
       for (std::size_t i = 0; i < feet.size(); ++i)
@@ -127,7 +124,7 @@ void Process::check_overlap() const {
 contact::DriveScale Process::drive_scale() const {
   // A hundred-millionth of the body's own stiffness: it carries rounding, never a load.
   constexpr double share = 1e-8;
-  return {box_of(scene_.mesh.points).size(), share * body_stiffness()};
+  return {body_size(scene_.mesh), share * body_stiffness()};
 }
 
 void Process::check_drives() const {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints bounds and the slab method for both passes; called with other widths in mm, for those."""
+"""Prints the slab method and the ideal torque for both passes; called with other widths in mm, for those."""
 
 import math
 import sys
