@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -112,6 +113,10 @@ TEST(Touch, ARollComesToRestAtTheBottomOfATroughEitherWay) {
     for (int d = 0; d < 3; ++d)
       scene.supports.push_back({nodes_at(scene.mesh, 2, -2.0), d, TimeFunction(0.0)});
     scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+    std::erase_if(scene.contact_faces, [&](const mechanics::Face& face) { // the sides are as hollow
+      return std::any_of(face.nodes.begin(), face.nodes.end(),
+                         [&](Index a) { return scene.mesh.points[as_size(a)].z() < 0.0; });
+    });
     EXPECT_NEAR(travel(std::move(scene)), 1.5, 1e-9) << "roll along axis " << along;
   }
 }
