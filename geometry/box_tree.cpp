@@ -110,14 +110,15 @@ void BoxTree::divide(std::span<Middle> middles,
 std::array<double, BoxTree::width> BoxTree::distances2(const Node& node, const Vec3& x) {
   using Floats [[gnu::vector_size(width * sizeof(float))]] = float;
   using Doubles [[gnu::vector_size(width * sizeof(double))]] = double;
-  const auto wide = [](const std::array<float, width>& values) {
-    return __builtin_convertvector(std::bit_cast<Floats>(values), Doubles);
-  };
   const Doubles zero{};
   Doubles sum = zero;
   for (std::size_t i = 0; i < 3; ++i) {
     const double at = x[static_cast<Eigen::Index>(i)];
-    const Doubles under = wide(node.low[i]) - at, over = at - wide(node.high[i]);
+    // In expressions, not by functions: for a processor without such registers the call of one that
+    // returns a vector is an error.
+    const Doubles low = __builtin_convertvector(__builtin_bit_cast(Floats, node.low[i]), Doubles);
+    const Doubles high = __builtin_convertvector(__builtin_bit_cast(Floats, node.high[i]), Doubles);
+    const Doubles under = low - at, over = at - high;
     const Doubles beyond = under > over ? under : over;
     const Doubles distance = zero > beyond ? zero : beyond;
     sum += distance * distance;
