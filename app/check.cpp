@@ -66,8 +66,16 @@ std::string_view law_name(const mechanics::AnyFlowLaw& flow) {
   return std::visit([](const auto& law) { return law.name; }, flow);
 }
 
-std::string_view law_name(const contact::AnyFrictionLaw& friction) {
-  return std::visit([](const auto& law) { return law.name; }, friction);
+/// The law's name and what modifies it.
+std::string describe(const contact::Friction& friction) {
+  std::string text(std::visit([](const auto& law) { return law.name; }, friction.law));
+  if (!friction.table.empty())
+    text += " by table";
+  if (!friction.evolution.empty())
+    text += ", evolving with the sliding distance";
+  if (friction.tensor)
+    text += ", anisotropic";
+  return text;
 }
 
 void print_mesh(const process::Scene& scene, const io::Case& content) {
@@ -88,7 +96,7 @@ void print_activity(const process::Scene& scene, const process::Process& process
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const contact::Tool& tool = scene.tools[t];
     fmt::print(
-        "contact pair: workpiece - '{}', friction '{}'{}\n", tool.name, law_name(tool.friction),
+        "contact pair: workpiece - '{}', friction {}{}\n", tool.name, describe(tool.friction),
         tool.motion.offset.isZero(0.0)
             ? ""
             : fmt::format(", brought to touch by ({:.6g}, {:.6g}, {:.6g})", tool.motion.offset[0],

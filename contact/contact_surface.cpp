@@ -67,7 +67,7 @@ ContactSurface::ContactSurface(const mechanics::Mesh& mesh,
                                const mechanics::BlockPattern& pattern,
                                const std::vector<mechanics::Face>& faces,
                                const ContactSettings& settings)
-    : kind_(mesh.kind), analysis_(bulk.analysis()), form_(settings.form),
+    : kind_(mesh.kind), analysis_(bulk.analysis()), form_(settings.form), scheme_(settings.scheme),
       points_(visit_contact_face(mesh.kind,
                                  settings.form,
                                  [](auto, auto rule) { return decltype(rule)::points; })),
@@ -133,6 +133,22 @@ void ContactSurface::positions(std::span<const double> x, std::span<Vec3> out) c
 
 void ContactSurface::areas(std::span<const double> x, std::span<double> out) const {
   for_each_point(*this, x, [&](const auto& at, std::size_t k) { out[k] = at.measure; });
+}
+
+PointShares ContactSurface::shares(std::span<const double> x, std::size_t point) const {
+  PointShares shares{scatter_.nodes(static_cast<Index>(point / idx(points_))), {}};
+  visit_contact_face(kind_, form_, [&](auto shape, auto rule) {
+    using Shape = decltype(shape);
+    using Rule = decltype(rule);
+    constexpr int dim = Shape::dim + 1;
+    std::array<double, std::size_t{Shape::nodes} * dim> local{};
+    mechanics::gather(x, shares.nodes, dim, local.data());
+    const int i = static_cast<int>(point % idx(Rule::points));
+    const FacePoint<Shape> at(analysis_, local.data(), Rule::point(i), Rule::weight(i));
+    for (const double N : at.N)
+      shares.areas.push_back(N * at.measure);
+  });
+  return shares;
 }
 
 geometry::BezierPatch ContactSurface::patch(std::span<const double> x, Index face) const {

@@ -37,6 +37,13 @@ struct ContactSettings {
   double penalty_tangent = 10.0; ///< likewise, against slip [-]
   Method method = Method::penalty;
   std::optional<double> max_penetration = std::nullopt; ///< of any point of a face [mm]
+  SlipScheme scheme{};                                   ///< how sliding is integrated
+};
+
+/// How a contact point's traction is shared by the nodes of its face.
+struct PointShares {
+  std::span<const Index> nodes;
+  std::vector<double> areas; ///< shape (nodes) [mm^2]
 };
 
 /// Faces and points; constant during a mesh's life.
@@ -52,6 +59,7 @@ public:
   [[nodiscard]] mechanics::ElementKind kind() const { return kind_; }
   [[nodiscard]] mechanics::Analysis analysis() const { return analysis_; }
   [[nodiscard]] Form form() const { return form_; }
+  [[nodiscard]] const SlipScheme& scheme() const { return scheme_; }
   [[nodiscard]] const mechanics::Scatter& scatter() const { return scatter_; }
   [[nodiscard]] Index n_faces() const { return scatter_.n_groups(); }
   /// Integration points a face.
@@ -68,6 +76,8 @@ public:
   void positions(std::span<const double> x, std::span<Vec3> out) const;
   /// Areas that the points stand for, shape (n_points) [mm^2].
   void areas(std::span<const double> x, std::span<double> out) const;
+  /// How the traction at a point is shared by the nodes of its face.
+  [[nodiscard]] PointShares shares(std::span<const double> x, std::size_t point) const;
   /// A face as the curve or surface that its nodes span.
   [[nodiscard]] geometry::BezierPatch patch(std::span<const double> x, Index face) const;
   /// Points spread over a face with its corners and edges, for a look at overlap [mm].
@@ -88,6 +98,7 @@ private:
   mechanics::ElementKind kind_;
   mechanics::Analysis analysis_;
   Form form_;
+  SlipScheme scheme_;
   int points_;
   mechanics::Scatter scatter_;
   Penalty penalty_{};

@@ -109,7 +109,20 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
   }
 }
 
-int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, bool keep) {
+double ContactTerm::strength(const Friction& friction, std::size_t point) const {
+  if (!friction.follows_material())
+    return 0.0;
+  const std::size_t beneath = surface_->beneath(point);
+  const double stress = friction.strength == Strength::yield
+                            ? bulk_->trial_strength(beneath)
+                            : bulk_->trial_stress(beneath).stress;
+  return stress / std::numbers::sqrt3;
+}
+
+int ContactTerm::evaluate(const Tool& tool,
+                          ToolState& state,
+                          const mechanics::Trial& trial,
+                          bool keep) {
   const Penalty penalty = this->penalty();
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
@@ -123,14 +136,12 @@ int ContactTerm::evaluate(const Tool& tool, ToolState& state, double softening, 
       const PointHistory& old = state.history[k];
       InterfaceInput in{state.position[k], foot};
       in.rounding = touching;
-      in.softening = softening;
+      in.dt = trial.time - trial.time_old;
+      in.softening = trial.softening;
       in.kept = kept;
       in.multiplier = state.multiplier[k];
-      const std::size_t beneath = surface_->beneath(k);
-      in.shear_yield =
-          mechanics::yield_stress(bulk_->material().flow, bulk_->states()[beneath].plastic_strain) /
-          std::numbers::sqrt3;
-      state.trial[k] = traction(tool.friction, penalty, old, in);
+      in.strength = strength(tool.friction, k);
+      state.trial[k] = traction(tool.friction, penalty, old, in, surface_->scheme());
     }
     if (state.trial[k].status != before)
       ++changes;
@@ -180,12 +191,13 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     const geometry::Pose place = pose(t, trial.time, trial.x);
     states_[t].rotation = place.rotation;
     search(tools_[t], states_[t], place);
-    system.contact_changes += evaluate(tools_[t], states_[t], trial.softening,
+    system.contact_changes += evaluate(tools_[t], states_[t], trial,
                                        trial.first_guess && many_parted(states_[t]));
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
   }
   scatter(trial.x, system);
+  add_strength(trial, system);
   add_loads(trial, system);
   add_borders(trial, system);
   return mechanics::Assembled{};
@@ -278,6 +290,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
     history.pressure = now.pressure;
+    history.limit = now.limit;
     history.stiffness = shear.stiffness;
     state.touches = true;
     state.stored +=

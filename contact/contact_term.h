@@ -163,13 +163,18 @@ private:
                                                                 const mechanics::Trial& trial,
                                                                 const geometry::Pose& pose) const;
   /// @return points whose status is not that of the trial before
-  [[nodiscard]] int evaluate(const Tool& tool, ToolState& state, double softening, bool keep);
+  [[nodiscard]] int
+  evaluate(const Tool& tool, ToolState& state, const mechanics::Trial& trial, bool keep);
+  /// k of the material beneath a point in the trial [MPa].
+  [[nodiscard]] double strength(const Friction& friction, std::size_t point) const;
   /// Whether so many points have lost a tool that the trial says nothing about the contact set.
   [[nodiscard]] bool many_parted(const ToolState& state) const;
   /// Whether a point is kept closed under tension.
   [[nodiscard]] static bool pulls(const ToolState& state);
   void sum(const ToolState& state, const geometry::Pose& pose);
   void scatter(std::span<const double> x, mechanics::System& system) const;
+  /// Adds what the tractions owe to the strength beneath, which the nodes of whole elements change.
+  void add_strength(const mechanics::Trial& trial, mechanics::System& system) const;
   /// Velocity of a tool's material at a place, and its spin, for a unit rate of a drive.
   struct DriveRate {
     Vec3 velocity; ///< [-]

@@ -1,5 +1,7 @@
 #include "contact/interface_law.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,20 +26,100 @@ Sliding sliding(const PointHistory& old, const InterfaceInput& at) {
   return s;
 }
 
-/// No shear without pressure: a limit that does not vanish with the pressure is cut to a steep
-/// cone. (C.10) A point that lifts would otherwise lose its shear at once, and between the two
-/// states there may be no equilibrium at all.
-SlipLimit bounded(const SlipLimit& limit, double pressure) {
-  constexpr double steepest = 100.0;
-  return limit.shear > steepest * pressure ? SlipLimit{steepest * pressure, steepest} : limit;
-}
-
 /// Derivative of `turn(v, from, n(x))`, H = dn/dx.
 Mat3 turn_derivative(const Vec3& v, const Vec3& from, const Vec3& n, const Mat3& H) {
   const double c = 1.0 + n.dot(from);
   const double along = n.dot(v);
   const Vec3 sum = n + from;
   return -sum * ((v.transpose() / c - along / (c * c) * from.transpose()) * H) - along / c * H;
+}
+
+/// An orthonormal frame of the tangent plane, and how it turns about the normal as the point moves.
+struct TangentFrame {
+  Eigen::Matrix<double, 3, 2> E; ///< columns e1, e2
+  Vec3 spin;                     ///< de1 . e2 = spin . dx [1/mm]
+};
+
+/// The frame whose first axis is the projection of a direction. (F.12)
+TangentFrame frame_along(const Vec3& direction, const geometry::Projection& foot) {
+  const Vec3& n = foot.normal;
+  const Vec3 projected = direction - n.dot(direction) * n;
+  const double length = projected.norm();
+  constexpr double smallest = 1e-9; // of a unit vector: it has no projection
+  const Vec3 e1 = length > smallest ? Vec3(projected / length) : n.unitOrthogonal();
+  TangentFrame frame;
+  frame.E << e1, n.cross(e1);
+  frame.spin = Vec3::Zero();
+  if (length > smallest)
+    frame.spin = -n.dot(direction) / length * (foot.dnormal_dx.transpose() * frame.E.col(1));
+  return frame;
+}
+
+/// Any frame, carried along without turning: isotropic friction cannot tell.
+TangentFrame any_frame(const Vec3& n) {
+  const Vec3 e1 = n.unitOrthogonal();
+  TangentFrame frame;
+  frame.E << e1, n.cross(e1);
+  frame.spin = Vec3::Zero();
+  return frame;
+}
+
+/// A tangential vector and its derivative, in components of a frame.
+struct InFrame {
+  Vec2 v;
+  Eigen::Matrix<double, 2, 3> dv_dx;
+};
+
+InFrame in_frame(const TangentFrame& frame, const Vec3& v, const Mat3& dv_dx) {
+  const Vec2 c = frame.E.transpose() * v;
+  return {c, frame.E.transpose() * dv_dx + Vec2(c[1], -c[0]) * frame.spin.transpose()};
+}
+
+/// Derivative in space of a tangential vector given in a frame.
+Mat3 in_space(const TangentFrame& frame,
+              const Vec2& v,
+              const Eigen::Matrix<double, 2, 3>& dv_dx,
+              const geometry::Projection& foot) {
+  const Vec3 in_plane = frame.E * v;
+  return frame.E * (dv_dx - Vec2(v[1], -v[0]) * frame.spin.transpose()) -
+         foot.normal * (in_plane.transpose() * foot.dnormal_dx);
+}
+
+/// The shear of a point that was closed. (C.4)-(C.6)
+void add_shear(const Friction& friction,
+               const Penalty& penalty,
+               const PointHistory& old,
+               const InterfaceInput& at,
+               const SlipScheme& scheme,
+               const SlipState& state,
+               Traction& out) {
+  const geometry::Projection& foot = at.projection;
+  const Vec3& n = foot.normal;
+  const Sliding s = sliding(old, at);
+  const double stiffness = at.softening * (old.stiffness > 0.0 ? old.stiffness : penalty.tangent);
+  const TangentFrame frame =
+      friction.tensor ? frame_along(friction.tensor->direction, foot) : any_frame(n);
+  Mat3 dturned = Mat3::Zero();
+  if (!old.shear.isZero(0.0)) {
+    out.turned = turn(old.shear, old.normal, n);
+    dturned = turn_derivative(old.shear, old.normal, n, foot.dnormal_dx);
+  }
+  const InFrame shear = in_frame(frame, out.turned, dturned);
+  const InFrame path = in_frame(frame, s.path, s.dpath_dx);
+  const SlipStep step{shear.v, path.v, stiffness, old.limit, state};
+  const SlipResult end = stick_slip(friction, scheme, step,
+                                    friction.tensor ? friction.tensor->Q : Mat2::Identity());
+  out.status = end.status;
+  out.shear = frame.E * end.shear;
+  out.slip = frame.E * end.slip;
+  out.limit = end.limit;
+  Eigen::Matrix<double, 2, 3> dshear = end.d_shear * shear.dv_dx + end.d_path * path.dv_dx;
+  // Under tension the limit is that of the pressure before.
+  if (state.pressure == out.pressure)
+    dshear -= penalty.normal * end.d_pressure * n.transpose();
+  out.traction += out.shear;
+  out.dtraction_dx += in_space(frame, end.shear, dshear, foot);
+  out.dtraction_dk = frame.E * end.d_strength;
 }
 
 } // namespace
@@ -76,10 +158,11 @@ ShearBalance balance(const Penalty& penalty,
   return {after, lost + stored - shear_energy(now.shear, after)};
 }
 
-Traction traction(const AnyFrictionLaw& law,
+Traction traction(const Friction& friction,
                   const Penalty& penalty,
                   const PointHistory& old,
-                  const InterfaceInput& at) {
+                  const InterfaceInput& at,
+                  const SlipScheme& scheme) {
   Traction out;
   const geometry::Projection& foot = at.projection;
   // A point that lay on the tool and has not moved off yet resists being pressed in: without its
@@ -93,41 +176,19 @@ Traction traction(const AnyFrictionLaw& law,
   out.pressure = pressure;
   if (!kept)
     out.pressure = std::max(0.0, out.pressure);
-  const double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;
   out.status = Status::slip;
   out.traction = out.pressure * n;
   out.dtraction_dx = -penalty.normal * n * n.transpose() + out.pressure * foot.dnormal_dx;
-  SlipLimit limit = bounded(slip_limit(law, {holding, at.shear_yield}), holding);
-  if (holding > out.pressure)
-    limit.d_pressure = 0.0;
-  out.limit = limit.shear;
+  const double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;
+  const SlipState state{holding, at.strength, old.sliding, at.dt};
+  out.limit = limit_at(friction, state, 0.0).shear;
   if (!old.closed())
     return out;
-  const Sliding s = sliding(old, at);
-  if (limit.shear == 0.0) {
-    out.slip = s.path;
+  if (out.limit == 0.0 && !friction.depends_on_slip()) {
+    out.slip = sliding(old, at).path;
     return out;
   }
-  const double stiffness = at.softening * (old.stiffness > 0.0 ? old.stiffness : penalty.tangent);
-  Mat3 dshear = -stiffness * s.dpath_dx;
-  if (!old.shear.isZero(0.0)) {
-    out.turned = turn(old.shear, old.normal, n);
-    dshear += turn_derivative(old.shear, old.normal, n, foot.dnormal_dx);
-  }
-  const Vec3 predictor = out.turned - stiffness * s.path;
-  const double size = predictor.norm();
-  if (size <= limit.shear) {
-    out.status = Status::stick;
-    out.shear = predictor;
-  } else {
-    const Vec3 e = predictor / size;
-    out.shear = limit.shear * e;
-    dshear = (limit.shear / size * (Mat3::Identity() - e * e.transpose()) * dshear).eval();
-    dshear -= limit.d_pressure * penalty.normal * e * n.transpose();
-    out.slip = s.path + (out.shear - out.turned) / stiffness;
-  }
-  out.traction += out.shear;
-  out.dtraction_dx += dshear;
+  add_shear(friction, penalty, old, at, scheme, state, out);
   return out;
 }
 

@@ -3,7 +3,7 @@
 // Everything happens in the frame of the tool, where the tool stands still: a rigid motion of tool
 // and workpiece together changes nothing (incremental objectivity, the paper's Fig. 13). Pressure
 // follows from the penetration itself, not from an accumulated increment; shear is an elastic
-// stick stress, turned with the normal, and cut back to the law's limit in closed form. A point
+// stick stress, turned with the normal, and kept within the law's limit (stick_slip.h). A point
 // that touches within the increment slides freely until its end, where sticking begins: a shear
 // that grew with the way since first touch would grow faster than the pressure and destroy
 // uniqueness. A point that has slid a long way turns its shear round within a small part of that
@@ -14,13 +14,11 @@
 
 #pragma once
 
-#include "contact/friction/any_friction_law.h"
+#include "contact/stick_slip.h"
 #include "geometry/base/vector.h"
 #include "geometry/rigid_surface.h"
 
 namespace billet::contact {
-
-enum class Status : signed char { open, stick, slip };
 
 /// History of one point against one tool, in the tool's frame.
 struct PointHistory {
@@ -31,6 +29,7 @@ struct PointHistory {
   double sliding = 0.0;         ///< sliding distance so far [mm]
   double stiffness = 0.0;       ///< against slip from here on (C.17); 0: the penalty [MPa/mm]
   double multiplier = 0.0;      ///< pressure that needs no penetration (C.20) [MPa]
+  double limit = 0.0;           ///< slip limit, at least the shear [MPa]
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
 };
@@ -48,8 +47,9 @@ struct Traction {
   Vec3 shear = Vec3::Zero();        ///< [MPa]
   Vec3 traction = Vec3::Zero();     ///< p n + shear, on the workpiece [MPa]
   Mat3 dtraction_dx = Mat3::Zero(); ///< [MPa/mm], not symmetric when slipping
+  Vec3 dtraction_dk = Vec3::Zero(); ///< by the strength of the material beneath [-]
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
-  double limit = 0.0;               ///< largest shear at this pressure; may be infinite [MPa]
+  double limit = 0.0;               ///< largest shear at this pressure [MPa]
   Vec3 turned = Vec3::Zero();       ///< the old shear in the new tangent plane [MPa]
 };
 
@@ -57,8 +57,9 @@ struct Traction {
 struct InterfaceInput {
   Vec3 position;                   ///< tool frame [mm]
   geometry::Projection projection; ///< of that position
-  double shear_yield = 0.0;        ///< k beneath [MPa]
+  double strength = 0.0;           ///< k beneath [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
+  double dt = 1.0;                 ///< of the increment [s]
   double softening = 1.0;  ///< of the stiffness against slip, below 1 on the way to a solution [-]
   bool kept = false;       ///< a point that was closed stays so, if need be under tension (C.15)
   double multiplier = 0.0; ///< pressure that needs no penetration (C.20) [MPa]
@@ -84,10 +85,11 @@ struct ShearBalance {
                                    double depth);
 
 /// (C.1)-(C.6), (C.20)
-[[nodiscard]] Traction traction(const AnyFrictionLaw& law,
+[[nodiscard]] Traction traction(const Friction& friction,
                                 const Penalty& penalty,
                                 const PointHistory& old,
-                                const InterfaceInput& at);
+                                const InterfaceInput& at,
+                                const SlipScheme& scheme = {});
 
 /// Turns a vector tangent to `from` into the plane normal to `to` by the smallest rotation. (C.4)
 [[nodiscard]] Vec3 turn(const Vec3& v, const Vec3& from, const Vec3& to);

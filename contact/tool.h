@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "contact/friction/any_friction_law.h"
+#include "contact/friction/friction.h"
 #include "geometry/motion.h"
 #include "geometry/rigid_surface.h"
 
@@ -16,7 +16,7 @@ struct Tool {
   std::string name;
   geometry::SurfacePtr surface; ///< in the tool's frame
   geometry::Motion motion;
-  AnyFrictionLaw friction = Frictionless{};
+  Friction friction;
   Vec3 reference = Vec3::Zero(); ///< point in the tool's frame about which torques are taken [mm]
   /// How far the shape that facets stand for may lie off them, an estimate; 0: a formula [mm].
   double chord_error = 0.0;

@@ -220,11 +220,16 @@ void add_loads(const Case& content, const Selector& select, process::Scene& scen
   }
 }
 
-bool needs_shear_yield(const contact::AnyFrictionLaw& law) {
-  if (const auto* tresca = std::get_if<contact::Tresca>(&law))
-    return !tresca->k;
-  const auto* coulomb = std::get_if<contact::Coulomb>(&law);
-  return coulomb != nullptr && coulomb->cap_at_shear_yield;
+contact::SlipScheme scheme_of(const ContactSettings& settings) {
+  switch (settings.integrator) {
+  case ContactIntegrator::midpoint:
+    return {contact::Integrator::midpoint, settings.substeps.value_or(0)};
+  case ContactIntegrator::exact:
+    return {contact::Integrator::exact};
+  case ContactIntegrator::radial:
+    break;
+  }
+  return {contact::Integrator::radial};
 }
 
 void add_tools(const Case& content, BuiltScene& built, const std::string& place) {
@@ -235,13 +240,19 @@ void add_tools(const Case& content, BuiltScene& built, const std::string& place)
   for (const Tool& tool : content.tools) {
     scene.tools.push_back(build_tool(tool, content.analysis, workpiece.size(), built.notes));
     scene.touch.push_back(tool.touch ? 1 : 0);
-    if (needs_shear_yield(scene.tools.back().friction) &&
+    if (scene.tools.back().friction.follows_material() &&
         std::holds_alternative<mechanics::Elastic>(scene.material.flow))
       throw Error(Fault::case_file, place,
                   fmt::format("tool '{}': its friction follows the shear yield stress, but the "
                               "workpiece is elastic",
                               tool.name),
                   "give k (or cap) as a stress, or the material a flow law");
+    if (scene.tools.back().friction.tensor &&
+        content.contact.integrator != ContactIntegrator::radial)
+      throw Error(Fault::case_file, place,
+                  fmt::format("tool '{}': friction with a tensor is integrated by \"radial\" only",
+                              tool.name),
+                  "leave contact.integrator out, or the tensor");
   }
 }
 
@@ -349,7 +360,7 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
                    content.contact.penalty, content.contact.penalty_tangent,
                    content.contact.method == ContactMethod::augmented ? contact::Method::augmented
                                                                       : contact::Method::penalty,
-                   content.contact.max_penetration};
+                   content.contact.max_penetration, scheme_of(content.contact)};
   add_stages(content, scene);
   scene.increments = {content.time.increments.first, content.time.increments.min,
                       content.time.increments.max};

@@ -91,29 +91,89 @@ struct SurfaceMaker {
   }
 };
 
-double stress_or_infinite(const std::optional<ShearStrength>& strength) {
-  const double* stress = strength ? std::get_if<double>(&*strength) : nullptr;
-  return stress != nullptr ? *stress : std::numeric_limits<double>::infinity();
+/// A strength given as a stress; none: that of the material.
+std::optional<double> stress_of(const ShearStrength& strength) {
+  const double* stress = std::get_if<double>(&strength);
+  return stress != nullptr ? std::optional(*stress) : std::nullopt;
 }
 
-/// Builds the law of each kind of friction; the reader has refused those not available.
+contact::Flattening flattening(RealContact real_contact) {
+  return real_contact == RealContact::wanheim_bay ? contact::Flattening::wanheim_bay
+                                                  : contact::Flattening::bowden_tabor;
+}
+
+/// Builds the law of each kind of friction.
 struct FrictionMaker {
   contact::AnyFrictionLaw operator()(const FrictionlessFriction&) const {
     return contact::Frictionless{};
   }
   contact::AnyFrictionLaw operator()(const StickingFriction&) const { return contact::Sticking{}; }
   contact::AnyFrictionLaw operator()(const CoulombFriction& f) const {
-    return contact::Coulomb{f.mu, f.threshold, stress_or_infinite(f.cap),
-                            f.cap && std::holds_alternative<ShearYield>(*f.cap), f.mu2};
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const std::optional<double> cap = f.cap ? stress_of(*f.cap) : std::optional(none);
+    return contact::Coulomb{f.mu, f.threshold, cap.value_or(none), !cap, f.mu2};
   }
   contact::AnyFrictionLaw operator()(const TrescaFriction& f) const {
-    const double* k = std::get_if<double>(&f.k);
-    return contact::Tresca{f.m, k != nullptr ? std::optional(*k) : std::nullopt};
+    return contact::Tresca{f.m, stress_of(f.k)};
   }
-  template <class Other> contact::AnyFrictionLaw operator()(const Other&) const {
-    throw Error(Fault::case_file, "", "this friction law is not available in this version");
+  contact::AnyFrictionLaw operator()(const ShawFriction& f) const {
+    return contact::Shaw{stress_of(f.k), f.f, flattening(f.real_contact)};
+  }
+  contact::AnyFrictionLaw operator()(const AsperityFriction& f) const {
+    return contact::Asperity{f.m_local, stress_of(f.k), f.f, flattening(f.real_contact)};
+  }
+  contact::AnyFrictionLaw operator()(const ThickFilmFriction& f) const {
+    return contact::ThickFilm{f.viscosity, f.film};
+  }
+  contact::AnyFrictionLaw operator()(const ViscoplasticFriction& f) const {
+    return contact::Viscoplastic{f.beta, f.v0, f.mv};
   }
 };
+
+/// What a law means by the strength of the material.
+struct StrengthOf {
+  static contact::Strength of(const ShearStrength& strength) {
+    return std::holds_alternative<VonMisesShear>(strength) ? contact::Strength::von_mises
+                                                           : contact::Strength::yield;
+  }
+  contact::Strength operator()(const CoulombFriction& f) const {
+    return f.cap ? of(*f.cap) : contact::Strength::yield;
+  }
+  contact::Strength operator()(const TrescaFriction& f) const { return of(f.k); }
+  contact::Strength operator()(const ShawFriction& f) const { return of(f.k); }
+  contact::Strength operator()(const AsperityFriction& f) const { return of(f.k); }
+  template <class Other> contact::Strength operator()(const Other&) const {
+    return contact::Strength::yield;
+  }
+};
+
+contact::CoefficientTable evolution_of(const Friction& friction) {
+  if (friction.evolution.empty())
+    return {};
+  std::vector<double> sliding;
+  std::vector<double> factors;
+  for (const auto& [distance, factor] : friction.evolution) {
+    sliding.push_back(distance);
+    factors.push_back(factor);
+  }
+  return {{{{}, {}, std::move(sliding)}}, std::move(factors)};
+}
+
+contact::Friction friction_of(const Friction& friction) {
+  contact::Friction result = std::visit(FrictionMaker{}, friction.law);
+  result.strength = std::visit(StrengthOf{}, friction.law);
+  result.evolution = evolution_of(friction);
+  const FrictionTable& table = friction.table;
+  if (!table.values.empty())
+    result.table = {{{table.pressure, table.speed, table.sliding}}, table.values};
+  if (friction.tensor) {
+    const auto& q = *friction.tensor;
+    result.tensor = contact::FrictionTensor{
+        (contact::Mat2() << q[0][0], q[0][1], q[1][0], q[1][1]).finished(),
+        friction.direction->normalized()};
+  }
+  return result;
+}
 
 geometry::Motion motion_of(const ToolMotion& motion) {
   geometry::Motion result;
@@ -173,7 +233,7 @@ contact::Tool build_tool(const Tool& tool,
     result.reference = result.motion.place.to_tool(result.motion.rotation->point);
   if (result.motion.torque)
     result.reference = result.motion.place.to_tool(result.motion.torque->point);
-  result.friction = std::visit(FrictionMaker{}, tool.friction.law);
+  result.friction = friction_of(tool.friction);
   if (tool.active) {
     result.active_from = (*tool.active)[0];
     result.active_to = (*tool.active)[1];

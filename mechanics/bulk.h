@@ -31,6 +31,20 @@ public:
   [[nodiscard]] int points() const { return points_; }
   /// Committed states, shape (n_elements, points).
   [[nodiscard]] std::span<const PointState> states() const { return states_; }
+  /// Von Mises stress and strength of an integration point in the last assembled trial; what they
+  /// owe to the displacements of its element's nodes. (M.14)
+  [[nodiscard]] MisesStress trial_stress(std::size_t point) const {
+    return mises_stress(material_, trial_states_[point], states_[point].plastic_strain);
+  }
+  /// Yield stress of an integration point in the last assembled trial [MPa].
+  [[nodiscard]] double trial_strength(std::size_t point) const {
+    return yield_stress(material_.flow, trial_states_[point].plastic_strain);
+  }
+  /// Nodes of the element that an integration point lies in.
+  [[nodiscard]] std::span<const Index> nodes_around(std::size_t point) const {
+    return mesh_->cell(static_cast<Index>(point) / points_);
+  }
+  [[nodiscard]] ElementKind kind() const { return mesh_->kind; }
   /// Reference volumes, shape (n_elements, points) [mm^3].
   [[nodiscard]] std::span<const double> volumes() const { return volumes_; }
   /// Largest plastic strain increment of the last trial [-].

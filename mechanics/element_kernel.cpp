@@ -353,4 +353,24 @@ double pressure_ratio(ElementKind kind,
          std::accumulate(reference.begin(), reference.end(), 0.0);
 }
 
+void strain_gradient(ElementKind kind,
+                     Analysis analysis,
+                     const double* x,
+                     std::size_t point,
+                     const Mat3& n,
+                     std::span<double> out) {
+  visit_element(kind, [&](auto element) {
+    using Element = decltype(element);
+    constexpr int dim = Element::Shape::dim;
+    constexpr int nodes = Element::Shape::nodes;
+    const auto& table = point_table<Element>();
+    const Eigen::Map<const Eigen::Matrix<double, nodes, dim, Eigen::RowMajor>> positions(x);
+    const Eigen::Matrix<double, dim, dim> J = positions.transpose() * table.dN[point];
+    Eigen::Map<Eigen::Matrix<double, nodes, dim, Eigen::RowMajor>> gradient(out.data());
+    gradient = table.dN[point] * J.inverse() * n.template topLeftCorner<dim, dim>();
+    if (analysis == Analysis::axisymmetric)
+      gradient.col(0) += n(2, 2) / table.N[point].dot(positions.col(0)) * table.N[point];
+  });
+}
+
 } // namespace billet::mechanics

@@ -53,4 +53,17 @@ double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::
                                     std::span<const double> reference,
                                     std::size_t point);
 
+/// Derivative of `n : grad u` at an integration point by the nodal displacements from a
+/// configuration. (M.14)
+///
+/// @param n    symmetric [-]
+/// @param x    positions, shape (nodes, dim) [mm]
+/// @param out  shape (nodes * dim), overwritten [1/mm]
+void strain_gradient(ElementKind kind,
+                     Analysis analysis,
+                     const double* x,
+                     std::size_t point,
+                     const Mat3& n,
+                     std::span<double> out);
+
 } // namespace billet::mechanics

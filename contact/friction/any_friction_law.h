@@ -2,10 +2,14 @@
 
 #pragma once
 
+#include "contact/friction/asperity.h"
 #include "contact/friction/coulomb.h"
 #include "contact/friction/frictionless.h"
+#include "contact/friction/shaw.h"
 #include "contact/friction/sticking.h"
+#include "contact/friction/thick_film.h"
 #include "contact/friction/tresca.h"
+#include "contact/friction/viscoplastic.h"
 
 #include <variant>
 
@@ -13,11 +17,30 @@ namespace billet::contact {
 
 template <FrictionLaw... Laws> using OneOfFrictionLaws = std::variant<Laws...>;
 
-using AnyFrictionLaw = OneOfFrictionLaws<Frictionless, Sticking, Coulomb, Tresca>;
+using AnyFrictionLaw = OneOfFrictionLaws<Frictionless,
+                                         Sticking,
+                                         Coulomb,
+                                         Tresca,
+                                         Shaw,
+                                         Asperity,
+                                         ThickFilm,
+                                         Viscoplastic>;
 
 /// The slip limit of whichever law it is.
 [[nodiscard]] inline SlipLimit slip_limit(const AnyFrictionLaw& law, const InterfacePoint& at) {
   return std::visit([&](const auto& one) { return one.slip_limit(at); }, law);
+}
+
+/// Whether a law asks for the strength of the material beneath.
+[[nodiscard]] inline bool follows_material(const AnyFrictionLaw& law) {
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.follows_material(); })
+          return one.follows_material();
+        else
+          return false;
+      },
+      law);
 }
 
 } // namespace billet::contact

@@ -1,11 +1,12 @@
 // Friction at the tool-workpiece interface.
 //
-// A friction law answers one question: how much shear can the interface carry before it slides?
-// The stick-slip return map (interface_law.h) asks every law that question in the same way, so a
-// law is a small value type and never sees tangents, history or the mesh.
+// A friction law answers one question: how much shear can the interface carry before it slides,
+// or, where a film creeps, at a speed of sliding? The stick-slip return map (interface_law.h) asks
+// every law that question in the same way, so a law is a small value type and never sees tangents,
+// history or the mesh.
 //
-// Signs   p >= 0 in compression. Units MPa.
-// Theory  docs/theory/contact.md; tags such as (C.8) are equations of that page, which names the
+// Signs   p >= 0 in compression. Units MPa, mm/s.
+// Theory  docs/theory/friction.md; tags such as (F.2) are equations of that page, which names the
 //         paper's.
 
 #pragma once
@@ -17,17 +18,22 @@ namespace billet::contact {
 
 /// What a friction law may know about one contact point.
 struct InterfacePoint {
-  double pressure;    ///< p [MPa], >= 0
-  double shear_yield; ///< k of the material beneath at the last committed state [MPa]
+  double pressure;     ///< p [MPa], >= 0
+  double shear_yield;  ///< k of the material beneath [MPa]
+  double speed = 0.0;  ///< of sliding, |v_t| [mm/s], >= 0
+  double factor = 1.0; ///< on the law's coefficient [-]: its evolution, or a table in its place
 };
 
-/// Largest shear the interface carries, and how it grows with pressure. (C.7)
+/// Largest shear the interface carries, and its exact partial derivatives. (F.1)
 struct SlipLimit {
-  double shear;      ///< tau_lim [MPa], >= 0; may be infinite
-  double d_pressure; ///< d tau_lim / d p [-]
+  double shear;               ///< tau_lim [MPa], >= 0; may be infinite
+  double d_pressure;          ///< by p [-]
+  double d_shear_yield = 0.0; ///< by k [-]
+  double d_speed = 0.0;       ///< by the speed of sliding [MPa s/mm]
+  double d_factor = 0.0;      ///< by the factor on the coefficient [MPa]
 };
 
-/// A value type that bounds the interface shear; `slip_limit` is pure, its slope exact.
+/// A value type that bounds the interface shear; `slip_limit` is pure, its slopes exact.
 template <class Law>
 concept FrictionLaw = std::copyable<Law> && requires(const Law& law, const InterfacePoint& at) {
   { law.slip_limit(at) } -> std::same_as<SlipLimit>;

@@ -77,7 +77,7 @@ struct Load {
 
 enum class ContactForm { mixed, compatible };
 enum class ContactMethod { penalty, augmented };
-enum class ContactIntegrator { radial, midpoint };
+enum class ContactIntegrator { radial, midpoint, exact };
 
 struct ContactSettings {
   ContactForm form = ContactForm::mixed;
@@ -86,7 +86,7 @@ struct ContactSettings {
   double penalty_tangent = 10.0;         ///< the same, tangential [-]
   std::optional<double> max_penetration; ///< [mm]
   ContactIntegrator integrator = ContactIntegrator::radial;
-  std::optional<int> substeps;  ///< of the midpoint integrator
+  std::optional<int> substeps;  ///< of the midpoint integrator; absent: as many as needed
   std::optional<Where> surface; ///< where the workpiece may touch; absent: all free faces
 
   bool operator==(const ContactSettings&) const = default;

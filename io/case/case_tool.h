@@ -161,8 +161,13 @@ struct ShearYield {
   bool operator==(const ShearYield&) const = default;
 };
 
+/// The von Mises stress of the material beneath over sqrt(3).
+struct VonMisesShear {
+  bool operator==(const VonMisesShear&) const = default;
+};
+
 /// A shear strength: that of the material beneath, or a stress [MPa].
-using ShearStrength = std::variant<ShearYield, double>;
+using ShearStrength = std::variant<ShearYield, VonMisesShear, double>;
 
 struct FrictionlessFriction {
   bool operator==(const FrictionlessFriction&) const = default;
@@ -190,24 +195,29 @@ struct TrescaFriction {
   bool operator==(const TrescaFriction&) const = default;
 };
 
-/// alpha(p) k. (Not available in this version.)
+/// How asperities are flattened by pressure.
+enum class RealContact { wanheim_bay, bowden_tabor };
+
+/// alpha(p) k.
 struct ShawFriction {
   ShearStrength k = ShearYield{};
   double f = 0.0; ///< asperity friction factor [-]
+  RealContact real_contact = RealContact::wanheim_bay;
 
   bool operator==(const ShawFriction&) const = default;
 };
 
-/// m_local alpha(p) k. (Not available in this version.)
+/// m_local alpha(p) k.
 struct AsperityFriction {
   double m_local = 0.0; ///< [-]
   ShearStrength k = ShearYield{};
   double f = 0.0; ///< asperity friction factor [-]
+  RealContact real_contact = RealContact::wanheim_bay;
 
   bool operator==(const AsperityFriction&) const = default;
 };
 
-/// viscosity |v| / film. (Not available in this version.)
+/// viscosity |v| / film.
 struct ThickFilmFriction {
   double viscosity = 0.0; ///< [MPa s]
   double film = 0.0;      ///< [mm]
@@ -215,7 +225,7 @@ struct ThickFilmFriction {
   bool operator==(const ThickFilmFriction&) const = default;
 };
 
-/// beta (|v| / v0)^mv. (Not available in this version.)
+/// beta (|v| / v0)^mv.
 struct ViscoplasticFriction {
   double beta = 0.0; ///< [MPa]
   double v0 = 0.0;   ///< [mm/s]
@@ -233,15 +243,22 @@ using FrictionLaw = std::variant<FrictionlessFriction,
                                  ThickFilmFriction,
                                  ViscoplasticFriction>;
 
+/// A law's coefficient on a grid; an empty axis does not matter.
+struct FrictionTable {
+  std::vector<double> pressure; ///< [MPa]
+  std::vector<double> speed;    ///< of sliding [mm/s]
+  std::vector<double> sliding;  ///< distance [mm]
+  std::vector<double> values;   ///< [-], the last axis running fastest; empty: no table
+
+  bool operator==(const FrictionTable&) const = default;
+};
+
 struct Friction {
   FrictionLaw law;
-  /// Anisotropy, first axis along `direction`. (Not available in this version.)
-  std::optional<std::array<std::array<double, 2>, 2>> tensor;
-  std::optional<Vec3> direction; ///< of the tensor's first axis
-  /// (sliding distance [mm], factor [-]), empty: none. (Not available in this version.)
-  std::vector<std::pair<double, double>> evolution;
-  /// (pressure [MPa], coefficient [-]) in place of it. (Not available in this version.)
-  std::vector<std::pair<double, double>> table;
+  std::optional<std::array<std::array<double, 2>, 2>> tensor; ///< anisotropy
+  std::optional<Vec3> direction;                              ///< of the tensor's first axis
+  std::vector<std::pair<double, double>> evolution; ///< (sliding distance [mm], factor [-])
+  FrictionTable table;                              ///< in place of the coefficient
 
   bool operator==(const Friction&) const = default;
 };

@@ -20,6 +20,7 @@ template <class Law> struct NumberKey {
   double Law::*member;
   Number kind;
   bool is_required = true; ///< false: the member's initial value is the default
+  bool is_coefficient = false; ///< of friction: a 'table' may stand in its place
 };
 
 /// `name` of the law in the case file and its list `keys`.
@@ -156,7 +157,7 @@ template <> struct LawKeys<CoulombFriction> {
   using Key = NumberKey<CoulombFriction>;
   static constexpr std::string_view name = "coulomb";
   static constexpr std::array keys{
-      Key{"mu", &CoulombFriction::mu, not_negative_number},
+      Key{"mu", &CoulombFriction::mu, not_negative_number, true, true},
       Key{"threshold", &CoulombFriction::threshold, not_negative_stress, false},
       Key{"mu2", &CoulombFriction::mu2, {quantity::inverse_stress, not_negative}, false},
   };
@@ -165,21 +166,20 @@ template <> struct LawKeys<CoulombFriction> {
 template <> struct LawKeys<TrescaFriction> {
   using Key = NumberKey<TrescaFriction>;
   static constexpr std::string_view name = "tresca";
-  static constexpr std::array keys{Key{"m", &TrescaFriction::m, fraction_number}};
+  static constexpr std::array keys{Key{"m", &TrescaFriction::m, fraction_number, true, true}};
 };
 
 template <> struct LawKeys<ShawFriction> {
   using Key = NumberKey<ShawFriction>;
   static constexpr std::string_view name = "shaw";
-  static constexpr std::array keys{Key{"f", &ShawFriction::f, fraction_number}};
+  static constexpr std::array<Key, 0> keys{};
 };
 
 template <> struct LawKeys<AsperityFriction> {
   using Key = NumberKey<AsperityFriction>;
   static constexpr std::string_view name = "asperity";
   static constexpr std::array keys{
-      Key{"m_local", &AsperityFriction::m_local, fraction_number},
-      Key{"f", &AsperityFriction::f, fraction_number},
+      Key{"m_local", &AsperityFriction::m_local, fraction_number, true, true},
   };
 };
 

@@ -1,5 +1,8 @@
 #include "io/case/read_law.h"
 #include "io/case/read_parts.h"
+#include "io/case/setting_words.h"
+
+#include <fmt/format.h>
 
 #include <array>
 
@@ -8,6 +11,12 @@ namespace billet::io {
 namespace {
 
 using Tensor = std::array<std::array<double, 2>, 2>;
+
+/// Sliding against the shear must cost work in every direction.
+bool dissipates(const Tensor& q) {
+  const double off = 0.5 * (q[0][1] + q[1][0]);
+  return q[0][0] > 0.0 && q[0][0] * q[1][1] > off * off;
+}
 
 std::optional<Tensor> as_tensor(const At& at) {
   const List* const rows = as_list(at, 2, "2 rows [[q11, q12], [q21, q22]]");
@@ -26,7 +35,110 @@ std::optional<Tensor> as_tensor(const At& at) {
       tensor[i][j] = *entry;
     }
   }
+  if (!dissipates(tensor)) {
+    at.complain("friction would drive the slide in some direction: the symmetric part of the "
+                "tensor must be positive definite");
+    return std::nullopt;
+  }
   return tensor;
+}
+
+/// Increasing numbers, at least two.
+std::optional<std::vector<double>> as_grid_axis(const At& at, const Number& kind) {
+  std::optional<std::vector<double>> axis = as_numbers(at, kind);
+  if (!axis)
+    return std::nullopt;
+  if (axis->size() < 2) {
+    at.complain_found("at least 2 numbers (leave the axis out where it does not matter)");
+    return std::nullopt;
+  }
+  for (std::size_t i = 1; i < axis->size(); ++i)
+    if (!((*axis)[i] > (*axis)[i - 1])) {
+      at.complain(fmt::format("found {} after {}, allowed are increasing numbers", (*axis)[i],
+                              (*axis)[i - 1]));
+      return std::nullopt;
+    }
+  return axis;
+}
+
+/// Values of a grid: lists within lists, one level for each axis.
+bool add_values(const At& at, std::span<const std::size_t> sizes, std::vector<double>& values) {
+  if (sizes.empty()) {
+    const std::optional<double> value = as_number(at, not_negative_number);
+    if (value)
+      values.push_back(*value);
+    return value.has_value();
+  }
+  const List* const list =
+      as_list(at, sizes.front(), fmt::format("{} entries, one for each point of its axis", sizes.front()));
+  if (list == nullptr)
+    return false;
+  for (std::size_t i = 0; i < list->size(); ++i)
+    if (!add_values(at.item((*list)[i], i), sizes.subspan(1), values))
+      return false;
+  return true;
+}
+
+/// [[pressure, coefficient], ...], or a grid over pressure, speed and sliding distance.
+std::optional<FrictionTable> as_friction_table(const At& at) {
+  FrictionTable result;
+  if (at.node.as<List>() != nullptr) {
+    const auto pairs = as_pairs(at, not_negative_stress, not_negative_number);
+    if (!pairs)
+      return std::nullopt;
+    for (const auto& [pressure, value] : *pairs) {
+      result.pressure.push_back(pressure);
+      result.values.push_back(value);
+    }
+    return result;
+  }
+  TableReader table(at);
+  if (!table.is_table())
+    return std::nullopt;
+  table.optional("pressure", result.pressure, as_grid_axis, not_negative_stress);
+  table.optional("speed", result.speed, as_grid_axis, Number{quantity::speed, not_negative});
+  table.optional("sliding", result.sliding, as_grid_axis, Number{quantity::length, not_negative});
+  std::vector<std::size_t> sizes;
+  for (const std::vector<double>* axis : {&result.pressure, &result.speed, &result.sliding})
+    if (!axis->empty())
+      sizes.push_back(axis->size());
+  const std::optional<At> values = table.require("values");
+  table.finish();
+  if (sizes.empty()) {
+    at.complain("needs an axis: 'pressure', 'speed' or 'sliding'");
+    return std::nullopt;
+  }
+  if (!values || !add_values(*values, sizes, result.values))
+    return std::nullopt;
+  return result;
+}
+
+/// 'real_contact', and 'f' where that asks for it.
+void read_real_contact(TableReader& table, RealContact& real_contact, double& f) {
+  table.optional("real_contact", real_contact,
+                 [](const At& at) { return as_word(at, real_contacts); });
+  if (real_contact == RealContact::wanheim_bay)
+    table.required("f", f, as_number, fraction_number);
+}
+
+/// Modifiers that a law has no use for would silently do nothing.
+void refuse_idle(TableReader& table, const FrictionLaw& law) {
+  const auto refuse = [&](std::string_view key, std::string_view why) {
+    if (const std::optional<At> at = table.find(key))
+      at->complain(std::string(why));
+  };
+  const bool has_coefficient = std::holds_alternative<CoulombFriction>(law) ||
+                               std::holds_alternative<TrescaFriction>(law) ||
+                               std::holds_alternative<AsperityFriction>(law);
+  if (!has_coefficient)
+    refuse("table", "the law has no coefficient in whose place it could stand; 'mu', 'm' and "
+                    "'m_local' are coefficients");
+  if (table.find("table"))
+    refuse("mu2", "does not go together with 'table', which holds the whole coefficient");
+  if (std::holds_alternative<FrictionlessFriction>(law) ||
+      std::holds_alternative<StickingFriction>(law))
+    for (const std::string_view key : {"tensor", "direction", "evolution"})
+      refuse(key, "the law has nothing that it could change");
 }
 
 } // namespace
@@ -41,10 +153,12 @@ void read_more(TableReader& table, TrescaFriction& law) {
 
 void read_more(TableReader& table, ShawFriction& law) {
   table.required("k", law.k, as_shear_strength);
+  read_real_contact(table, law.real_contact, law.f);
 }
 
 void read_more(TableReader& table, AsperityFriction& law) {
   table.required("k", law.k, as_shear_strength);
+  read_real_contact(table, law.real_contact, law.f);
 }
 
 std::optional<Friction> as_friction(const At& at) {
@@ -57,12 +171,17 @@ std::optional<Friction> as_friction(const At& at) {
   table.optional("direction", friction.direction, as_direction);
   table.optional("evolution", friction.evolution, as_pairs, Number{quantity::length, not_negative},
                  not_negative_number);
-  table.optional("table", friction.table, as_pairs, not_negative_stress, not_negative_number);
+  table.optional("table", friction.table, as_friction_table);
   const std::optional<At> tensor = table.find("tensor");
-  if (tensor && !table.find("direction"))
+  const std::optional<At> direction = table.find("direction");
+  if (tensor && !direction)
     tensor->complain("needs 'direction', the first axis of the tensor");
-  if (has_law)
+  if (direction && !tensor)
+    direction->complain("is the first axis of a 'tensor', which is missing");
+  if (has_law) {
+    refuse_idle(table, friction.law);
     table.finish();
+  }
   return friction;
 }
 

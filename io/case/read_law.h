@@ -31,7 +31,11 @@ void read_more(TableReader& table, AsperityFriction& law);
 template <class Law, class AnyLaw> void read_one_law(TableReader& table, AnyLaw& into) {
   Law law;
   for (const auto& key : LawKeys<Law>::keys) {
-    if (key.is_required)
+    if (key.is_coefficient && table.find("table")) {
+      if (const std::optional<At> at = table.find(key.key))
+        at->complain("'table' stands in its place: give one of the two");
+      law.*key.member = 1.0;
+    } else if (key.is_required)
       table.required(key.key, law.*key.member, as_number, key.kind);
     else
       table.optional(key.key, law.*key.member, as_number, key.kind);

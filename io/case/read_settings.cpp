@@ -124,6 +124,8 @@ std::optional<ContactSettings> as_contact(const At& at) {
   table.optional("max_penetration", contact.max_penetration, as_number, positive_length);
   table.optional("integrator", contact.integrator, as_one_of<contact_integrators>);
   table.optional("substeps", contact.substeps, as_count);
+  if (contact.substeps && contact.integrator != ContactIntegrator::midpoint)
+    table.find("substeps")->complain("only integrator = \"midpoint\" has sub-increments");
   table.optional("surface", contact.surface, as_where);
   table.finish();
   return contact;

@@ -2,9 +2,12 @@
 
 #pragma once
 
+#include "io/case/toml_text.h"
 #include "io/case/values.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 namespace billet::io {
 
@@ -18,7 +21,11 @@ inline constexpr std::array contact_methods{
     Word<ContactMethod>{"augmented", ContactMethod::augmented}};
 inline constexpr std::array contact_integrators{
     Word<ContactIntegrator>{"radial", ContactIntegrator::radial},
-    Word<ContactIntegrator>{"midpoint", ContactIntegrator::midpoint}};
+    Word<ContactIntegrator>{"midpoint", ContactIntegrator::midpoint},
+    Word<ContactIntegrator>{"exact", ContactIntegrator::exact}};
+inline constexpr std::array real_contacts{
+    Word<RealContact>{"wanheim-bay", RealContact::wanheim_bay},
+    Word<RealContact>{"bowden-tabor", RealContact::bowden_tabor}};
 inline constexpr std::array linear_solvers{
     Word<LinearSolverChoice>{"auto", LinearSolverChoice::automatic},
     Word<LinearSolverChoice>{"cholmod", LinearSolverChoice::cholmod},
@@ -29,5 +36,13 @@ inline constexpr std::array accuracies{Word<Accuracy>{"draft", Accuracy::draft},
                                        Word<Accuracy>{"fine", Accuracy::fine}};
 inline constexpr std::array field_sets{Word<FieldSet>{"default", FieldSet::standard},
                                        Word<FieldSet>{"all", FieldSet::all}};
+
+/// The word of an enumerator, in quotes.
+template <class Value, std::size_t N>
+std::string word_text(const Value& value, const std::array<Word<Value>, N>& words) {
+  const auto* const found = std::find_if(words.begin(), words.end(),
+                                         [&](const auto& word) { return word.value == value; });
+  return toml_text(found->word);
+}
 
 } // namespace billet::io

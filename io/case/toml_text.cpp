@@ -78,8 +78,9 @@ std::string toml_text(const Where& where) {
 }
 
 std::string toml_text(const ShearStrength& strength) {
-  const double* const value = std::get_if<double>(&strength);
-  return value != nullptr ? toml_text(*value) : "\"shear-yield\"";
+  if (const double* const value = std::get_if<double>(&strength))
+    return toml_text(*value);
+  return std::holds_alternative<VonMisesShear>(strength) ? "\"von-mises\"" : "\"shear-yield\"";
 }
 
 std::string toml_text(const Vec3& vector, int size) {

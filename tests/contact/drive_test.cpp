@@ -12,7 +12,7 @@ namespace billet::contact {
 namespace {
 
 /// A round tool under a body, free to travel and to turn; the body is pressed a little into it.
-ContactBench driven_bench(bool solid, const AnyFrictionLaw& friction) {
+ContactBench driven_bench(bool solid, const Friction& friction) {
   Tool tool = still_tool(solid ? geometry::make_sphere({1.0, -3.99, 0.4}, 4.0, false)
                                : geometry::make_circle({1.0, -3.99, 0.0}, 4.0, false),
                          friction);
@@ -65,9 +65,9 @@ double worst_border(ContactBench& bench, const std::vector<double>& at) {
 TEST(Drive, rows_and_columns_are_those_of_differences) {
   constexpr double tolerance = 1e-6; // DESIGN: tangents to 1e-6 of their norm
   for (const bool solid : {false, true})
-    for (const AnyFrictionLaw& friction :
-         {AnyFrictionLaw(Frictionless{}), AnyFrictionLaw(Sticking{}),
-          AnyFrictionLaw(Coulomb{0.1})}) {
+    for (const Friction& friction :
+         {Friction(Frictionless{}), Friction(Sticking{}),
+          Friction(Coulomb{0.1})}) {
       ContactBench bench = driven_bench(solid, friction);
       bench.commit(bench.x, 0.5);
       std::vector<double> at = bench.x;
@@ -79,7 +79,7 @@ TEST(Drive, rows_and_columns_are_those_of_differences) {
       const double worst = worst_border(bench, at);
       std::printf("[DRIVE] %s, friction %zu: borders differ by %.1e from differences (allowed "
                   "%.0e)\n",
-                  solid ? "3d" : "plane strain", friction.index(), worst, tolerance);
+                  solid ? "3d" : "plane strain", friction.law.index(), worst, tolerance);
       EXPECT_LE(worst, tolerance);
     }
 }

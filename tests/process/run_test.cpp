@@ -12,7 +12,7 @@ namespace {
 
 /// A cylinder of radius 10 and half height 15, few elements.
 Scene small_billet(double reduction,
-                   const contact::AnyFrictionLaw& friction = contact::Frictionless{}) {
+                   const contact::Friction& friction = contact::Frictionless{}) {
   return billet_scene(ElementKind::quad8, 3, 4, friction, reduction);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double height = 15.0;
 
-Scene bar(ElementKind kind, double reduction, const contact::AnyFrictionLaw& friction) {
+Scene bar(ElementKind kind, double reduction, const contact::Friction& friction) {
   const bool solid = mechanics::dimension(kind) == 3;
   Upsetting u;
   u.analysis = solid ? Analysis::solid : Analysis::axisymmetric;

@@ -85,6 +85,8 @@ public:
     system.tangent.values.resize(pattern.n_entries());
     system.residual.resize(static_cast<std::size_t>(pattern.n_dofs()));
     const std::size_t n_extra = drive_unknowns(tools).size();
+    bulk_system.tangent = system.tangent;
+    bulk_system.residual = system.residual;
     system.borders.resize(n_extra);
     for (mechanics::Border& border : system.borders) {
       border.column.resize(x.size());
@@ -96,15 +98,18 @@ public:
     term.start(x, 0.0);
   }
 
-  /// Residual and tangent of contact at a trial.
+  /// Residual and tangent of contact at a trial, with the material in the state of that trial.
   const mechanics::System& assemble(const std::vector<double>& trial, double time) {
+    bulk_system.clear();
     system.clear();
-    ok = term.assemble({time_old, time, x, trial}, system).has_value();
+    ok = bulk.assemble({time_old, time, x, trial}, bulk_system).has_value() &&
+         term.assemble({time_old, time, x, trial}, system).has_value();
     return system;
   }
   /// Assembles a trial and makes it the committed state.
   void commit(const std::vector<double>& trial, double time) {
     assemble(trial, time);
+    bulk.commit({time_old, time, x, trial});
     term.commit({time_old, time, x, trial});
     x = trial;
     time_old = time;
@@ -132,16 +137,17 @@ public:
   ContactTerm term;
   std::vector<double> x;
   mechanics::System system;
+  mechanics::System bulk_system;
   double time_old = 0.0;
   bool ok = false;
 };
 
 /// A tool that stands still.
-inline Tool still_tool(geometry::SurfacePtr surface, AnyFrictionLaw friction) {
+inline Tool still_tool(geometry::SurfacePtr surface, Friction friction) {
   Tool tool;
   tool.name = "tool";
   tool.surface = std::move(surface);
-  tool.friction = friction;
+  tool.friction = std::move(friction);
   return tool;
 }
 

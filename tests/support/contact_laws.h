@@ -18,16 +18,28 @@
 
 namespace billet::contact {
 
-/// The limit's slope is the derivative of its value at each pressure (away from kinks).
+/// The limit's slopes are the derivatives of its value at each pressure (away from kinks).
 template <FrictionLaw Law>
 void expect_exact_slope(const Law& law, std::span<const double> pressures, double shear_yield) {
   constexpr double tolerance = 1e-7; // cancellation 1e-16 / 1e-6 of values of order 100
   for (const double p : pressures) {
-    const double h = 1e-6 * std::max(p, 1.0);
-    const double above = law.slip_limit({p + h, shear_yield}).shear;
-    const double below = law.slip_limit({p - h, shear_yield}).shear;
-    EXPECT_NEAR(law.slip_limit({p, shear_yield}).d_pressure, (above - below) / (2.0 * h), tolerance)
-        << Law::name << " at p = " << p;
+    const InterfacePoint at{p, shear_yield, 3.0, 0.8};
+    const SlipLimit limit = law.slip_limit(at);
+    const auto expect = [&](double InterfacePoint::*member, double slope, const char* by) {
+      const double h = 1e-6 * std::max(at.*member, 1.0);
+      InterfacePoint above = at;
+      InterfacePoint below = at;
+      above.*member += h;
+      below.*member -= h;
+      const double difference =
+          (law.slip_limit(above).shear - law.slip_limit(below).shear) / (2.0 * h);
+      EXPECT_NEAR(slope, difference, tolerance * std::max(1.0, std::abs(difference)))
+          << Law::name << " by " << by << " at p = " << p;
+    };
+    expect(&InterfacePoint::pressure, limit.d_pressure, "pressure");
+    expect(&InterfacePoint::shear_yield, limit.d_shear_yield, "strength");
+    expect(&InterfacePoint::speed, limit.d_speed, "speed");
+    expect(&InterfacePoint::factor, limit.d_factor, "factor");
   }
 }
 
@@ -42,12 +54,40 @@ template <FrictionLaw Law> void expect_monotone_limit(const Law& law, double she
   }
 }
 
-/// One law with a name to print.
-using NamedLaw = std::pair<std::string, AnyFrictionLaw>;
+/// One friction with a name to print.
+using NamedLaw = std::pair<std::string, Friction>;
 
-/// Every law of the program, with the branches of each.
+/// Whether a law carries shear at rest: the others creep.
+inline bool carries_at_rest(const Friction& friction) {
+  return !std::holds_alternative<Frictionless>(friction.law) &&
+         !std::holds_alternative<ThickFilm>(friction.law) &&
+         !std::holds_alternative<Viscoplastic>(friction.law);
+}
+
+/// Laws with what modifies them.
+inline std::vector<NamedLaw> modified_laws() {
+  Friction evolving = Coulomb{0.3};
+  evolving.evolution = {{{{}, {}, {0.0, 0.02, 0.3}}}, {1.0, 0.6, 1.4}};
+  Friction tabled = Coulomb{1.0};
+  tabled.table = {{{{0.0, 30.0, 90.0}, {0.0, 0.02}, {0.0, 0.1}}},
+                  {0.1, 0.15, 0.2, 0.1, 0.3, 0.25, 0.2, 0.3, 0.4, 0.2, 0.3, 0.2}};
+  const Vec3 direction = Vec3(1.0, 0.3, 0.2).normalized();
+  Friction anisotropic = Coulomb{1.0};
+  anisotropic.tensor = FrictionTensor{(Mat2() << 0.1, 0.02, -0.05, 0.3).finished(), direction};
+  Friction creeping = Viscoplastic{60.0, 0.1, 0.3};
+  creeping.tensor = FrictionTensor{(Mat2() << 0.5, 0.1, 0.1, 1.0).finished(), direction};
+  Friction mises = Tresca{0.3, {}};
+  mises.strength = Strength::von_mises;
+  return {{"coulomb evolving", evolving},
+          {"coulomb by table", tabled},
+          {"coulomb anisotropic", anisotropic},
+          {"viscoplastic anisotropic", creeping},
+          {"tresca of von Mises", mises}};
+}
+
+/// Every law of the program, with the branches of each, and laws with modifiers.
 inline std::vector<NamedLaw> every_law() {
-  return {{"frictionless", Frictionless{}},
+  std::vector<NamedLaw> laws{{"frictionless", Frictionless{}},
           {"sticking", Sticking{}},
           {"coulomb", Coulomb{0.3}},
           {"coulomb threshold", Coulomb{0.3, 20.0}},
@@ -55,7 +95,21 @@ inline std::vector<NamedLaw> every_law() {
           {"coulomb capped at k", Coulomb{0.6, 0.0, 1e9, true}},
           {"coulomb quadratic", Coulomb{0.2, 5.0, 1e9, true, 5e-3}},
           {"tresca", Tresca{0.5, 80.0}},
-          {"tresca of the material", Tresca{0.2, {}}}};
+          {"tresca of the material", Tresca{0.2, {}}},
+          {"shaw", Shaw{80.0, 0.3}},
+          {"shaw of the material", Shaw{{}, 1.0, Flattening::bowden_tabor}},
+          {"asperity", Asperity{0.6, {}, 0.5}},
+          {"thick film", ThickFilm{8.0, 0.01}},
+          {"viscoplastic", Viscoplastic{40.0, 0.1, 0.15}}};
+  for (NamedLaw& law : modified_laws())
+    laws.push_back(std::move(law));
+  return laws;
+}
+
+/// Every integrator.
+inline std::vector<SlipScheme> every_scheme() {
+  return {{Integrator::radial}, {Integrator::midpoint}, {Integrator::midpoint, 3},
+          {Integrator::exact}};
 }
 
 /// The projection of one point.
@@ -72,10 +126,11 @@ inline constexpr double test_shear_yield = 110.0; ///< k [MPa]
 
 /// Traction on a surface at x.
 inline Traction traction_at(const geometry::RigidSurface& surface,
-                            const AnyFrictionLaw& law,
+                            const Friction& friction,
                             const PointHistory& old,
-                            const Vec3& x) {
-  return traction(law, test_penalty, old, {x, foot_of(surface, x), test_shear_yield});
+                            const Vec3& x,
+                            const SlipScheme& scheme = {}) {
+  return traction(friction, test_penalty, old, {x, foot_of(surface, x), test_shear_yield}, scheme);
 }
 
 /// A vector with components evenly spread over (-1, 1).
@@ -95,6 +150,7 @@ inline PointHistory closed_history(const geometry::RigidSurface& surface,
   old.position = foot.foot - depth * foot.normal;
   old.normal = foot_of(surface, old.position).normal;
   old.shear = shear - old.normal.dot(shear) * old.normal;
+  old.limit = 1.1 * old.shear.norm() + 0.1;
   return old;
 }
 

@@ -88,7 +88,7 @@ inline std::vector<mechanics::Face> free_faces(const mechanics::Mesh& mesh, Anal
 inline contact::Tool moving_tool(std::string name,
                                  geometry::SurfacePtr surface,
                                  const Vec3& velocity,
-                                 contact::AnyFrictionLaw friction = contact::Frictionless{}) {
+                                 contact::Friction friction = contact::Frictionless{}) {
   contact::Tool tool;
   tool.name = std::move(name);
   tool.surface = std::move(surface);
@@ -99,7 +99,7 @@ inline contact::Tool moving_tool(std::string name,
 
 /// A flat die above `height` that comes down at 1 mm/s.
 inline contact::Tool
-flat_die(Analysis analysis, double height, const contact::AnyFrictionLaw& friction) {
+flat_die(Analysis analysis, double height, const contact::Friction& friction) {
   const Vec3 along = Vec3::Unit(up(analysis));
   return moving_tool("die", geometry::make_plane(height * along, -along), -along, friction);
 }
@@ -108,7 +108,7 @@ flat_die(Analysis analysis, double height, const contact::AnyFrictionLaw& fricti
 inline contact::Tool roll_above(double top,
                                 double radius,
                                 const TimeFunction& rise,
-                                const contact::AnyFrictionLaw& friction) {
+                                const contact::Friction& friction) {
   const Vec3 centre(0.0, top + radius, 0.0);
   contact::Tool roll =
       moving_tool("roll", geometry::make_circle(centre, radius, false), Vec3::Zero(), friction);
@@ -123,7 +123,7 @@ struct Upsetting {
   mechanics::Mesh mesh;
   Analysis analysis = Analysis::axisymmetric;
   double height = 15.0;
-  contact::AnyFrictionLaw friction = contact::Frictionless{};
+  contact::Friction friction = contact::Frictionless{};
   mechanics::Material material = billet_steel();
   double reduction = 0.1; ///< of the height, in one stage at 1 mm/s
 };
@@ -147,7 +147,7 @@ inline Scene upsetting_scene(Upsetting u) {
 inline Scene billet_scene(ElementKind kind,
                           int nx,
                           int ny,
-                          const contact::AnyFrictionLaw& friction,
+                          const contact::Friction& friction,
                           double reduction) {
   Upsetting u;
   u.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3(10, 15, 0), {nx, ny, 1}, {1, 1, 1}});

@@ -13,7 +13,7 @@ namespace {
 constexpr double height = 15.0;
 
 /// A die that goes down by `depth`, up beyond the first touch, and down again, elastic part.
-Scene press_and_lift(ElementKind kind, const contact::AnyFrictionLaw& friction, double depth) {
+Scene press_and_lift(ElementKind kind, const contact::Friction& friction, double depth) {
   Upsetting u;
   u.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3(10, height, 0), {4, 4, 1}, {1, 1, 1}});
   u.friction = friction;

@@ -88,7 +88,7 @@ TEST(Billet, AgreesInSpace) {
   check_solid(ElementKind::hex20, 4, 0.075);
 }
 
-double force_at_twenty(const contact::AnyFrictionLaw& law, contact::Form form) {
+double force_at_twenty(const contact::Friction& law, contact::Form form) {
   Scene scene = billet_scene(ElementKind::quad8, 8, 8, law, 0.2);
   scene.contact.form = form;
   const FinishedRun done = run(std::move(scene));

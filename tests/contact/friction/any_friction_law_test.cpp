@@ -22,7 +22,7 @@ TEST(AnyFrictionLaw, AsksTheLawItHolds) {
 TEST(AnyFrictionLaw, GivesEveryLawANameOfItsOwn) {
   std::set<std::string> names;
   for (const auto& [label, law] : every_law())
-    names.insert(std::visit([](const auto& one) { return std::string(one.name); }, law));
+    names.insert(std::visit([](const auto& one) { return std::string(one.name); }, law.law));
   EXPECT_EQ(names.size(), std::variant_size_v<AnyFrictionLaw>) << "every_law() covers the variant";
 }
 
