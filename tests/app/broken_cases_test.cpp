@@ -136,12 +136,6 @@ std::vector<Broken> later_versions() {
           {"\"norton-hoff\" is not available in this version"}),
       one("later_remeshing", "[time]", "[remesh]\nwhen = { quality = 0.2 }\n[time]",
           {"remesh: not available in this version"}, "[remesh]"),
-      one("later_integrator", "[time]", "[contact]\nintegrator = \"midpoint\"\n[time]",
-          {"\"midpoint\" is not available in this version"}, "integrator ="),
-      one("later_anisotropy", punch_friction,
-          "friction = { law = \"coulomb\", mu = 0.1, tensor = [[1, 0], [0, 2]], direction = [1, 0] "
-          "}",
-          {"tool.punch.friction.tensor: not available in this version"}),
       one("later_wear", punch_friction,
           punch_friction + "\nwear = { law = \"archard\", K = 1e-6, hardness = 800 }",
           {"tool.punch.wear: not available in this version"}, "wear ="),

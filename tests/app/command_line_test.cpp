@@ -185,7 +185,7 @@ TEST_F(CommandLine, check_tells_size_pairs_and_advice_and_solves_nothing) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   for (const char* piece :
        {"Tiny upsetting", "6 quad8 elements, 29 nodes", "material law 'swift'",
-        "box (0, 0, 0) to (5, 7.5, 0) mm", "contact pair: workpiece - 'punch', friction 'tresca'",
+        "box (0, 0, 0) to (5, 7.5, 0) mm", "contact pair: workpiece - 'punch', friction tresca",
         "unknowns: 58", "memory: about", "factorization", "the case is good"})
     EXPECT_TRUE(outcome.prints(piece)) << piece << " is not in: " << outcome.out;
   EXPECT_EQ(outcome.err, "");

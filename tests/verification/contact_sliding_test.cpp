@@ -155,20 +155,19 @@ private:
 };
 
 TEST(TrescaFriction, IsCappedByTheHardeningMaterialBeneath) {
-  // VALIDATION FRI-03: tau / k = m at every slipping point. k is the one at the start of the
-  // increment; against k at its end the cap lags by the hardening of one increment.
-  constexpr double m = 0.2, exact = 1e-8, lag = 0.02;
+  // VALIDATION FRI-03: tau / k = m at every slipping point, k that of the same iterate.
+  constexpr double m = 0.2, exact = 1e-8;
   Scene scene = billet_scene(ElementKind::quad8, 8, 8, contact::Tresca{m, {}}, 0.3);
   CapWatch watch(m);
   Process process(std::move(scene));
   ASSERT_EQ(process.run({&watch}), RunStatus::done);
   std::printf(
-      "tau / (m k) - 1 at %d slipping points: %.1e with k at the start (<= 1e-8), %.1e with "
-      "k at the end of the increment\n",
-      watch.slipping, watch.against_old, watch.against_now);
+      "tau / (m k) - 1 at %d slipping points: %.1e with k at the end of the increment (<= 1e-8), "
+      "%.1e with k at its start\n",
+      watch.slipping, watch.against_now, watch.against_old);
   EXPECT_GT(watch.slipping, 100);
-  EXPECT_LT(watch.against_old, exact);
-  EXPECT_LT(watch.against_now, lag);
+  EXPECT_LT(watch.against_now, exact);
+  EXPECT_GT(watch.against_old, 1e3 * exact) << "the metal hardens enough to tell the two apart";
 }
 
 } // namespace

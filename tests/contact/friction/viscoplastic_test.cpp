@@ -1,6 +1,3 @@
-// The laws of films, which creep: thick film and viscoplastic.
-
-#include "contact/friction/thick_film.h"
 #include "contact/friction/viscoplastic.h"
 #include "tests/support/contact_laws.h"
 
@@ -12,16 +9,7 @@
 namespace billet::contact {
 namespace {
 
-double at_speed(const auto& law, double v) { return law.slip_limit({100.0, 300.0, v}).shear; }
-
-TEST(ThickFilm, IsTheShearOfANewtonianFilm) {
-  // VALIDATION fri02b: eta v / e with eta = .05 MPa s, e = .002 mm.
-  const ThickFilm film{0.05, 0.002};
-  for (const auto& [v, shear] : {std::array{0.0, 0.0}, std::array{0.001, 0.025},
-                                 std::array{1.0, 25.0}, std::array{100.0, 2500.0}})
-    EXPECT_NEAR(at_speed(film, v), shear, 1e-12 * 2500.0) << v;
-  expect_exact_slope(film, std::array{1.0, 100.0}, 300.0);
-}
+double at_speed(const Viscoplastic& law, double v) { return law.slip_limit({100.0, 300.0, v}).shear; }
 
 TEST(Viscoplastic, HasTheSpotValuesOfThePaper) {
   // VALIDATION fri02b: beta = 30, v0 = 10, mv = .15; FRI-03.
