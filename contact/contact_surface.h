@@ -37,7 +37,7 @@ struct ContactSettings {
   double penalty_tangent = 10.0; ///< likewise, against slip [-]
   Method method = Method::penalty;
   std::optional<double> max_penetration = std::nullopt; ///< of any point of a face [mm]
-  SlipScheme scheme{};                                   ///< how sliding is integrated
+  SlipScheme scheme{};                                  ///< how sliding is integrated
 };
 
 /// How a contact point's traction is shared by the nodes of its face.

@@ -113,9 +113,8 @@ double ContactTerm::strength(const Friction& friction, std::size_t point) const 
   if (!friction.follows_material())
     return 0.0;
   const std::size_t beneath = surface_->beneath(point);
-  const double stress = friction.strength == Strength::yield
-                            ? bulk_->trial_strength(beneath)
-                            : bulk_->trial_stress(beneath).stress;
+  const double stress = friction.strength == Strength::yield ? bulk_->trial_strength(beneath)
+                                                             : bulk_->trial_stress(beneath).stress;
   return stress / std::numbers::sqrt3;
 }
 
@@ -191,8 +190,8 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     const geometry::Pose place = pose(t, trial.time, trial.x);
     states_[t].rotation = place.rotation;
     search(tools_[t], states_[t], place);
-    system.contact_changes += evaluate(tools_[t], states_[t], trial,
-                                       trial.first_guess && many_parted(states_[t]));
+    system.contact_changes +=
+        evaluate(tools_[t], states_[t], trial, trial.first_guess && many_parted(states_[t]));
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
   }

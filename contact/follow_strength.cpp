@@ -19,8 +19,7 @@ std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 /// d k / d x of the nodes of the element beneath.
 class StrengthGradient {
 public:
-  StrengthGradient(const mechanics::Bulk& bulk, int dim)
-      : bulk_(&bulk), dim_(dim) {}
+  StrengthGradient(const mechanics::Bulk& bulk, int dim) : bulk_(&bulk), dim_(dim) {}
 
   /// False: the strength does not change.
   bool evaluate(Strength strength, std::size_t beneath, std::span<const double> x) {

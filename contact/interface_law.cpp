@@ -107,8 +107,8 @@ void add_shear(const Friction& friction,
   const InFrame shear = in_frame(frame, out.turned, dturned);
   const InFrame path = in_frame(frame, s.path, s.dpath_dx);
   const SlipStep step{shear.v, path.v, stiffness, old.limit, state};
-  const SlipResult end = stick_slip(friction, scheme, step,
-                                    friction.tensor ? friction.tensor->Q : Mat2::Identity());
+  const SlipResult end =
+      stick_slip(friction, scheme, step, friction.tensor ? friction.tensor->Q : Mat2::Identity());
   out.status = end.status;
   out.shear = frame.E * end.shear;
   out.slip = frame.E * end.slip;

@@ -1,10 +1,10 @@
 #include "contact/stick_slip.h"
 
 #include <Eigen/LU>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <unsupported/Eigen/AutoDiff>
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 
@@ -59,10 +59,9 @@ bool sticks(const Mat2& Q, double limit, const Vec2& predictor, bool isotropic) 
 }
 
 SlipResult stuck(const SlipStep& step, const Vec2& predictor, double limit) {
-  return {Status::stick,   predictor,
-          Vec2::Zero(),    limit,
-          Mat2::Identity(), Mat2(-step.stiffness * Mat2::Identity()),
-          Vec2::Zero(),    Vec2::Zero()};
+  return {Status::stick, predictor,        Vec2::Zero(),
+          limit,         Mat2::Identity(), Mat2(-step.stiffness * Mat2::Identity()),
+          Vec2::Zero(),  Vec2::Zero()};
 }
 
 SlipResult radial(const Friction& friction, const SlipStep& step, const Mat2& Q) {
@@ -182,8 +181,8 @@ DualVec slide_by_mid_points(const Slide& slide, int substeps) {
   const double smaller = std::min(slide.limit_start.value(), slide.limit_end.value());
   // Five for each T / K of path leave an eighth of a degree of a right angle (FRI-04).
   const double turns = 5.0 * slide.drive.value() / std::max(smaller, 1e-300);
-  const int n = substeps > 0 ? substeps
-                             : static_cast<int>(std::clamp(std::ceil(turns), 1.0, double{most}));
+  const int n =
+      substeps > 0 ? substeps : static_cast<int>(std::clamp(std::ceil(turns), 1.0, double{most}));
   DualVec shear = slide.shear;
   for (int i = 1; i <= n; ++i) {
     const double x = static_cast<double>(i) / n;

@@ -357,10 +357,12 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
                                                 : candidates(scene, boundary);
   scene.contact = {content.contact.form == ContactForm::mixed ? contact::Form::mixed
                                                               : contact::Form::compatible,
-                   content.contact.penalty, content.contact.penalty_tangent,
+                   content.contact.penalty,
+                   content.contact.penalty_tangent,
                    content.contact.method == ContactMethod::augmented ? contact::Method::augmented
                                                                       : contact::Method::penalty,
-                   content.contact.max_penetration, scheme_of(content.contact)};
+                   content.contact.max_penetration,
+                   scheme_of(content.contact)};
   add_stages(content, scene);
   scene.increments = {content.time.increments.first, content.time.increments.min,
                       content.time.increments.max};

@@ -168,9 +168,9 @@ contact::Friction friction_of(const Friction& friction) {
     result.table = {{{table.pressure, table.speed, table.sliding}}, table.values};
   if (friction.tensor) {
     const auto& q = *friction.tensor;
-    result.tensor = contact::FrictionTensor{
-        (contact::Mat2() << q[0][0], q[0][1], q[1][0], q[1][1]).finished(),
-        friction.direction->normalized()};
+    result.tensor =
+        contact::FrictionTensor{(contact::Mat2() << q[0][0], q[0][1], q[1][0], q[1][1]).finished(),
+                                friction.direction->normalized()};
   }
   return result;
 }

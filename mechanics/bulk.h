@@ -32,7 +32,7 @@ public:
   /// Committed states, shape (n_elements, points).
   [[nodiscard]] std::span<const PointState> states() const { return states_; }
   /// Von Mises stress and strength of an integration point in the last assembled trial; what they
-  /// owe to the displacements of its element's nodes. (M.14)
+  /// owe to the displacements of its element's nodes. (F.21)
   [[nodiscard]] MisesStress trial_stress(std::size_t point) const {
     return mises_stress(material_, trial_states_[point], states_[point].plastic_strain);
   }

@@ -54,7 +54,7 @@ double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::
                                     std::size_t point);
 
 /// Derivative of `n : grad u` at an integration point by the nodal displacements from a
-/// configuration. (M.14)
+/// configuration. (F.21)
 ///
 /// @param n    symmetric [-]
 /// @param x    positions, shape (nodes, dim) [mm]

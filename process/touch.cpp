@@ -123,7 +123,8 @@ Vec3 first_direction(const geometry::Motion& motion, double end) {
 class Toucher {
 public:
   Toucher(const Scene& scene, const contact::ContactSurface& surface, std::span<const double> x)
-      : analysis_(scene.analysis), end_(scene.stages.back().end), points_(surface.n_points()),
+      : analysis_(scene.analysis), end_(scene.stages.back().end),
+        n_contact_points_(surface.n_points()), points_(surface.n_points()),
         size_(box_of(scene.mesh.points).size()), workpiece_(drawn(surface, x)) {
     surface.positions(x, points_);
     for (mechanics::Index f = 0; f < surface.n_faces(); ++f)
@@ -138,9 +139,12 @@ public:
                   fmt::format("tool '{}' has touch = true but does not move", tool.name),
                   "give it a velocity, a displacement or a force, or place it where it touches");
     const double reach = reach_share * size_;
-    const auto by_points = geometry::distance_to_contact(*tool.surface, tool.motion.pose(0.0),
-                                                         direction, points_, reach);
-    // Points are what carries the load of a driven tool: it must rest on one.
+    // Contact points are what carries the load of a driven tool: it must rest on one, and a node
+    // between them may lie inside it by the curve of the tool over a part of a face.
+    const std::span<const Vec3> all = points_;
+    const auto by_points = geometry::distance_to_contact(
+        *tool.surface, tool.motion.pose(0.0), direction,
+        tool.motion.force ? all.first(n_contact_points_) : all, reach);
     const double distance = tool.motion.force && by_points
                                 ? *by_points
                                 : by_facets(tool, direction, by_points ? *by_points : reach);
@@ -187,7 +191,8 @@ private:
 
   mechanics::Analysis analysis_;
   double end_;
-  std::vector<Vec3> points_;
+  std::size_t n_contact_points_;
+  std::vector<Vec3> points_; ///< the contact points, then the nodes
   double size_;
   DrawnWorkpiece workpiece_;
 };

@@ -31,9 +31,8 @@ struct ContactRatio {
   const double root = std::sqrt(1.0 - f);
   // Limit of proportionality; alpha' = (1 - sqrt(1 - f)) / f without the cancellation at small f.
   const double alpha_limit = 1.0 / (1.0 + root);
-  const double limit =
-      (1.0 + 0.5 * std::numbers::pi + std::acos(f) + std::sqrt(1.0 - f * f)) /
-      (std::numbers::sqrt3 * (1.0 + root));
+  const double limit = (1.0 + 0.5 * std::numbers::pi + std::acos(f) + std::sqrt(1.0 - f * f)) /
+                       (std::numbers::sqrt3 * (1.0 + root));
   const double x = pressure_ratio / limit;
   if (x <= 1.0)
     return {alpha_limit * x, alpha_limit / limit};

@@ -34,11 +34,9 @@ LimitAtSlip limit_at(const Friction& friction, const SlipState& at, double slip)
       slip_limit(friction.law, {at.pressure, at.strength, speed, grown.value * tabled.value});
   const double d_factor_d_pressure = grown.value * tabled.d_pressure;
   const double d_factor_d_slip =
-      tabled.value * grown.d_sliding +
-      grown.value * (tabled.d_sliding + tabled.d_speed / at.dt);
+      tabled.value * grown.d_sliding + grown.value * (tabled.d_sliding + tabled.d_speed / at.dt);
   return bounded({limit.shear, limit.d_pressure + limit.d_factor * d_factor_d_pressure,
-                  limit.d_shear_yield,
-                  limit.d_speed / at.dt + limit.d_factor * d_factor_d_slip},
+                  limit.d_shear_yield, limit.d_speed / at.dt + limit.d_factor * d_factor_d_slip},
                  at.pressure);
 }
 

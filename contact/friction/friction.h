@@ -39,7 +39,7 @@ struct Friction {
 
   Friction() = default;
   template <FrictionLaw Law>
-  Friction(Law one) : law(std::move(one)) {} // NOLINT(google-explicit-constructor)
+  Friction(Law one) : law(std::move(one)) {}            // NOLINT(google-explicit-constructor)
   Friction(AnyFrictionLaw one) : law(std::move(one)) {} // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool follows_material() const { return contact::follows_material(law); }

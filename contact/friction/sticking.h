@@ -8,7 +8,7 @@
 
 namespace billet::contact {
 
-/// tau_lim = infinity, bounded by the cone (C.10) that every law obeys.
+/// tau_lim = infinity, bounded by the cone (F.3) that every law obeys.
 struct Sticking {
   static constexpr std::string_view name = "sticking";
 

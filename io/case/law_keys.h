@@ -19,7 +19,7 @@ template <class Law> struct NumberKey {
   std::string_view key;
   double Law::*member;
   Number kind;
-  bool is_required = true; ///< false: the member's initial value is the default
+  bool is_required = true;     ///< false: the member's initial value is the default
   bool is_coefficient = false; ///< of friction: a 'table' may stand in its place
 };
 

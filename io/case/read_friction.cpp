@@ -69,8 +69,8 @@ bool add_values(const At& at, std::span<const std::size_t> sizes, std::vector<do
       values.push_back(*value);
     return value.has_value();
   }
-  const List* const list =
-      as_list(at, sizes.front(), fmt::format("{} entries, one for each point of its axis", sizes.front()));
+  const List* const list = as_list(
+      at, sizes.front(), fmt::format("{} entries, one for each point of its axis", sizes.front()));
   if (list == nullptr)
     return false;
   for (std::size_t i = 0; i < list->size(); ++i)

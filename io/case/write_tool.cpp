@@ -152,9 +152,9 @@ std::string nested(std::span<const double> values, std::span<const std::size_t> 
 std::string table_text(const FrictionTable& friction) {
   TomlTable table;
   std::vector<std::size_t> sizes;
-  for (const auto& [key, axis] : {std::pair{"pressure", &friction.pressure},
-                                  std::pair{"speed", &friction.speed},
-                                  std::pair{"sliding", &friction.sliding}}) {
+  for (const auto& [key, axis] :
+       {std::pair{"pressure", &friction.pressure}, std::pair{"speed", &friction.speed},
+        std::pair{"sliding", &friction.sliding}}) {
     if (axis->empty())
       continue;
     table.add(key, toml_text(*axis));

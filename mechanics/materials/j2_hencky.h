@@ -74,13 +74,13 @@ void elastic_energies(const Elasticity& elasticity,
 /// Yield stress at a plastic strain [MPa]; infinite for an elastic body.
 [[nodiscard]] double yield_stress(const AnyFlowLaw& flow, double plastic_strain);
 
-/// Von Mises stress of a state and how it follows the strains of an increment. (M.14)
+/// Von Mises stress of a state and how it follows the strains of an increment. (F.21)
 struct MisesStress {
-  double stress;      ///< q, of the Kirchhoff stress [MPa]
-  double strength;    ///< yield stress at its plastic strain [MPa]
-  Mat3 direction;     ///< unit deviator of the elastic strain [-]; zero without one
-  double d_stress;    ///< d q = d_stress direction : grad u [MPa]
-  double d_strength;  ///< of the yield stress, likewise [MPa]
+  double stress;     ///< q, of the Kirchhoff stress [MPa]
+  double strength;   ///< yield stress at its plastic strain [MPa]
+  Mat3 direction;    ///< unit deviator of the elastic strain [-]; zero without one
+  double d_stress;   ///< d q = d_stress direction : grad u [MPa]
+  double d_strength; ///< of the yield stress, likewise [MPa]
 };
 
 /// @param old_plastic_strain  of the committed state: the point flows when it has grown [-]

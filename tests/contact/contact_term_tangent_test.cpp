@@ -119,8 +119,8 @@ protected:
 TEST_P(WholeTangent, AgreesWithDifferencesOfTheResidual) {
   for (const NamedLaw& law : every_law())
     for (const double drift : {0.0, 0.05})
-      for (const SlipScheme& scheme : {SlipScheme{}, SlipScheme{Integrator::midpoint},
-                                       SlipScheme{Integrator::exact}})
+      for (const SlipScheme& scheme :
+           {SlipScheme{}, SlipScheme{Integrator::midpoint}, SlipScheme{Integrator::exact}})
         check(law, scheme, drift);
   const auto [kind, form, curved] = GetParam();
   std::printf("%-20s %-10s %-6s stick %3d slip %3d: largest error %.1e (<= 1e-6)\n",

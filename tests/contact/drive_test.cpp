@@ -66,8 +66,7 @@ TEST(Drive, rows_and_columns_are_those_of_differences) {
   constexpr double tolerance = 1e-6; // DESIGN: tangents to 1e-6 of their norm
   for (const bool solid : {false, true})
     for (const Friction& friction :
-         {Friction(Frictionless{}), Friction(Sticking{}),
-          Friction(Coulomb{0.1})}) {
+         {Friction(Frictionless{}), Friction(Sticking{}), Friction(Coulomb{0.1})}) {
       ContactBench bench = driven_bench(solid, friction);
       bench.commit(bench.x, 0.5);
       std::vector<double> at = bench.x;

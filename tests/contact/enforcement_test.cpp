@@ -33,16 +33,16 @@ TEST(Enforcement, AMultiplierPressesWithoutPenetrationAndAcrossAGap) {
   foot.normal = Vec3::UnitY();
   for (const double gap : {-2e-3, 0.0, 4e-3}) {
     foot.gap = gap;
-    const Traction t =
-        traction(Frictionless{}, penalty, {}, {Vec3(0, gap, 0), foot, 0.0, 0.0, 1.0, 1.0, false, 5.0});
+    const Traction t = traction(Frictionless{}, penalty, {},
+                                {Vec3(0, gap, 0), foot, 0.0, 0.0, 1.0, 1.0, false, 5.0});
     EXPECT_DOUBLE_EQ(t.pressure, 5.0 - 1000.0 * gap);
     EXPECT_EQ(t.dtraction_dx(1, 1), -1000.0);
   }
   foot.gap = 6e-3; // beyond 5 / 1000
-  EXPECT_EQ(
-      traction(Frictionless{}, penalty, {}, {Vec3(0, 6e-3, 0), foot, 0.0, 0.0, 1.0, 1.0, false, 5.0})
-          .status,
-      Status::open);
+  EXPECT_EQ(traction(Frictionless{}, penalty, {},
+                     {Vec3(0, 6e-3, 0), foot, 0.0, 0.0, 1.0, 1.0, false, 5.0})
+                .status,
+            Status::open);
 }
 
 TEST(Enforcement, AugmentingKeepsThePressureWhenThePenetrationGoes) {

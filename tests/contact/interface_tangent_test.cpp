@@ -60,11 +60,10 @@ State random_state(const geometry::RigidSurface& surface, std::mt19937& generato
 }
 
 /// Smallest relative error over steps of difference; negative: a neighbour has another status.
-double
-derivative_error(const geometry::RigidSurface& surface,
-                 const Friction& law,
-                 const SlipScheme& scheme,
-                 const State& s) {
+double derivative_error(const geometry::RigidSurface& surface,
+                        const Friction& law,
+                        const SlipScheme& scheme,
+                        const State& s) {
   const Traction at = traction_at(surface, law, s.old, s.x, scheme);
   double best = std::numeric_limits<double>::infinity();
   for (const double h : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {

@@ -89,13 +89,15 @@ TEST(StickSlip, SchemesHaveTheErrorsOfTheReference) {
 TEST(StickSlip, LagsBehindACircularPathAsItShould) {
   // VALIDATION fri04c: lag asin(T / (K R)) = 17.457603 degrees at R = .1.
   constexpr double R = 0.1;
-  for (const SlipScheme& scheme : {SlipScheme{Integrator::exact}, SlipScheme{Integrator::midpoint}}) {
+  for (const SlipScheme& scheme :
+       {SlipScheme{Integrator::exact}, SlipScheme{Integrator::midpoint}}) {
     constexpr int n = 400;
     Vec2 shear(T, 0.0);
     for (int i = 0; i < 3 * n; ++i) {
       const double a = 2.0 * std::numbers::pi * i / n;
       const double b = 2.0 * std::numbers::pi * (i + 1) / n;
-      shear = walk(scheme, shear, R * Vec2(std::cos(b) - std::cos(a), std::sin(b) - std::sin(a)), 1);
+      shear =
+          walk(scheme, shear, R * Vec2(std::cos(b) - std::cos(a), std::sin(b) - std::sin(a)), 1);
     }
     const double direction = 90.0; // of the path at the end of a full turn
     EXPECT_NEAR(direction - angle(shear), 17.457603, 0.3);
@@ -171,7 +173,8 @@ TEST(StickSlip, AFilmCreepsToItsSteadyShear) {
   constexpr double v = 0.4;
   Vec2 shear = Vec2::Zero();
   for (int i = 0; i < 60; ++i)
-    shear = stick_slip(film, {}, {shear, Vec2(-0.1 * v, 0.0), K, 0.0, {100.0, 0.0, 0.0, 0.1}}).shear;
+    shear =
+        stick_slip(film, {}, {shear, Vec2(-0.1 * v, 0.0), K, 0.0, {100.0, 0.0, 0.0, 0.1}}).shear;
   EXPECT_NEAR(shear[0], 0.5 * v / 0.01, 1e-9);
 }
 

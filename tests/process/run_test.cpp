@@ -11,8 +11,7 @@ namespace billet::process {
 namespace {
 
 /// A cylinder of radius 10 and half height 15, few elements.
-Scene small_billet(double reduction,
-                   const contact::Friction& friction = contact::Frictionless{}) {
+Scene small_billet(double reduction, const contact::Friction& friction = contact::Frictionless{}) {
   return billet_scene(ElementKind::quad8, 3, 4, friction, reduction);
 }
 

@@ -88,19 +88,19 @@ inline std::vector<NamedLaw> modified_laws() {
 /// Every law of the program, with the branches of each, and laws with modifiers.
 inline std::vector<NamedLaw> every_law() {
   std::vector<NamedLaw> laws{{"frictionless", Frictionless{}},
-          {"sticking", Sticking{}},
-          {"coulomb", Coulomb{0.3}},
-          {"coulomb threshold", Coulomb{0.3, 20.0}},
-          {"coulomb capped", Coulomb{0.3, 0.0, 25.0}},
-          {"coulomb capped at k", Coulomb{0.6, 0.0, 1e9, true}},
-          {"coulomb quadratic", Coulomb{0.2, 5.0, 1e9, true, 5e-3}},
-          {"tresca", Tresca{0.5, 80.0}},
-          {"tresca of the material", Tresca{0.2, {}}},
-          {"shaw", Shaw{80.0, 0.3}},
-          {"shaw of the material", Shaw{{}, 1.0, Flattening::bowden_tabor}},
-          {"asperity", Asperity{0.6, {}, 0.5}},
-          {"thick film", ThickFilm{8.0, 0.01}},
-          {"viscoplastic", Viscoplastic{40.0, 0.1, 0.15}}};
+                             {"sticking", Sticking{}},
+                             {"coulomb", Coulomb{0.3}},
+                             {"coulomb threshold", Coulomb{0.3, 20.0}},
+                             {"coulomb capped", Coulomb{0.3, 0.0, 25.0}},
+                             {"coulomb capped at k", Coulomb{0.6, 0.0, 1e9, true}},
+                             {"coulomb quadratic", Coulomb{0.2, 5.0, 1e9, true, 5e-3}},
+                             {"tresca", Tresca{0.5, 80.0}},
+                             {"tresca of the material", Tresca{0.2, {}}},
+                             {"shaw", Shaw{80.0, 0.3}},
+                             {"shaw of the material", Shaw{{}, 1.0, Flattening::bowden_tabor}},
+                             {"asperity", Asperity{0.6, {}, 0.5}},
+                             {"thick film", ThickFilm{8.0, 0.01}},
+                             {"viscoplastic", Viscoplastic{40.0, 0.1, 0.15}}};
   for (NamedLaw& law : modified_laws())
     laws.push_back(std::move(law));
   return laws;
@@ -108,8 +108,8 @@ inline std::vector<NamedLaw> every_law() {
 
 /// Every integrator.
 inline std::vector<SlipScheme> every_scheme() {
-  return {{Integrator::radial}, {Integrator::midpoint}, {Integrator::midpoint, 3},
-          {Integrator::exact}};
+  return {
+      {Integrator::radial}, {Integrator::midpoint}, {Integrator::midpoint, 3}, {Integrator::exact}};
 }
 
 /// The projection of one point.

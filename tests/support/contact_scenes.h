@@ -98,17 +98,14 @@ inline contact::Tool moving_tool(std::string name,
 }
 
 /// A flat die above `height` that comes down at 1 mm/s.
-inline contact::Tool
-flat_die(Analysis analysis, double height, const contact::Friction& friction) {
+inline contact::Tool flat_die(Analysis analysis, double height, const contact::Friction& friction) {
   const Vec3 along = Vec3::Unit(up(analysis));
   return moving_tool("die", geometry::make_plane(height * along, -along), -along, friction);
 }
 
 /// A roll in the plane whose lowest point is (0, `top`); its axis goes up by `rise` over time [mm].
-inline contact::Tool roll_above(double top,
-                                double radius,
-                                const TimeFunction& rise,
-                                const contact::Friction& friction) {
+inline contact::Tool
+roll_above(double top, double radius, const TimeFunction& rise, const contact::Friction& friction) {
   const Vec3 centre(0.0, top + radius, 0.0);
   contact::Tool roll =
       moving_tool("roll", geometry::make_circle(centre, radius, false), Vec3::Zero(), friction);

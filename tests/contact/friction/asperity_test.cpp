@@ -15,9 +15,9 @@ constexpr double k = 300.0; // FRI-02: shear yield of the spot values [MPa]
 TEST(Asperity, HasTheSpotValuesOfThePaper) {
   // VALIDATION FRI-02, fri02_paper_law_spots.csv: eq 8 with alpha = min(1, p / 3 sigma_0).
   const Asperity asperity{0.6, k, 0.0, Flattening::bowden_tabor};
-  for (const auto& [p, shear] : {std::array{0.0, 0.0}, std::array{50.0, 5.7735027},
-                                 std::array{500.0, 57.735027}, std::array{1500.0, 173.20508},
-                                 std::array{2500.0, 180.0}})
+  for (const auto& [p, shear] :
+       {std::array{0.0, 0.0}, std::array{50.0, 5.7735027}, std::array{500.0, 57.735027},
+        std::array{1500.0, 173.20508}, std::array{2500.0, 180.0}})
     EXPECT_NEAR(asperity.slip_limit({p, 1.0}).shear, shear, 1e-5) << p; // printed to 8 digits
 }
 
@@ -34,7 +34,8 @@ TEST(Asperity, FollowsTheMaterialBeneathUnlessGivenAStress) {
   const Asperity follows{0.6, {}, 0.3};
   EXPECT_TRUE(follows.follows_material());
   EXPECT_FALSE((Asperity{0.6, k, 0.3}).follows_material());
-  EXPECT_EQ(follows.slip_limit({400.0, k}).shear, (Asperity{0.6, k, 0.3}.slip_limit({400.0, 1.0}).shear));
+  EXPECT_EQ(follows.slip_limit({400.0, k}).shear,
+            (Asperity{0.6, k, 0.3}.slip_limit({400.0, 1.0}).shear));
   EXPECT_EQ(follows.slip_limit({400.0, 0.0}).shear, 0.0) << "no NaN where there is no strength";
 }
 

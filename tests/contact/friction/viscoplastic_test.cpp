@@ -9,7 +9,9 @@
 namespace billet::contact {
 namespace {
 
-double at_speed(const Viscoplastic& law, double v) { return law.slip_limit({100.0, 300.0, v}).shear; }
+double at_speed(const Viscoplastic& law, double v) {
+  return law.slip_limit({100.0, 300.0, v}).shear;
+}
 
 TEST(Viscoplastic, HasTheSpotValuesOfThePaper) {
   // VALIDATION fri02b: beta = 30, v0 = 10, mv = .15; FRI-03.

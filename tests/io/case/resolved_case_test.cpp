@@ -66,7 +66,8 @@ TEST(ResolvedCase, keeps_every_friction) {
   content.tools[0].friction.law = ShawFriction{3.0, 0.5, RealContact::wanheim_bay};
   content.tools[0].friction.tensor = {{{1, 0}, {0, 2}}};
   content.tools[0].friction.direction = Vec3(1, 0, 0);
-  content.tools[1].friction.law = AsperityFriction{0.1, VonMisesShear{}, 0.0, RealContact::bowden_tabor};
+  content.tools[1].friction.law =
+      AsperityFriction{0.1, VonMisesShear{}, 0.0, RealContact::bowden_tabor};
   content.tools[1].friction.evolution = {{0, 1}, {1, 2}};
   content.tools[2].friction.law = ThickFilmFriction{1, 2};
   content.tools[3].friction.law = ViscoplasticFriction{1, 2, 0.5};
