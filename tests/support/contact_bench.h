@@ -102,10 +102,16 @@ public:
     ok = term.assemble({time_old, time, x, trial}, system).has_value();
     return system;
   }
-  /// Assembles a trial and makes it the committed state.
+  /// Assembles a trial and makes it the committed state; keeps the books of what the forces of the
+  /// nodes do on their way.
   void commit(const std::vector<double>& trial, double time) {
     assemble(trial, time);
     term.commit({time_old, time, x, trial});
+    const auto as_vector = [&](const std::vector<double>& v) {
+      return Eigen::Map<const Eigen::VectorXd>(v.data(), pattern.n_dofs());
+    };
+    entered -= 0.5 * (last_force + force()).dot(as_vector(trial) - as_vector(x));
+    last_force = force();
     x = trial;
     time_old = time;
   }
@@ -132,6 +138,8 @@ public:
   ContactTerm term;
   std::vector<double> x;
   mechanics::System system;
+  Eigen::VectorXd last_force = Eigen::VectorXd::Zero(pattern.n_dofs()); ///< committed [N]
+  double entered = 0.0; ///< work of the nodes against tools that stand [N mm]
   double time_old = 0.0;
   bool ok = false;
 };
