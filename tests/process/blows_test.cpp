@@ -23,17 +23,10 @@ geometry::Drive ram(const geometry::Blow& blow, const Vec3& axis) {
   return {Vec3::Zero(), axis, TimeFunction(0.0), blow};
 }
 
-/// A cylinder of radius 5, or a quarter of a square bar, under a ram; nothing of the penalty is
+/// A bar under a ram; nothing of the penalty is
 /// felt.
 Scene struck(ElementKind kind, const mechanics::Material& material, const geometry::Blow& blow) {
-  const bool solid = mechanics::dimension(kind) == 3;
-  Upsetting u;
-  u.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
-  u.mesh = mechanics::box_mesh({kind,
-                                Vec3::Zero(),
-                                solid ? Vec3(5, 5, height) : Vec3(5, height, 0),
-                                {2, solid ? 2 : 3, 3},
-                                {1, 1, 1}});
+  Upsetting u = bar_upsetting(kind);
   u.material = material;
   Scene scene = upsetting_scene(std::move(u));
   scene.contact.penalty = 1e5;

@@ -14,14 +14,7 @@ namespace {
 constexpr double height = 15.0;
 
 Scene bar(ElementKind kind, double reduction, const contact::AnyFrictionLaw& friction) {
-  const bool solid = mechanics::dimension(kind) == 3;
-  Upsetting u;
-  u.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
-  u.mesh = mechanics::box_mesh({kind,
-                                Vec3::Zero(),
-                                solid ? Vec3(5, 5, height) : Vec3(5, height, 0),
-                                {2, solid ? 2 : 4, 3},
-                                {1, 1, 1}});
+  Upsetting u = bar_upsetting(kind);
   u.friction = friction;
   u.reduction = reduction;
   Scene scene = upsetting_scene(std::move(u));

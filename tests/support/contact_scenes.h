@@ -155,6 +155,19 @@ inline Scene strip_on_table(ElementKind kind, double half, int nx, int ny) {
   return scene;
 }
 
+/// A cylinder of radius 5 and height 15 by its meridian, or a quarter of a square bar.
+inline Upsetting bar_upsetting(ElementKind kind) {
+  const bool solid = mechanics::dimension(kind) == 3;
+  Upsetting u;
+  u.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
+  u.mesh = mechanics::box_mesh({kind,
+                                Vec3::Zero(),
+                                solid ? Vec3(5, 5, u.height) : Vec3(5, u.height, 0),
+                                {2, solid ? 2 : 4, 3},
+                                {1, 1, 1}});
+  return u;
+}
+
 /// The billet benchmark's half model (VALIDATION FRM-06): radius 10, half height 15.
 inline Scene billet_scene(ElementKind kind,
                           int nx,
