@@ -78,6 +78,8 @@ void Progress::incremented(const process::Process& process,
     for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
       line += fmt::format("  {} {:.5g}", process.scene().tools[t].name,
                           process.contact()->loads()[t].force.norm());
+  for (const std::string& event : report.events)
+    line += "\n" + event;
   log(line + "\n");
   if (quiet_)
     return;

@@ -67,6 +67,12 @@ void print_summary(const process::Process& process,
     fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}\n", process.scene().tools[t].name,
                force[0], force[1], force[2], content.units.force);
   }
+  for (const process::BlowReport& blow : process.blows())
+    fmt::print("blow of {}: energy {:.6g} {} {}, {:.1f} % used, stroke {:.6g} {} in {:.4g} {}\n",
+               process.scene().tools[blow.tool].name, blow.energy + blow.driven,
+               content.units.force, content.units.length,
+               100.0 * blow.used / (blow.energy + blow.driven), blow.stroke, content.units.length,
+               blow.time - blow.begun, content.units.time);
   fmt::print("energy: external {:.6g}, elastic {:.6g}, plastic {:.6g}, friction {:.6g} {} {}; "
              "balance {:.2e}\n",
              process.energy().external, process.energy().elastic, process.energy().plastic,

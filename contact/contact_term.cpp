@@ -38,9 +38,10 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
                          double reach,
                          const DriveScale& drives)
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
-      enabled_(tools.size(), 1), positions_(surface.n_points()), areas_(surface.n_points()),
-      traction_(surface.n_points()), dtraction_(surface.n_points()), touched_(surface.n_points()),
-      loads_(tools.size()), drives_(drive_unknowns(tools)), scale_(drives) {
+      enabled_(tools.size(), 1), held_(tools.size(), 0), positions_(surface.n_points()),
+      areas_(surface.n_points()), traction_(surface.n_points()), dtraction_(surface.n_points()),
+      touched_(surface.n_points()), loads_(tools.size()), drives_(drive_unknowns(tools)),
+      scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
   for (ToolState& state : states_) {
@@ -56,17 +57,21 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
 }
 
 void ContactTerm::start(std::span<const double> x, double time) {
+  for (std::size_t t = 0; t < tools_.size(); ++t)
+    start(t, x, time);
+}
+
+void ContactTerm::start(std::size_t tool, std::span<const double> x, double time) {
   surface_->positions(x, positions_);
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    search(tools_[t], states_[t], pose(t, time, x));
-    for (std::size_t k = 0; k < positions_.size(); ++k) {
-      PointHistory& history = states_[t].history[k];
-      const geometry::Projection& foot = states_[t].foot[k];
-      history.position = states_[t].position[k];
-      // What lies on the tool sticks from the start; rounding must not decide.
-      if (acts(t, time) && foot.gap <= rounding_of_touch * surface_->depth(face_of(k)))
-        history.normal = foot.normal;
-    }
+  ToolState& state = states_[tool];
+  search(tools_[tool], state, pose(tool, time, x));
+  for (std::size_t k = 0; k < positions_.size(); ++k) {
+    PointHistory& history = state.history[k];
+    const geometry::Projection& foot = state.foot[k];
+    history.position = state.position[k];
+    // What lies on the tool sticks from the start; rounding must not decide.
+    if (acts(tool, time) && foot.gap <= rounding_of_touch * surface_->depth(face_of(k)))
+      history.normal = foot.normal;
   }
 }
 

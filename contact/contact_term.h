@@ -87,6 +87,8 @@ public:
 
   /// Places the points at the start of the run; histories begin here.
   void start(std::span<const double> x, double time);
+  /// Likewise for a tool that has been moved between increments; its history must be none.
+  void start(std::size_t tool, std::span<const double> x, double time);
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
                                                        mechanics::System& system) override;
@@ -111,6 +113,9 @@ public:
 
   /// Tools that may act now (a stage's choice), one flag a tool.
   void enable(std::vector<char> enabled) { enabled_ = std::move(enabled); }
+
+  /// Whether a tool that a force drives stays where it is, whatever acts on it.
+  void hold(std::size_t tool, bool held) { held_[tool] = held ? 1 : 0; }
 
   /// Whether a tool is enabled and active.
   [[nodiscard]] bool acts(std::size_t tool, double time) const;
@@ -184,6 +189,10 @@ private:
                                      double time,
                                      std::span<const double> x,
                                      const Vec3& position) const;
+  /// Whether a free degree of freedom follows its load now.
+  [[nodiscard]] bool follows(const DriveUnknown& drive, double time) const {
+    return acts(drive.tool, time) && (drive.turns || held_[drive.tool] == 0);
+  }
   void add_loads(const mechanics::Trial& trial, mechanics::System& system) const;
   void add_borders(const mechanics::Trial& trial, mechanics::System& system) const;
   template <class Shape, class Rule>
@@ -203,6 +212,7 @@ private:
   std::span<const Tool> tools_;
   double reach_;
   std::vector<char> enabled_;
+  std::vector<char> held_; ///< likewise one flag a tool
   std::vector<ToolState> states_;
   std::vector<Vec3> positions_;
   std::vector<double> areas_;

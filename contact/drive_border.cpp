@@ -26,7 +26,7 @@ void ContactTerm::add_loads(const mechanics::Trial& trial, mechanics::System& sy
     const double load =
         turns ? motion.torque->load(trial.time) / scale_.length : motion.force->load(trial.time);
     system.residual[n + j] += scale_.stiffness * (trial.x[n + j] - trial.x_old[n + j]) -
-                              (acts(tool, trial.time) ? load : 0.0);
+                              (follows(drives_[j], trial.time) ? load : 0.0);
     system.borders[j].corner[j] += scale_.stiffness;
   }
 }
@@ -34,7 +34,7 @@ void ContactTerm::add_loads(const mechanics::Trial& trial, mechanics::System& sy
 void ContactTerm::add_borders(const mechanics::Trial& trial, mechanics::System& system) const {
   visit_contact_face(surface_->kind(), surface_->form(), [&](auto shape, auto rule) {
     for (std::size_t j = 0; j < drives_.size(); ++j)
-      if (acts(drives_[j].tool, trial.time))
+      if (follows(drives_[j], trial.time))
         add_border_of<decltype(shape), decltype(rule)>(j, trial, system);
   });
 }
@@ -72,7 +72,7 @@ void ContactTerm::add_border_of(std::size_t drive,
             at.N[a] * at.measure * row[d] + T.dot(rate.velocity) * at.dmeasure[a][d];
       }
     for (std::size_t other = 0; other < drives_.size(); ++other) {
-      if (drives_[other].tool != tool)
+      if (drives_[other].tool != tool || !follows(drives_[other], trial.time))
         continue;
       const DriveRate by = drive_rate(drives_[other], trial.time, trial.x, positions_[k]);
       // The axis of a turn travels with the tool.

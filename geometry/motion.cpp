@@ -14,6 +14,8 @@ Vec3 Motion::translation(double time, const Driven& driven) const {
     return *velocity * time;
   if (displacement)
     return {(*displacement)[0](time), (*displacement)[1](time), (*displacement)[2](time)};
+  if (crank)
+    return crank->travel(time) * crank->axis;
   return force ? Vec3(driven.travel * force->axis) : Vec3(Vec3::Zero());
 }
 

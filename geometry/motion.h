@@ -9,6 +9,7 @@
 
 #include "geometry/base/time_function.h"
 #include "geometry/base/vector.h"
+#include "geometry/crank.h"
 
 #include <array>
 #include <optional>
@@ -36,11 +37,20 @@ struct Rotation {
   TimeFunction speed;        ///< [rad/s]
 };
 
+/// What a press strikes with: a moving mass, and the speed it has when a blow begins.
+struct Blow {
+  double mass = 0.0;  ///< that has the energy of all that moves at that speed [N s^2/mm], > 0
+  double speed = 0.0; ///< along the axis of the drive [mm/s], > 0
+
+  [[nodiscard]] double energy() const { return 0.5 * mass * speed * speed; } ///< [N mm]
+};
+
 /// A degree of freedom that a load drives: along an axis, or about it.
 struct Drive {
-  Vec3 point = Vec3::Zero(); ///< on the axis; of no meaning for a travel
-  Vec3 axis = Vec3::UnitZ(); ///< unit vector
-  TimeFunction load;         ///< [N], or [N mm]
+  Vec3 point = Vec3::Zero();  ///< on the axis; of no meaning for a travel
+  Vec3 axis = Vec3::UnitZ();  ///< unit vector
+  TimeFunction load;          ///< [N], or [N mm]
+  std::optional<Blow> blow{}; ///< of a travel: inertia drives it as well; absent: it has none
 };
 
 /// Where the driven degrees of freedom of a tool are.
@@ -50,7 +60,8 @@ struct Driven {
 };
 
 /// Motion of a tool: prescribed (a translation over time, a rotation over time, or both), or driven
-/// by a force in place of the translation and a torque in place of the rotation.
+/// by a force in place of the translation and a torque in place of the rotation. The translation is
+/// a velocity, a table or a crank.
 ///
 /// The tool is placed first, then turned, then shifted; the rotation axis is given in space at time
 /// 0 and travels with the translation. `offset` is the displacement by which `touch` brought the
@@ -59,8 +70,9 @@ struct Motion {
   Pose place;                                              ///< where the tool is at time 0
   std::optional<Vec3> velocity;                            ///< [mm/s]
   std::optional<std::array<TimeFunction, 3>> displacement; ///< [mm]; instead of velocity
+  std::optional<Crank> crank;                              ///< instead of either
   std::optional<Rotation> rotation;
-  std::optional<Drive> force;  ///< instead of velocity and displacement
+  std::optional<Drive> force;  ///< instead of a translation
   std::optional<Drive> torque; ///< instead of rotation
   Vec3 offset = Vec3::Zero();
 

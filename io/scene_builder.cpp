@@ -290,6 +290,17 @@ std::vector<double> frame_times(const Case& content) {
   return times;
 }
 
+/// Dead centres and kinks of a press.
+void add_press_times(const geometry::Motion& motion, double end, std::vector<double>& times) {
+  if (motion.force && motion.force->blow)
+    add_times(motion.force->load, times);
+  if (!motion.crank)
+    return;
+  add_times(motion.crank->speed, times);
+  const std::vector<double> bottoms = motion.crank->bottom_dead_centres(end);
+  times.insert(times.end(), bottoms.begin(), bottoms.end());
+}
+
 /// Kinks of everything given over time, and the frames asked for: increments end there.
 std::vector<double> landing_times(const Case& content, const process::Scene& scene) {
   std::vector<double> times = frame_times(content);
@@ -307,6 +318,7 @@ std::vector<double> landing_times(const Case& content, const process::Scene& sce
         add_times(component, times);
     if (tool.motion.rotation)
       add_times(tool.motion.rotation->speed, times);
+    add_press_times(tool.motion, content.time.end, times);
     for (const double t : {tool.active_from, tool.active_to})
       if (std::isfinite(t))
         times.push_back(t);

@@ -175,16 +175,40 @@ contact::Friction friction_of(const Friction& friction) {
   return result;
 }
 
+/// What drives a press that strikes: of its energy the workpiece can have a share, which is that of
+/// a lighter mass at the same speed. (P.10)
+geometry::Drive drive_of(const StrikingPress& press, double mass, double speed) {
+  return {Vec3::Zero(), press.direction.normalized(), press.force,
+          geometry::Blow{press.efficiency * mass, speed}};
+}
+
+/// Sets the part of a motion that each kind of translation stands for.
+struct TranslationMaker {
+  geometry::Motion& motion;
+
+  void operator()(const VelocityMotion& m) const { motion.velocity = m.velocity; }
+  void operator()(const DisplacementMotion& m) const { motion.displacement = m.displacement; }
+  void operator()(const ForceMotion& m) const {
+    motion.force = geometry::Drive{Vec3::Zero(), m.direction.normalized(), m.value};
+  }
+  void operator()(const PressMotion& m) const { std::visit(*this, m); }
+  void operator()(const CrankMotion& m) const {
+    motion.crank =
+        geometry::Crank{m.direction.normalized(), m.radius, m.rod, m.start * degree, m.speed};
+  }
+  void operator()(const HammerMotion& m) const {
+    motion.force = drive_of(m.press, m.mass, m.velocity);
+  }
+  void operator()(const ScrewMotion& m) const {
+    const double arm = m.pitch / (2.0 * std::numbers::pi); // way of the ram for a radian
+    motion.force = drive_of(m.press, m.mass + m.inertia / (arm * arm), m.speed * arm);
+  }
+};
+
 geometry::Motion motion_of(const ToolMotion& motion) {
   geometry::Motion result;
-  if (motion.translation) {
-    if (const auto* velocity = std::get_if<VelocityMotion>(&*motion.translation))
-      result.velocity = velocity->velocity;
-    else if (const auto* force = std::get_if<ForceMotion>(&*motion.translation))
-      result.force = geometry::Drive{Vec3::Zero(), force->direction.normalized(), force->value};
-    else
-      result.displacement = std::get<DisplacementMotion>(*motion.translation).displacement;
-  }
+  if (motion.translation)
+    std::visit(TranslationMaker{result}, *motion.translation);
   if (motion.rotation) {
     if (const auto* turn = std::get_if<RotationMotion>(&*motion.rotation))
       result.rotation = geometry::Rotation{turn->point, turn->axis.normalized(), turn->speed};

@@ -24,11 +24,6 @@ std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_po
   return points;
 }
 
-/// Steps as shares of a stage, when the case does not say.
-constexpr double first_share = 1.0 / 100.0;
-constexpr double largest_share = 1.0 / 50.0;
-constexpr double smallest_share = 1e-7;
-
 /// An increment with more plastic strain than this at a point is cut: the return map stays exact,
 /// but the path of strain is lost.
 constexpr double most_plastic_increment = 0.5;
@@ -78,6 +73,7 @@ void Process::release_tools(double next_time, double gone_time) {
     fading_.push_back(mechanics::make_dead_load(std::move(forces),
                                                 TimeFunction({{time_, 1.0}, {gone_time, 0.0}})));
     terms_.push_back(fading_.back().get());
+    fading_until_ = gone_time;
     last_step_.clear();
   }
 }
@@ -167,6 +163,7 @@ void Process::accept(double dt) {
     strain_old[k] = bulk_->states()[k].plastic_strain;
   for (mechanics::ForceTerm* term : terms_)
     term->commit(trial);
+  events_ = blows_ ? blows_->commit(trial) : std::vector<std::string>();
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
   for (const Index i : prescribed(time_ + dt).unknowns) {
@@ -229,6 +226,7 @@ IncrementReport Process::report(double dt, int cutbacks) const {
   r.wall_time = seconds_now() - started_;
   r.energy = energy_;
   r.records = newton_->records();
+  r.events = events_;
   return r;
 }
 
@@ -262,19 +260,30 @@ void Process::notify(const std::vector<Observer*>& observers, const IncrementRep
 RunStatus
 Process::run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers) {
   const double length = stage.end - start;
-  const double smallest = scene_.increments.min.value_or(smallest_share * length);
-  const double largest = scene_.increments.max.value_or(largest_share * length);
-  double dt = std::clamp(scene_.increments.first.value_or(first_share * length),
-                         std::min(smallest, largest), largest);
   start_stage(stage);
+  if (const std::string why = begin_blows(stage); !why.empty()) {
+    for (Observer* observer : observers)
+      observer->failed(*this, post_mortem(0.0, why, {}));
+    return RunStatus::not_converged;
+  }
+  const IncrementLimits limit = limits(length);
+  const double smallest = *limit.min;
+  const double largest = *limit.max;
+  double dt = *limit.first;
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
   std::vector<std::string> tried;
   int failures = 0;
   int refusals = 0;
   while (time_ < stage.end) {
+    if (failures == 0 && rests(stage)) {
+      energy_used_up_ = &stage == &scene_.stages.back();
+      if (energy_used_up_)
+        break;
+      dt = length;
+    }
     const double landing = next_landing(stage.end);
-    const double step = step_towards(landing - time_, dt);
+    const double step = step_towards(landing - time_, std::min(dt, longest_for_blows()));
     const bool lands = step == landing - time_;
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
@@ -285,6 +294,11 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
                         (contact_ && failures > 0 && !refused_as_too_deep_ &&
                          try_increment(step, mechanics::Approach::softly, why)))) {
+      if (const std::optional<double> sooner = step_to_stop(step)) {
+        wasted_iterations_ += last_iterations_;
+        dt = *sooner;
+        continue;
+      }
       accept(step);
       if (lands)
         time_ = landing;

@@ -9,9 +9,12 @@
 #include "contact/contact_term.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
+#include "process/blows.h"
 #include "process/scene.h"
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +51,7 @@ struct IncrementReport {
   double wall_time = 0.0;           ///< since the start of the run [s]
   EnergyBalance energy;
   std::vector<mechanics::IterationRecord> records;
+  std::vector<std::string> events; ///< what happened at its end, a line each
 };
 
 /// Why an increment could not be solved, for the post-mortem.
@@ -115,6 +119,12 @@ public:
   [[nodiscard]] geometry::Driven driven(std::size_t tool) const {
     return contact_ ? contact_->driven(tool, x_) : geometry::Driven{};
   }
+  /// Blows of presses given by their energy, in the order in which they began.
+  [[nodiscard]] std::span<const BlowReport> blows() const {
+    return blows_ ? std::span(blows_->reports()) : std::span<const BlowReport>();
+  }
+  /// Whether the run has ended before its time because its presses have no energy left.
+  [[nodiscard]] bool energy_used_up() const { return energy_used_up_; }
   /// Displacement rate of the last increment, shape (n_dofs) [mm/s].
   [[nodiscard]] std::span<const double> velocity() const { return velocity_; }
   /// Plastic strain rate of the last increment at the points, shape (n_elements, points) [1/s].
@@ -140,6 +150,16 @@ private:
   /// Force per displacement of the size of the body's own stiffness [N/mm].
   [[nodiscard]] double body_stiffness() const;
   void start_stage(const Stage& stage);
+  /// Why the presses of a stage cannot strike; empty: they do.
+  [[nodiscard]] std::string begin_blows(const Stage& stage);
+  /// First, longest and shortest increment of a stage; blows under way may ask for shorter ones.
+  [[nodiscard]] IncrementLimits limits(double length) const;
+  [[nodiscard]] double longest_for_blows() const;
+  /// A shorter increment than the one just solved, if a press has turned back in it.
+  [[nodiscard]] std::optional<double> step_to_stop(double dt) const;
+  /// Whether the blows of a stage are over and nothing else moves in the rest of it.
+  [[nodiscard]] bool rests(const Stage& stage) const;
+  [[nodiscard]] bool stands_still(const Stage& stage, double from, double to) const;
   /// Lets the forces of tools that touch now and do not act at `next_time` fade until `gone_time`.
   void release_tools(double next_time, double gone_time);
   [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
@@ -171,9 +191,11 @@ private:
   std::unique_ptr<mechanics::Bulk> bulk_;
   std::unique_ptr<contact::ContactSurface> surface_;
   std::unique_ptr<contact::ContactTerm> contact_;
+  std::unique_ptr<Blows> blows_; ///< none: no press strikes
   std::vector<std::unique_ptr<mechanics::Load>> loads_;
   std::unique_ptr<mechanics::Load> grounding_;
   std::vector<std::unique_ptr<mechanics::Load>> fading_; ///< forces of tools that have left
+  double fading_until_ = 0.0;                            ///< [s]
   std::vector<mechanics::ForceTerm*> terms_;
   std::unique_ptr<mechanics::Newton> newton_;
   std::vector<double> x0_;
@@ -191,6 +213,8 @@ private:
   double tool_energy_ = 0.0; ///< of penalties, gone with tools that left
   double grounding_stiffness_ = 0.0;
   double time_ = 0.0;
+  bool energy_used_up_ = false;
+  std::vector<std::string> events_; ///< of the last increment
   PhaseTimes times_;
   double started_ = 0.0;
   int increment_ = 0;

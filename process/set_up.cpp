@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -56,6 +57,14 @@ void Process::make_terms() {
     contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
                                                       4.0 * body_size(scene_.mesh), drive_scale());
     terms_.push_back(contact_.get());
+  }
+  const bool strikes =
+      std::any_of(scene_.tools.begin(), scene_.tools.end(), [](const contact::Tool& tool) {
+        return tool.motion.force && tool.motion.force->blow;
+      });
+  if (strikes) {
+    blows_ = std::make_unique<Blows>(scene_, *contact_, x0_.size());
+    terms_.push_back(&blows_->term());
   }
   grounded_ = free_rigid_motions(scene_);
   if (grounded_ > 0 && scene_.tools.empty())
@@ -130,7 +139,8 @@ contact::DriveScale Process::drive_scale() const {
 void Process::check_drives() const {
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     const contact::Tool& tool = scene_.tools[t];
-    if (tool.motion.force && contact_->acts(t, 0.0) && !contact_->lies_on(t))
+    const bool pressed = tool.motion.force && !tool.motion.force->blow; // a blow begins by touching
+    if (pressed && contact_->acts(t, 0.0) && !contact_->lies_on(t))
       throw Error(Fault::case_file, "",
                   fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
                               "nothing tells where it is",

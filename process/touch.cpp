@@ -109,6 +109,8 @@ void keep_within(const Box& window, DisplayMesh& mesh) {
 
 /// The unit vector of the first displacement that a tool's motion has; zero: it stands still.
 Vec3 first_direction(const geometry::Motion& motion, double end) {
+  if (motion.force && motion.force->blow)
+    return motion.force->axis;
   constexpr int looks = 100;
   Vec3 direction = Vec3::Zero();
   for (int step = 1; step <= looks && direction.isZero(0.0); ++step) {

@@ -130,6 +130,48 @@ struct ForceMotion {
   bool operator==(const ForceMotion&) const = default;
 };
 
+/// The slide of a crank press: 0 at top dead centre.
+struct CrankMotion {
+  Vec3 direction = Vec3::UnitY(); ///< of the slide to bottom dead centre, not zero, of any length
+  double radius = 0.0;            ///< of the crank, half the stroke [mm]
+  double rod = 0.0;               ///< of the connecting rod, > radius [mm]
+  TimeFunction speed;             ///< of the crank, >= 0 [rad/s]
+  double start = 0.0;             ///< crank angle at time 0 [degrees]
+
+  bool operator==(const CrankMotion&) const = default;
+};
+
+/// What presses given by their energy have in common.
+struct StrikingPress {
+  Vec3 direction = Vec3::UnitY(); ///< of the blow, not zero, of any length
+  double efficiency = 1.0;        ///< share of the energy that the workpiece can have [-]
+  TimeFunction force;             ///< that drives the ram on, its weight for one [N]
+
+  bool operator==(const StrikingPress&) const = default;
+};
+
+/// A ram that flies freely.
+struct HammerMotion {
+  StrikingPress press;
+  double mass = 0.0;     ///< of all that moves [t]
+  double velocity = 0.0; ///< at which it strikes [mm/s]
+
+  bool operator==(const HammerMotion&) const = default;
+};
+
+/// A ram on a screw that a flywheel turns.
+struct ScrewMotion {
+  StrikingPress press;
+  double inertia = 0.0; ///< of flywheel and screw about their axis [t mm^2]
+  double pitch = 0.0;   ///< way of the ram for one turn [mm]
+  double speed = 0.0;   ///< of the flywheel when the blow begins [rad/s]
+  double mass = 0.0;    ///< of the ram [t]
+
+  bool operator==(const ScrewMotion&) const = default;
+};
+
+using PressMotion = std::variant<CrankMotion, HammerMotion, ScrewMotion>;
+
 /// A prescribed turn; the axis travels with the translation.
 struct RotationMotion {
   Vec3 point = Vec3::Zero(); ///< on the axis [mm]
@@ -150,7 +192,8 @@ struct TorqueMotion {
 
 /// How a tool moves; both parts absent: it is fixed.
 struct ToolMotion {
-  std::optional<std::variant<VelocityMotion, DisplacementMotion, ForceMotion>> translation;
+  std::optional<std::variant<VelocityMotion, DisplacementMotion, ForceMotion, PressMotion>>
+      translation;
   std::optional<std::variant<RotationMotion, TorqueMotion>> rotation;
 
   bool operator==(const ToolMotion&) const = default;

@@ -17,6 +17,10 @@ namespace billet::io {
 [[nodiscard]] std::optional<Tool> as_tool(const At& at);
 [[nodiscard]] std::optional<ToolSurface> as_tool_surface(const At& at);
 [[nodiscard]] std::optional<ToolMotion> as_tool_motion(const At& at);
+/// The value of `press`, one of the motions of a press.
+[[nodiscard]] std::optional<PressMotion> as_press(const At& at);
+/// Complains of a direction with a radial part in an axisymmetric scene: tools go along its axis.
+void refuse_radial(TableReader& table, const Vec3& direction);
 [[nodiscard]] std::optional<Friction> as_friction(const At& at);
 [[nodiscard]] std::optional<Place> as_place(const At& at);
 [[nodiscard]] std::optional<ContactSettings> as_contact(const At& at);

@@ -55,7 +55,16 @@ std::optional<Wear> as_wear(const At& at) {
 void check_touch(TableReader& table, const Tool& tool) {
   if (tool.touch && !tool.motion.translation && (tool.motion.rotation || !table.find("motion")))
     table.find("touch")->complain(
-        "found true, but the tool has no velocity, displacement or force to follow");
+        "found true, but the tool has no velocity, displacement, force or press to follow");
+}
+
+/// A blow begins with a stage, not at a time within one.
+void check_active(TableReader& table, const Tool& tool) {
+  const auto* const press =
+      tool.motion.translation ? std::get_if<PressMotion>(&*tool.motion.translation) : nullptr;
+  if (tool.active && press != nullptr && !std::holds_alternative<CrankMotion>(*press))
+    table.find("active")->complain(
+        "a press that strikes acts by stages, allowed is to name it in the tools of a [[stage]]");
 }
 
 } // namespace
@@ -83,6 +92,7 @@ std::optional<Tool> as_tool(const At& at) {
   table.optional("wear", tool.wear, as_wear);
   table.optional("active", tool.active, as_active);
   check_touch(table, tool);
+  check_active(table, tool);
   table.finish();
   return tool;
 }

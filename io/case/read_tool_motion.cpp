@@ -60,8 +60,7 @@ std::optional<ForceMotion> as_force(const At& at) {
   ForceMotion motion;
   table.required("direction", motion.direction, as_direction);
   table.required("value", motion.value, as_time_function, Number{quantity::force, any_value});
-  if (at.context.analysis == Analysis::axisymmetric && motion.direction.x() != 0.0)
-    table.find("direction")->complain("found a radial part, allowed is [0, 1] or [0, -1]");
+  refuse_radial(table, motion.direction);
   table.finish();
   return motion;
 }
@@ -84,6 +83,11 @@ void refuse_two(TableReader& table, std::initializer_list<std::string_view> keys
 
 } // namespace
 
+void refuse_radial(TableReader& table, const Vec3& direction) {
+  if (table.context().analysis == Analysis::axisymmetric && direction.x() != 0.0)
+    table.find("direction")->complain("found a radial part, allowed is [0, 1] or [0, -1]");
+}
+
 std::optional<ToolMotion> as_tool_motion(const At& at) {
   TableReader table(at);
   if (!table.is_table())
@@ -92,13 +96,14 @@ std::optional<ToolMotion> as_tool_motion(const At& at) {
   table.optional("velocity", motion.translation, as_velocity);
   table.optional("displacement", motion.translation, as_displacement);
   table.optional("force", motion.translation, as_force);
+  table.optional("press", motion.translation, as_press);
   table.optional("rotation", motion.rotation, as_rotation);
   table.optional("torque", motion.rotation, as_torque);
-  refuse_two(table, {"velocity", "displacement", "force"});
+  refuse_two(table, {"velocity", "displacement", "force", "press"});
   refuse_two(table, {"rotation", "torque"});
   if (!table.find("velocity") && !table.find("displacement") && !table.find("force") &&
-      !table.find("rotation") && !table.find("torque"))
-    at.complain("allowed is velocity, displacement, force, rotation or torque");
+      !table.find("press") && !table.find("rotation") && !table.find("torque"))
+    at.complain("allowed is velocity, displacement, force, press, rotation or torque");
   table.finish();
   return motion;
 }

@@ -106,6 +106,44 @@ void write_motion(TomlTable& table, const ForceMotion& motion, int size) {
   table.add("force", inner.on_one_line());
 }
 
+TomlTable press_table(const CrankMotion& crank, int size) {
+  return TomlTable()
+      .add("kind", "\"crank\"")
+      .add("direction", toml_text(crank.direction, size))
+      .add("radius", toml_text(crank.radius))
+      .add("rod", toml_text(crank.rod))
+      .add("speed", toml_text(crank.speed))
+      .add("start", toml_text(crank.start));
+}
+
+TomlTable striking_table(std::string_view kind, const StrikingPress& press, int size) {
+  return TomlTable()
+      .add("kind", toml_text(kind))
+      .add("direction", toml_text(press.direction, size))
+      .add("efficiency", toml_text(press.efficiency))
+      .add("force", toml_text(press.force));
+}
+
+TomlTable press_table(const HammerMotion& hammer, int size) {
+  return striking_table("hammer", hammer.press, size)
+      .add("mass", toml_text(hammer.mass))
+      .add("velocity", toml_text(hammer.velocity));
+}
+
+TomlTable press_table(const ScrewMotion& screw, int size) {
+  return striking_table("screw", screw.press, size)
+      .add("inertia", toml_text(screw.inertia))
+      .add("pitch", toml_text(screw.pitch))
+      .add("speed", toml_text(screw.speed))
+      .add("mass", toml_text(screw.mass));
+}
+
+void write_motion(TomlTable& table, const PressMotion& motion, int size) {
+  const TomlTable inner =
+      std::visit([&](const auto& press) { return press_table(press, size); }, motion);
+  table.add("press", inner.on_one_line());
+}
+
 void write_motion(TomlTable& table, const RotationMotion& motion, int size) {
   TomlTable inner;
   inner.add("point", toml_text(motion.point, size))

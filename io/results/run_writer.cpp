@@ -107,6 +107,23 @@ ordered_json tools_json(const process::Process& process) {
   return tools;
 }
 
+ordered_json blows_json(const process::Process& process) {
+  ordered_json blows = ordered_json::array();
+  for (const process::BlowReport& blow : process.blows())
+    blows.push_back({{"tool", process.scene().tools[blow.tool].name},
+                     {"stage", blow.stage},
+                     {"begun", blow.begun},
+                     {"time", blow.time},
+                     {"energy", blow.energy},
+                     {"driven", blow.driven},
+                     {"energy_used", blow.used},
+                     {"energy_left", blow.left},
+                     {"stroke", blow.stroke},
+                     {"end_speed", blow.speed},
+                     {"over", blow.over}});
+  return blows;
+}
+
 ordered_json timings_json(const process::PhaseTimes& t) {
   return {{"total", t.total},
           {"assembly", t.assembly},
@@ -299,6 +316,10 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
         {"how", "upper bound over every point of every face"}};
   }
   summary["energy"] = energy_json(process.energy());
+  if (!process.blows().empty()) {
+    summary["blows"] = blows_json(process);
+    summary["ended_by"] = process.energy_used_up() ? "energy used up" : "end of time";
+  }
   summary["grounded_rigid_motions"] = process.grounded_motions();
   summary["tools"] = tools_json(process);
   std::vector<std::string> warnings = facts_.warnings;

@@ -36,18 +36,6 @@ inline std::size_t any(Random& random, std::size_t n) {
   return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
 }
 
-// Every triangle with corners of its own.
-inline TriangleMesh loose(const TriangleMesh& mesh) {
-  TriangleMesh soup;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto first = static_cast<std::int32_t>(soup.points.size());
-    soup.triangles.push_back({first, first + 1, first + 2});
-    for (std::size_t i = 0; i < 3; ++i)
-      soup.points.push_back(geometry::corner(mesh, t, i));
-  }
-  return soup;
-}
-
 inline Triangle turned(const Triangle& t) { return {t[0], t[2], t[1]}; }
 
 inline TriangleMesh with(TriangleMesh mesh, const Triangle& t) {
@@ -57,7 +45,7 @@ inline TriangleMesh with(TriangleMesh mesh, const Triangle& t) {
 
 // Every triangle drawn towards its middle.
 inline TriangleMesh shrunk(const TriangleMesh& mesh, double by) {
-  TriangleMesh soup = loose(mesh);
+  TriangleMesh soup = geometry::soup(mesh);
   for (std::size_t i = 0; i < soup.points.size(); i += 3) {
     const Vec3 middle = (soup.points[i] + soup.points[i + 1] + soup.points[i + 2]) / 3.0;
     for (std::size_t k = i; k < i + 3; ++k)
@@ -82,7 +70,7 @@ inline TriangleMesh partly_turned(TriangleMesh mesh, std::size_t every) {
 
 // Every corner of every triangle a little off.
 inline TriangleMesh shaken(const TriangleMesh& mesh, double by, Random& random) {
-  TriangleMesh soup = loose(mesh);
+  TriangleMesh soup = geometry::soup(mesh);
   for (Vec3& p : soup.points)
     p += Vec3(between(random, -by, by), between(random, -by, by), between(random, -by, by));
   return soup;

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -64,6 +66,45 @@ TEST_F(ToolBuilder, FacetsThatTurnMoreThanTheFeatureAngleStay) {
   EXPECT_NEAR(gap(), 0.038, 1e-3);
   ASSERT_EQ(notes_.size(), 2U);
   EXPECT_NE(notes_[1].find("nothing to smooth"), std::string::npos) << notes_[1];
+}
+
+/// What a press that strikes is built to.
+geometry::Blow blow_of(const PressMotion& motion) {
+  Tool tool;
+  tool.surface = PlaneSurface{};
+  tool.motion.translation = motion;
+  std::vector<std::string> notes;
+  const contact::Tool built = build_tool(tool, Analysis::solid, 10.0, notes);
+  EXPECT_EQ(built.motion.force->axis, Vec3(0, 0, -1));
+  return built.motion.force->blow.value_or(geometry::Blow{});
+}
+
+TEST(PressBuilder, AHammerHasTheShareOfItsEnergyAtItsSpeed) {
+  const geometry::Blow blow = blow_of(HammerMotion{{{0, 0, -2}, 0.8, {}}, 1.3, 5000.0});
+  EXPECT_EQ(blow.speed, 5000.0);
+  EXPECT_NEAR(blow.energy(), 0.8 * 0.5 * 1.3 * 25e6, 1e-12 * 13e6);
+}
+
+TEST(PressBuilder, AScrewPressHasTheEnergyOfItsFlywheelAndRam) {
+  constexpr double inertia = 8e5, pitch = 300.0, spin = 20.0, mass = 4.0;
+  const geometry::Blow blow =
+      blow_of(ScrewMotion{{{0, 0, -2}, 0.7, {}}, inertia, pitch, spin, mass});
+  EXPECT_NEAR(blow.speed, spin * pitch / (2.0 * std::numbers::pi), 1e-9);
+  const double energy = 0.5 * inertia * spin * spin + 0.5 * mass * blow.speed * blow.speed;
+  EXPECT_NEAR(blow.energy(), 0.7 * energy, 1e-9 * energy);
+}
+
+TEST(PressBuilder, ACrankIsInRadians) {
+  Tool tool;
+  tool.surface = PlaneSurface{};
+  tool.motion.translation = PressMotion{CrankMotion{{0, 0, -2}, 80.0, 480.0, 2.0, 90.0}};
+  std::vector<std::string> notes;
+  const contact::Tool built = build_tool(tool, Analysis::solid, 10.0, notes);
+  const double bottom = 0.25 * std::numbers::pi; // a quarter turn on
+  EXPECT_NEAR(built.motion.crank->slide_speed(bottom), 0.0, 1e-9);
+  // From a pin that stands aside to one at the bottom.
+  const double way = 80.0 + 480.0 - std::sqrt(480.0 * 480.0 - 80.0 * 80.0);
+  EXPECT_NEAR(built.motion.translation(bottom).z(), -way, 1e-9);
 }
 
 } // namespace

@@ -66,14 +66,7 @@ TEST(DrivenTools, are_where_the_press_of_that_travel_is) {
 /// A strip on a plane, pulled under a roll that is pressed in and turns as it likes.
 Scene idle_roll(double mu) {
   constexpr double radius = 10.0;
-  Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh(
-      {ElementKind::quad4, Vec3(-6, 0, 0), Vec3(6, 2, 0), {36, 6, 1}, {1, 1, 1}});
-  scene.material = billet_steel();
-  scene.supports.push_back(held(scene.mesh, 1, 0.0));
-  for (Support& support : scene.supports)
-    support.displacement = TimeFunction({{0.0, 0.0}});
+  Scene scene = strip_on_table(ElementKind::quad4, 6.0, 36, 6);
   Support pull = held(scene.mesh, 0, 6.0);
   pull.displacement = TimeFunction({{0.0, 0.0}, {1.0, 0.0}, {3.0, 4.0}});
   scene.supports.push_back(pull);
@@ -81,7 +74,6 @@ Scene idle_roll(double mu) {
                                   contact::Coulomb{mu});
   roll.motion.torque = geometry::Drive{roll.reference, Vec3::UnitZ(), TimeFunction(0.0)};
   scene.tools.push_back(std::move(roll));
-  scene.touch = {0};
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
   scene.stages.push_back({"roll", 3.0, {1}, false});
   return scene;

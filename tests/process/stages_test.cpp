@@ -14,14 +14,7 @@ namespace {
 constexpr double height = 15.0;
 
 Scene bar(ElementKind kind, double reduction, const contact::Friction& friction) {
-  const bool solid = mechanics::dimension(kind) == 3;
-  Upsetting u;
-  u.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
-  u.mesh = mechanics::box_mesh({kind,
-                                Vec3::Zero(),
-                                solid ? Vec3(5, 5, height) : Vec3(5, height, 0),
-                                {2, solid ? 2 : 4, 3},
-                                {1, 1, 1}});
+  Upsetting u = bar_upsetting(kind);
   u.friction = friction;
   u.reduction = reduction;
   Scene scene = upsetting_scene(std::move(u));
@@ -101,19 +94,13 @@ TEST(Stages, LetARollDragAStrip) {
   // A roll of radius 50 presses a strip on a smooth table, then turns by 2 mrad: what it holds goes
   // with it, R times the angle, and no torque is needed but for the way's elasticity.
   constexpr double radius = 50.0, angle = 2e-3, press = 0.01;
-  Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh(
-      {ElementKind::quad8, Vec3(-3, 0, 0), Vec3(3, 2, 0), {12, 4, 1}, {1, 1, 1}});
-  scene.material = billet_steel();
-  scene.supports.push_back(held(scene.mesh, 1, 0.0));
+  Scene scene = strip_on_table(ElementKind::quad8, 3.0, 12, 4);
   contact::Tool roll =
       roll_above(2.0, radius, TimeFunction({{0, 0}, {1, -press}}), contact::Sticking{});
   // The speed rises from 0 at t = 1 to its value at 1.5: the angle is 0.75 of value times second.
   roll.motion.rotation = geometry::Rotation{roll.reference, Vec3::UnitZ(),
                                             TimeFunction({{1.0, 0.0}, {1.5, angle / 0.75}})};
   scene.tools.push_back(std::move(roll));
-  scene.touch = {0};
   scene.contact_faces = faces_on(scene.mesh, 1, 2.0);
   scene.stages.push_back({"press and turn", 2.0, {1}, false});
   scene.landing_times = {1.0};

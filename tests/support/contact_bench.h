@@ -106,11 +106,17 @@ public:
          term.assemble({time_old, time, x, trial}, system).has_value();
     return system;
   }
-  /// Assembles a trial and makes it the committed state.
+  /// Assembles a trial and makes it the committed state; keeps the books of what the forces of the
+  /// nodes do on their way.
   void commit(const std::vector<double>& trial, double time) {
     assemble(trial, time);
     bulk.commit({time_old, time, x, trial});
     term.commit({time_old, time, x, trial});
+    const auto as_vector = [&](const std::vector<double>& v) {
+      return Eigen::Map<const Eigen::VectorXd>(v.data(), pattern.n_dofs());
+    };
+    entered -= 0.5 * (last_force + force()).dot(as_vector(trial) - as_vector(x));
+    last_force = force();
     x = trial;
     time_old = time;
   }
@@ -138,6 +144,8 @@ public:
   std::vector<double> x;
   mechanics::System system;
   mechanics::System bulk_system;
+  Eigen::VectorXd last_force = Eigen::VectorXd::Zero(pattern.n_dofs()); ///< committed [N]
+  double entered = 0.0; ///< work of the nodes against tools that stand [N mm]
   double time_old = 0.0;
   bool ok = false;
 };

@@ -140,6 +140,31 @@ inline Scene upsetting_scene(Upsetting u) {
   return scene;
 }
 
+/// A strip 2 mm high in plane strain that lies on y = 0, `half` to either side of x = 0.
+inline Scene strip_on_table(ElementKind kind, double half, int nx, int ny) {
+  Scene scene;
+  scene.analysis = Analysis::plane_strain;
+  scene.mesh =
+      mechanics::box_mesh({kind, Vec3(-half, 0, 0), Vec3(half, 2, 0), {nx, ny, 1}, {1, 1, 1}});
+  scene.material = billet_steel();
+  scene.supports.push_back(held(scene.mesh, 1, 0.0));
+  scene.touch = {0};
+  return scene;
+}
+
+/// A cylinder of radius 5 and height 15 by its meridian, or a quarter of a square bar.
+inline Upsetting bar_upsetting(ElementKind kind) {
+  const bool solid = mechanics::dimension(kind) == 3;
+  Upsetting u;
+  u.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
+  u.mesh = mechanics::box_mesh({kind,
+                                Vec3::Zero(),
+                                solid ? Vec3(5, 5, u.height) : Vec3(5, u.height, 0),
+                                {2, solid ? 2 : 4, 3},
+                                {1, 1, 1}});
+  return u;
+}
+
 /// The billet benchmark's half model (VALIDATION FRM-06): radius 10, half height 15.
 inline Scene billet_scene(ElementKind kind,
                           int nx,

@@ -18,6 +18,12 @@ struct Mistake {
   int lines_below = 0;  ///< the complaint's line below that of `to`; -1: somewhere above
 };
 
+/// A motion by a press that goes down.
+std::string press(const std::string& keys) {
+  const std::string down = keys.starts_with("direction") ? "" : ", direction = [0, -1]";
+  return "{ press = { " + keys + down + " } }";
+}
+
 const std::vector<Mistake>& mistakes() {
   static const std::string& plane = plane_case;
   static const std::string& space = space_case;
@@ -152,13 +158,40 @@ const std::vector<Mistake>& mistakes() {
       {plane, velocity, "{ velocity = [0, -1, 0] }", "allowed is a list of 2 numbers"},
       {plane, velocity, "{ velocity = [0, -1], displacement = [[0, 0, 0]] }", "given already"},
       {plane, velocity, "{}", "allowed is velocity, displacement"},
-      {plane, "motion = " + velocity, "", "no velocity, displacement or force to follow", 1},
+      {plane, "motion = " + velocity, "", "no velocity, displacement, force or press to follow", 1},
       {plane, velocity, "{ force = { direction = [1, -1], value = 1 } }",
        "found a radial part, allowed is [0, 1] or [0, -1]"},
       {plane, "rotation = {", "torque = { value = 1, point = [0, 0] }, rotation = {",
        "cannot turn by itself, allowed is force"},
       {plane, "[[0, 0, 0], [1, 0.5, 0]]", "[[0, 0], [1, 0.5]]", "allowed is a list of 3 numbers"},
       {plane, "\"30 rpm\"", "\"30 mm/s\"", "does not measure an angular speed"},
+      {plane, velocity, press(R"(kind = "crnk")"), "did you mean 'crank'?"},
+      {plane, velocity, press(R"(direction = [0, -1])"), "press.kind: missing"},
+      {plane, velocity, press(R"(kind = "crank", radius = 2, rod = 2, speed = 1)"),
+       "rod: found 2, allowed is more than the radius"},
+      {plane, velocity, press(R"(kind = "crank", radius = 2, rod = 3, speed = -1)"),
+       "found -1, allowed is a value >= 0"},
+      {plane, velocity, press(R"(kind = "crank", radius = 2, rod = 3, speed = "1 mm/s")"),
+       "does not measure an angular speed"},
+      {plane, velocity, press(R"(kind = "hammer", energy = 1)"),
+       "press: allowed is two of energy, mass and velocity"},
+      {plane, velocity, press(R"(kind = "hammer", energy = 1, mass = 1, velocity = 1)"),
+       "press: allowed is two of energy, mass and velocity"},
+      {plane, velocity, press(R"(kind = "hammer", energy = "1 kg", mass = 1)"),
+       "'kg' does not measure an energy"},
+      {plane, velocity, press(R"(kind = "hammer", energy = 1, mass = 1, efficiency = 0)"),
+       "found 0, allowed is 0 < value <= 1"},
+      {plane, velocity, press(R"(kind = "hammer", energy = 1, mass = 1)"),
+       "tool.punch.active: a press that strikes acts by stages", 3},
+      {plane, velocity,
+       R"({ press = { kind = "hammer", direction = [1, 0], mass = 1, velocity = 1 } })",
+       "found a radial part, allowed is [0, 1] or [0, -1]"},
+      {plane, velocity, press(R"(kind = "screw", inertia = 1, pitch = 2)"),
+       "press: allowed is either energy or speed"},
+      {plane, velocity, press(R"(kind = "screw", inertia = "1 kg", pitch = 2, speed = 1)"),
+       "'kg' does not measure a moment of inertia"},
+      {plane, velocity, press(R"(kind = "screw", inertia = 1, pitch = 2, speed = 1, rod = 2)"),
+       "press.rod: unknown key"},
       {plane, "active = [0, 2]", "active = [2, 0]", "allowed is from < to"},
       {plane, "active = [0, 2]", "wear = { law = \"archard\", K = 1, hardness = 1 }",
        "tool.punch.wear: not available"},

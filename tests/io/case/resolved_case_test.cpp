@@ -22,6 +22,17 @@ TEST(ResolvedCase, reads_back_equal) {
   expect_round_trip(read("units = \"m-N-s-Pa-degC\"\n" + space_case));
 }
 
+TEST(ResolvedCase, keeps_presses) {
+  Case content = read(space_case);
+  content.tools[0].motion.translation = PressMotion{
+      CrankMotion{{0, 0, -1}, 80.0, 480.0, TimeFunction({{0.0, 1.0}, {1.0, 3.0}}), 150}};
+  content.tools[1].motion.translation =
+      PressMotion{HammerMotion{{{0, 1, -1}, 0.8, 20.0}, 1.0 / 3.0, 5000.0}};
+  content.tools[2].motion.translation =
+      PressMotion{ScrewMotion{{{0, 0, -2}, 1.0, {}}, 8e5, 300.0, 0.1 + 0.2, 4.0}};
+  expect_round_trip(content);
+}
+
 TEST(ResolvedCase, keeps_every_bit_of_a_number) {
   Case content = read(space_case);
   content.time.end = 0.1 + 0.2;
