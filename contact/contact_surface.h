@@ -64,6 +64,9 @@ public:
   /// Index into the bulk's states of the integration point closest to a contact point.
   [[nodiscard]] std::size_t beneath(std::size_t point) const { return beneath_[point]; }
 
+  /// The same of all points, shape (n_points).
+  [[nodiscard]] std::span<const std::size_t> beneath() const { return beneath_; }
+
   /// Positions of all points, shape (n_points) [mm].
   void positions(std::span<const double> x, std::span<Vec3> out) const;
   /// Areas that the points stand for, shape (n_points) [mm^2].

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "contact/contact_term.h"
+#include "contact/process_window.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/scene.h"
@@ -103,6 +104,8 @@ public:
   [[nodiscard]] const mechanics::Bulk& bulk() const { return *bulk_; }
   [[nodiscard]] const contact::ContactTerm* contact() const { return contact_.get(); }
   [[nodiscard]] const contact::ContactSurface* surface() const { return surface_.get(); }
+  /// Pressure, sliding, strain and strain rate on the tools over the run.
+  [[nodiscard]] const contact::ProcessWindow& window() const { return window_; }
   /// Committed positions, shape (n_dofs) [mm].
   [[nodiscard]] std::span<const double> positions() const {
     return std::span(x_).first(x0_.size());
@@ -160,6 +163,8 @@ private:
   [[nodiscard]] bool passes_through(double dt, std::string& why) const;
   void accept(double dt);
   void update_energy();
+  /// Takes the increment just accepted into the sums over contact.
+  void account_contact(double dt);
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
   [[nodiscard]] RunStatus
   run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers);
@@ -186,6 +191,7 @@ private:
   std::vector<double> reactions_;
   contact::Penetration penetration_; ///< of the last try that Newton solved
   bool refused_as_too_deep_ = false; ///< the last try
+  contact::ProcessWindow window_;
   EnergyBalance energy_;
   double support_work_ = 0.0;
   double tool_energy_ = 0.0; ///< of penalties, gone with tools that left

@@ -14,7 +14,8 @@
 namespace billet::process {
 
 Process::Process(Scene scene)
-    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)) {
+    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)),
+      window_(scene_.tools.size()) {
   started_ = seconds_now();
   for (const Vec3& p : scene_.mesh.points)
     x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());

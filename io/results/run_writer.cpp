@@ -88,6 +88,22 @@ ordered_json energy_json(const process::EnergyBalance& e) {
           {"relative_error", e.error()}};
 }
 
+/// Of a pair that never touched only that.
+ordered_json window_json(const contact::Window& window) {
+  ordered_json json{{"contact_time", window.contact_time}};
+  if (window.contact_time > 0.0) {
+    json["mean_area"] = window.mean_area;
+    for (std::size_t q = 0; q < contact::n_window_quantities; ++q) {
+      const contact::WindowRange& range = window.ranges[q];
+      json[std::string(contact::window_names[q])] = {{"mean", range.mean},
+                                                     {"lowest", range.lowest},
+                                                     {"highest", range.highest},
+                                                     {"last_mean", range.last_mean}};
+    }
+  }
+  return json;
+}
+
 ordered_json tools_json(const process::Process& process) {
   ordered_json tools = ordered_json::object();
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
@@ -103,6 +119,7 @@ ordered_json tools_json(const process::Process& process) {
         {"touch_offset", {offset[0], offset[1], offset[2]}}};
     if (const double error = process.scene().tools[t].chord_error; error > 0.0)
       tools[process.scene().tools[t].name]["chord_error"] = error;
+    tools[process.scene().tools[t].name]["process_window"] = window_json(process.window().tool(t));
   }
   return tools;
 }
@@ -301,6 +318,8 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   summary["energy"] = energy_json(process.energy());
   summary["grounded_rigid_motions"] = process.grounded_motions();
   summary["tools"] = tools_json(process);
+  if (!process.scene().tools.empty())
+    summary["process_window"] = window_json(process.window().total());
   std::vector<std::string> warnings = facts_.warnings;
   if (std::string quality = warning(); !quality.empty())
     warnings.push_back(std::move(quality));
