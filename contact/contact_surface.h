@@ -15,6 +15,7 @@
 #include "mechanics/mesh.h"
 #include "mechanics/sparse_matrix.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -37,6 +38,12 @@ struct ContactSettings {
   double penalty_tangent = 10.0; ///< likewise, against slip [-]
   Method method = Method::penalty;
   std::optional<double> max_penetration = std::nullopt; ///< of any point of a face [mm]
+};
+
+/// The piece of a face that one of its points stands for: pieces of a face meet without gaps.
+struct Footprint {
+  std::array<Vec3, 4> corners; ///< the two ends in the plane; in space in turn [mm]
+  std::size_t n_corners = 0;
 };
 
 /// Faces and points; constant during a mesh's life.
@@ -71,6 +78,8 @@ public:
   void positions(std::span<const double> x, std::span<Vec3> out) const;
   /// Areas that the points stand for, shape (n_points) [mm^2].
   void areas(std::span<const double> x, std::span<double> out) const;
+  /// Its sides divide the face's coordinates like the weights of the rule.
+  [[nodiscard]] Footprint footprint(std::span<const double> x, std::size_t point) const;
   /// A face as the curve or surface that its nodes span.
   [[nodiscard]] geometry::BezierPatch patch(std::span<const double> x, Index face) const;
   /// Points spread over a face with its corners and edges, for a look at overlap [mm].

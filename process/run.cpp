@@ -197,6 +197,8 @@ void Process::account_contact(double dt) {
   for (const auto& state : bulk_->states())
     strain.push_back(state.plastic_strain);
   window_.add(contact_->closed(), {surface_->beneath(), strain, plastic_rate_}, dt);
+  if (wear_)
+    wear_->add(*contact_, x_, time_);
 }
 
 void Process::update_energy() {

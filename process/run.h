@@ -8,6 +8,7 @@
 
 #include "contact/contact_term.h"
 #include "contact/process_window.h"
+#include "contact/wear.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/scene.h"
@@ -106,6 +107,10 @@ public:
   [[nodiscard]] const contact::ContactSurface* surface() const { return surface_.get(); }
   /// Pressure, sliding, strain and strain rate on the tools over the run.
   [[nodiscard]] const contact::ProcessWindow& window() const { return window_; }
+  /// Null: no tool has a law of wear.
+  [[nodiscard]] const contact::Wear* wear() const { return wear_.get(); }
+  /// Committed unknowns: positions and driven tools, shape (n_dofs + n_extra) [mm].
+  [[nodiscard]] std::span<const double> unknowns() const { return x_; }
   /// Committed positions, shape (n_dofs) [mm].
   [[nodiscard]] std::span<const double> positions() const {
     return std::span(x_).first(x0_.size());
@@ -192,6 +197,7 @@ private:
   contact::Penetration penetration_; ///< of the last try that Newton solved
   bool refused_as_too_deep_ = false; ///< the last try
   contact::ProcessWindow window_;
+  std::unique_ptr<contact::Wear> wear_;
   EnergyBalance energy_;
   double support_work_ = 0.0;
   double tool_energy_ = 0.0; ///< of penalties, gone with tools that left

@@ -1,5 +1,6 @@
 // What a run is made of, and the checks that it can begin.
 
+#include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/loads.h"
@@ -31,6 +32,8 @@ Process::Process(Scene scene)
   check_overlap();
   if (contact_) {
     contact_->start(x_, 0.0);
+    if (contact::Wear::wanted(scene_.tools))
+      wear_ = std::make_unique<contact::Wear>(*surface_, scene_.tools, box_of(scene_.mesh.points));
     check_drives();
   }
 }

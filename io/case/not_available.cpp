@@ -36,7 +36,6 @@ constexpr std::array features{
     NotAvailable{"tool.*.friction.direction"},
     NotAvailable{"tool.*.friction.evolution"},
     NotAvailable{"tool.*.friction.table"},
-    NotAvailable{"tool.*.wear"},
     NotAvailable{"contact.integrator", "midpoint"},
     NotAvailable{"contact.substeps"},
     NotAvailable{"solver.accuracy", "draft"},

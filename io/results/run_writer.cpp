@@ -88,6 +88,28 @@ ordered_json energy_json(const process::EnergyBalance& e) {
           {"relative_error", e.error()}};
 }
 
+ordered_json wear_json(const process::Process& process, std::size_t tool) {
+  const contact::WearMap& map = *process.wear()->map(tool);
+  const double strokes = process.scene().tools[tool].wear->strokes;
+  const std::optional<contact::WearCell> deepest = map.deepest();
+  const double depth = deepest ? deepest->depth : 0.0;
+  ordered_json json{{"volume", map.volume()}, {"largest_depth", depth}};
+  if (deepest) {
+    const Vec3 at = deepest->shape.middle();
+    const Vec3 now = process.contact()->pose(tool, process.time(), process.unknowns()).to_space(at);
+    json["at"] = {now[0], now[1], now[2]};
+    json["at_in_tool_frame"] = {at[0], at[1], at[2]};
+  }
+  json["strokes"] = strokes;
+  json["volume_extrapolated"] = strokes * map.volume();
+  json["largest_depth_extrapolated"] = strokes * depth;
+  if (const auto& workpiece = process.wear()->workpiece(tool))
+    json["workpiece"] = {
+        {"volume", workpiece->volume},
+        {"largest_depth", *std::max_element(workpiece->depth.begin(), workpiece->depth.end())}};
+  return json;
+}
+
 /// Of a pair that never touched only that.
 ordered_json window_json(const contact::Window& window) {
   ordered_json json{{"contact_time", window.contact_time}};
@@ -119,6 +141,8 @@ ordered_json tools_json(const process::Process& process) {
         {"touch_offset", {offset[0], offset[1], offset[2]}}};
     if (const double error = process.scene().tools[t].chord_error; error > 0.0)
       tools[process.scene().tools[t].name]["chord_error"] = error;
+    if (process.wear() != nullptr && process.wear()->map(t))
+      tools[process.scene().tools[t].name]["wear"] = wear_json(process, t);
     tools[process.scene().tools[t].name]["process_window"] = window_json(process.window().tool(t));
   }
   return tools;
@@ -235,9 +259,11 @@ void RunWriter::write_frame(const process::Process& process) {
     select_fields(contact.cell_fields, content_->output);
     write_vtp(add("contact", ".vtp"), contact);
   }
-  for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
-    write_vtp(add("tool-" + process.scene().tools[t].name, ".vtp"),
-              tool_frame(process, t, points, settings_));
+  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
+    SurfaceFrame tool = tool_frame(process, t, points, settings_);
+    select_fields(tool.cell_fields, content_->output);
+    write_vtp(add("tool-" + process.scene().tools[t].name, ".vtp"), tool);
+  }
   write_pvd(folder_ / (name_ + ".pvd"), entries_);
   last_frame_ = process.time();
 }
