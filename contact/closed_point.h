@@ -19,6 +19,7 @@ struct ClosedPoint {
   Vec3 to = Vec3::Zero();     ///< where it is [mm]
   Vec3 foot = Vec3::Zero();   ///< closest point of the tool [mm]
   Vec3 normal = Vec3::Zero(); ///< of the tool there [-]
+  bool was_closed = false;    ///< when the increment began
   double pressure_old = 0.0;  ///< when the increment began; 0: it was open [MPa]
   double pressure = 0.0;      ///< [MPa]
   double slip = 0.0;          ///< irreversible sliding in the increment [mm]

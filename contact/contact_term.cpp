@@ -287,6 +287,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
                           .to = position,
                           .foot = state.foot[k].foot,
                           .normal = history.normal,
+                          .was_closed = old.closed(),
                           .pressure_old = old.pressure,
                           .pressure = now.pressure,
                           .slip = now.slip.norm(),

@@ -37,7 +37,7 @@ public:
   /// Whether any tool has a law of wear.
   [[nodiscard]] static bool wanted(std::span<const Tool> tools);
 
-  /// Takes the last committed increment of contact in. (W.2)-(W.4)
+  /// Takes the last committed increment of contact in. (W.2)-(W.4), (W.10)
   ///
   /// @param x  positions at its end, shape (n_dofs + n_extra) [mm]
   void add(const ContactTerm& contact, std::span<const double> x, double time);
@@ -52,8 +52,27 @@ public:
   [[nodiscard]] std::vector<double> workpiece_depth() const;
 
 private:
+  /// The workpiece when an increment ends, and a tool's place then.
+  struct Place {
+    std::span<const double> x;
+    geometry::Pose pose;
+  };
+
+  /// Wears tool and workpiece where a point slides.
+  ///
+  /// @param pressed_way  integral of the pressure over the way [MPa mm]
+  /// @param moved        where the footprint of now has to be moved to [mm]
+  void wear_off(std::size_t tool,
+                const ClosedPoint& at,
+                double pressed_way,
+                const Place& place,
+                const Vec3& moved);
+  /// What points that have opened wore off before they did.
+  void leave(std::size_t tool, std::span<const ClosedPoint> closed, const Place& place);
+
   const ContactSurface* surface_;
   std::span<const Tool> tools_;
+  std::vector<std::vector<ClosedPoint>> last_; ///< closed in the increment before, by tool
   std::vector<std::optional<WearMap>> maps_;
   std::vector<std::optional<WorkpieceWear>> workpiece_;
 };

@@ -14,10 +14,8 @@ struct Archard {
   double K;        ///< wear constant [-], >= 0
   double hardness; ///< H of what wears [MPa], > 0
 
-  /// Depth worn away [mm] where the pressure [MPa] has slid over a way [mm].
-  [[nodiscard]] double depth(double pressure, double way) const {
-    return K / hardness * pressure * way;
-  }
+  /// Depth worn away [mm] by the integral of the pressure over the way slid [MPa mm].
+  [[nodiscard]] double depth(double pressed_way) const { return K / hardness * pressed_way; }
 };
 
 /// Wear of a tool and of the workpiece on it.

@@ -112,7 +112,7 @@ WearMap::Imprint WearMap::imprint(const WornPatch& patch, const Vec3& shift, dou
   for (std::size_t i = 0; i < n; ++i) {
     imprint.radius2 =
         std::max(imprint.radius2, reserve * reserve * (corners[i] - patch.foot).squaredNorm());
-    turn += corners[i].cross(corners[(i + 1) % n]);
+    turn += (corners[i] - patch.foot).cross(corners[(i + 1) % n] - patch.foot);
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 side = corners[(i + 1) % n] - corners[i];

@@ -56,12 +56,12 @@ TEST(Wear, is_the_contact_integral_for_every_element) {
       if (radial) // its areas grow on the way
         continue;
       on.move({0.5, 0, 0});
-      const double depth = law.tool.depth(pressure, 0.5);
+      const double depth = law.tool.depth(pressure * 0.5);
       EXPECT_NEAR(on.volume() - before, depth * area, 1e-12 * depth * area) << body.name();
       const WorkpieceWear& workpiece = *on.wear.workpiece(0);
       for (const double worn : workpiece.depth)
-        EXPECT_NEAR(worn, law.workpiece->depth(pressure, 0.5), 1e-12 * worn);
-      EXPECT_NEAR(workpiece.volume, law.workpiece->depth(pressure, 0.5) * area,
+        EXPECT_NEAR(worn, law.workpiece->depth(pressure * 0.5), 1e-12 * worn);
+      EXPECT_NEAR(workpiece.volume, law.workpiece->depth(pressure * 0.5) * area,
                   1e-12 * workpiece.volume);
     }
 }
@@ -75,7 +75,7 @@ TEST(Wear, is_even_beneath_a_body_that_slides_evenly) {
     const double pressure = on.bench.term.results()[0].pressure;
     for (int i = 0; i < 30; ++i)
       on.move({0.1, 0, 0});
-    const double expected = law.tool.depth(pressure, 2.0);
+    const double expected = law.tool.depth(pressure * 2.0);
     double least = 1e300, most = 0.0;
     for (const WearCell& cell : on.wear.map(0)->cells()) {
       const Vec3 at = cell.shape.middle();
@@ -102,6 +102,24 @@ TEST(Wear, is_none_while_a_point_sticks) {
     ASSERT_EQ(on.bench.term.results()[0].status, Status::stick);
     EXPECT_EQ(on.volume(), 0.0);
     EXPECT_EQ(on.wear.workpiece_depth(), std::vector<double>(on.bench.surface.n_points(), 0.0));
+  }
+}
+
+TEST(Wear, counts_half_of_the_increments_at_its_ends_only_for_points_that_slide) {
+  // Down on the floor while it moves on, on, and up again while it moves on. (W.10)
+  for (const bool sticks : {false, true}) {
+    WearBench on(body_kinds()[4], sticks ? AnyFrictionLaw(Sticking{}) : Frictionless{});
+    on.move({0, 1e-2, 0});
+    on.move({0.1, -1.1e-2, 0});
+    EXPECT_EQ(on.volume(), 0.0) << "not known yet whether it slides";
+    const double pressure = on.bench.term.results()[0].pressure;
+    const double full = law.tool.depth(pressure * 0.1) * on.bench.term.area();
+    on.move({sticks ? 1e-7 : 0.1, 0, 0});
+    EXPECT_NEAR(on.volume(), sticks ? 0.0 : 1.25 * full, 1e-9 * full);
+    on.move({0.1, 1.1e-2, 0});
+    EXPECT_NEAR(on.volume(), sticks ? 0.0 : 1.5 * full, 1e-9 * full);
+    on.move({0.1, 0, 0});
+    EXPECT_NEAR(on.volume(), sticks ? 0.0 : 1.5 * full, 1e-9 * full) << "in the air";
   }
 }
 
@@ -151,11 +169,11 @@ TEST(Wear, turns_with_the_tool) {
     bench.commit(x, step / 90.0);
     wear.add(bench.term, bench.x, bench.time_old);
     for (const ClosedPoint& at : bench.term.closed()[0])
-      expected += law.tool.depth(at.pressure, at.slip) * at.area;
+      expected += law.tool.depth(at.pressure * at.slip) * at.area;
   }
   EXPECT_NEAR(wear.map(0)->volume(), expected, 1e-12 * expected);
   const double way = radius * quarter;
-  EXPECT_NEAR(expected, law.tool.depth(pressed, way), 0.02 * expected); // chords, places inside
+  EXPECT_NEAR(expected, law.tool.depth(pressed * way), 0.02 * expected); // chords, places inside
   double arc = 0.0;
   for (const WearCell& cell : wear.map(0)->cells())
     if (cell.depth > 0.0)
