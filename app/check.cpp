@@ -91,8 +91,8 @@ void print_mesh(const process::Scene& scene, const io::Case& content) {
 }
 
 void print_activity(const process::Scene& scene, const process::Process& process) {
-  fmt::print("active: {} unknowns a node, rate-independent, isothermal, no wear, no remeshing\n",
-             scene.mesh.dimension());
+  fmt::print("active: {} unknowns a node, rate-independent, isothermal, {}wear, no remeshing\n",
+             scene.mesh.dimension(), process.wear() != nullptr ? "" : "no ");
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const contact::Tool& tool = scene.tools[t];
     fmt::print(

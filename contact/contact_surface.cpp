@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace billet::contact {
 
@@ -149,6 +150,39 @@ PointShares ContactSurface::shares(std::span<const double> x, std::size_t point)
       shares.areas.push_back(N * at.measure);
   });
   return shares;
+}
+
+Footprint ContactSurface::footprint(std::span<const double> x, std::size_t point) const {
+  return visit_contact_face(kind_, form_, [&](auto shape, auto rule) {
+    using Shape = decltype(shape);
+    using Rule = decltype(rule);
+    constexpr int dim = Shape::dim + 1;
+    std::array<double, std::size_t{Shape::nodes} * dim> local{};
+    mechanics::gather(x, scatter_.nodes(static_cast<Index>(point / idx(points_))), dim,
+                      local.data());
+    std::array<std::array<double, 2>, Shape::dim> ends;
+    int i = static_cast<int>(point % idx(points_));
+    for (auto& [low, high] : ends) {
+      low = -1.0;
+      for (int before = 0; before < i % Rule::per_direction; ++before)
+        low += mechanics::GaussLine<Rule::per_direction>::w[idx(before)];
+      high = low + mechanics::GaussLine<Rule::per_direction>::w[idx(i % Rule::per_direction)];
+      i /= Rule::per_direction;
+    }
+    Footprint footprint;
+    const auto add = [&](const mechanics::RefPoint<Shape::dim>& xi) {
+      footprint.corners[footprint.n_corners++] =
+          FacePoint<Shape>(analysis_, local.data(), xi, 1.0).position;
+    };
+    if constexpr (Shape::dim == 1) {
+      add({ends[0][0]});
+      add({ends[0][1]});
+    } else {
+      for (const auto& [first, second] : {std::pair{0U, 0U}, {1U, 0U}, {1U, 1U}, {0U, 1U}})
+        add({ends[0][first], ends[1][second]});
+    }
+    return footprint;
+  });
 }
 
 geometry::BezierPatch ContactSurface::patch(std::span<const double> x, Index face) const {

@@ -15,6 +15,7 @@
 #include "mechanics/mesh.h"
 #include "mechanics/sparse_matrix.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -46,6 +47,12 @@ struct PointShares {
   std::vector<double> areas; ///< shape (nodes) [mm^2]
 };
 
+/// The piece of a face that one of its points stands for: pieces of a face meet without gaps.
+struct Footprint {
+  std::array<Vec3, 4> corners; ///< the two ends in the plane; in space in turn [mm]
+  std::size_t n_corners = 0;
+};
+
 /// Faces and points; constant during a mesh's life.
 class ContactSurface {
 public:
@@ -72,12 +79,17 @@ public:
   /// Index into the bulk's states of the integration point closest to a contact point.
   [[nodiscard]] std::size_t beneath(std::size_t point) const { return beneath_[point]; }
 
+  /// The same of all points, shape (n_points).
+  [[nodiscard]] std::span<const std::size_t> beneath() const { return beneath_; }
+
   /// Positions of all points, shape (n_points) [mm].
   void positions(std::span<const double> x, std::span<Vec3> out) const;
   /// Areas that the points stand for, shape (n_points) [mm^2].
   void areas(std::span<const double> x, std::span<double> out) const;
   /// How the traction at a point is shared by the nodes of its face.
   [[nodiscard]] PointShares shares(std::span<const double> x, std::size_t point) const;
+  /// Its sides divide the face's coordinates like the weights of the rule.
+  [[nodiscard]] Footprint footprint(std::span<const double> x, std::size_t point) const;
   /// A face as the curve or surface that its nodes span.
   [[nodiscard]] geometry::BezierPatch patch(std::span<const double> x, Index face) const;
   /// Points spread over a face with its corners and edges, for a look at overlap [mm].

@@ -40,7 +40,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
       enabled_(tools.size(), 1), held_(tools.size(), 0), positions_(surface.n_points()),
       areas_(surface.n_points()), traction_(surface.n_points()), dtraction_(surface.n_points()),
-      touched_(surface.n_points()), loads_(tools.size()), drives_(drive_unknowns(tools)),
+      touched_(surface.n_points()), loads_(tools.size()), closed_(tools.size()), drives_(drive_unknowns(tools)),
       scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
@@ -273,6 +273,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   const Penalty penalty = this->penalty();
   state.stored = 0.0;
   state.touches = false;
+  closed_[t].clear();
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Traction& now = state.trial[k];
     PointHistory& history = state.history[k];
@@ -285,7 +286,8 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
     work_.friction += shear.friction_work * areas_[k];
     work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);
-    history = PointHistory{.position = position, .sliding = sliding};
+    const PointHistory old =
+        std::exchange(history, PointHistory{.position = position, .sliding = sliding});
     if (now.status == Status::open) {
       state.multiplier[k] = 0.0;
       continue;
@@ -297,6 +299,17 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     history.limit = now.limit;
     history.stiffness = shear.stiffness;
     state.touches = true;
+    closed_[t].push_back({.point = k,
+                          .from = old.position,
+                          .to = position,
+                          .foot = state.foot[k].foot,
+                          .normal = history.normal,
+                          .was_closed = old.closed(),
+                          .pressure_old = old.pressure,
+                          .pressure = now.pressure,
+                          .slip = now.slip.norm(),
+                          .sliding = sliding,
+                          .area = areas_[k]});
     state.stored +=
         areas_[k] * (stored(now, history.multiplier) + shear_energy(now.shear, history.stiffness));
     // Around the full turn radial forces and all torques cancel.
@@ -362,6 +375,7 @@ std::vector<double> ContactTerm::release(std::size_t tool) {
   state.stored = 0.0;
   state.touches = false;
   loads_[tool] = ToolLoad{};
+  closed_[tool].clear();
   return forces;
 }
 

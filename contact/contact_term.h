@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include "contact/closed_point.h"
 #include "contact/contact_surface.h"
 #include "contact/interface_law.h"
 #include "contact/tool.h"
@@ -125,6 +126,8 @@ public:
   [[nodiscard]] const ContactWork& work() const { return work_; }
   /// Points of the last committed trial, shape (n_points).
   [[nodiscard]] std::vector<PointResult> results() const;
+  /// What the points closed on each tool did in the last committed increment, shape (n_tools).
+  [[nodiscard]] std::span<const std::vector<ClosedPoint>> closed() const { return closed_; }
   /// Area in contact of the last committed trial [mm^2].
   [[nodiscard]] double area() const { return area_; }
   /// Penetration at the last assembled trial, over whole faces.
@@ -220,6 +223,7 @@ private:
   std::vector<Mat3> dtraction_;
   std::vector<char> touched_;
   std::vector<ToolLoad> loads_;
+  std::vector<std::vector<ClosedPoint>> closed_;
   std::vector<DriveUnknown> drives_;
   DriveScale scale_;
   ContactWork work_;

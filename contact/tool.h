@@ -1,12 +1,14 @@
-// A rigid tool: a name, a shape, a motion and the friction on it.
+// A rigid tool: a name, a shape, a motion, and friction and wear on it.
 
 #pragma once
 
 #include "contact/friction/friction.h"
+#include "contact/wear_law.h"
 #include "geometry/motion.h"
 #include "geometry/rigid_surface.h"
 
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace billet::contact {
@@ -17,6 +19,7 @@ struct Tool {
   geometry::SurfacePtr surface; ///< in the tool's frame
   geometry::Motion motion;
   Friction friction;
+  std::optional<PairWear> wear = std::nullopt; ///< absent: none is looked at
   Vec3 reference = Vec3::Zero(); ///< point in the tool's frame about which torques are taken [mm]
   /// How far the shape that facets stand for may lie off them, an estimate; 0: a formula [mm].
   double chord_error = 0.0;

@@ -232,6 +232,20 @@ contact::SlipScheme scheme_of(const ContactSettings& settings) {
   return {contact::Integrator::radial};
 }
 
+contact::PairWear pair_wear(const Tool& tool, const Material& material, const std::string& place) {
+  contact::PairWear wear{{tool.wear->K, tool.wear->hardness}, std::nullopt, tool.wear->strokes};
+  if (tool.wear->K_workpiece && !material.hardness)
+    throw Error(
+        Fault::case_file, place,
+        fmt::format("tool '{}': its wear has K_workpiece, but nothing gives the hardness of "
+                    "the workpiece",
+                    tool.name),
+        "give the material its hardness");
+  if (tool.wear->K_workpiece)
+    wear.workpiece = contact::Archard{*tool.wear->K_workpiece, *material.hardness};
+  return wear;
+}
+
 void add_tools(const Case& content, BuiltScene& built, const std::string& place) {
   process::Scene& scene = built.scene;
   Box workpiece;
@@ -240,6 +254,9 @@ void add_tools(const Case& content, BuiltScene& built, const std::string& place)
   for (const Tool& tool : content.tools) {
     scene.tools.push_back(build_tool(tool, content.analysis, workpiece.size(), built.notes));
     scene.touch.push_back(tool.touch ? 1 : 0);
+    if (tool.wear)
+      scene.tools.back().wear =
+          pair_wear(tool, content.materials.at(content.workpiece.material), place);
     if (scene.tools.back().friction.follows_material() &&
         std::holds_alternative<mechanics::Elastic>(scene.material.flow))
       throw Error(Fault::case_file, place,

@@ -183,6 +183,19 @@ void Process::accept(double dt) {
   ++increment_;
   iterations_ += last_iterations_;
   update_energy();
+  account_contact(dt);
+}
+
+void Process::account_contact(double dt) {
+  if (!contact_)
+    return;
+  std::vector<double> strain;
+  strain.reserve(bulk_->states().size());
+  for (const auto& state : bulk_->states())
+    strain.push_back(state.plastic_strain);
+  window_.add(contact_->closed(), {surface_->beneath(), strain, plastic_rate_}, dt);
+  if (wear_)
+    wear_->add(*contact_, x_, time_);
 }
 
 void Process::update_energy() {

@@ -7,6 +7,8 @@
 #pragma once
 
 #include "contact/contact_term.h"
+#include "contact/process_window.h"
+#include "contact/wear.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
@@ -107,6 +109,12 @@ public:
   [[nodiscard]] const mechanics::Bulk& bulk() const { return *bulk_; }
   [[nodiscard]] const contact::ContactTerm* contact() const { return contact_.get(); }
   [[nodiscard]] const contact::ContactSurface* surface() const { return surface_.get(); }
+  /// Pressure, sliding, strain and strain rate on the tools over the run.
+  [[nodiscard]] const contact::ProcessWindow& window() const { return window_; }
+  /// Null: no tool has a law of wear.
+  [[nodiscard]] const contact::Wear* wear() const { return wear_.get(); }
+  /// Committed unknowns: positions and driven tools, shape (n_dofs + n_extra) [mm].
+  [[nodiscard]] std::span<const double> unknowns() const { return x_; }
   /// Committed positions, shape (n_dofs) [mm].
   [[nodiscard]] std::span<const double> positions() const {
     return std::span(x_).first(x0_.size());
@@ -180,6 +188,8 @@ private:
   [[nodiscard]] bool passes_through(double dt, std::string& why) const;
   void accept(double dt);
   void update_energy();
+  /// Takes the increment just accepted into the sums over contact.
+  void account_contact(double dt);
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
   [[nodiscard]] RunStatus
   run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers);
@@ -208,6 +218,8 @@ private:
   std::vector<double> reactions_;
   contact::Penetration penetration_; ///< of the last try that Newton solved
   bool refused_as_too_deep_ = false; ///< the last try
+  contact::ProcessWindow window_;
+  std::unique_ptr<contact::Wear> wear_;
   EnergyBalance energy_;
   double support_work_ = 0.0;
   double tool_energy_ = 0.0; ///< of penalties, gone with tools that left

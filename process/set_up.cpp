@@ -1,5 +1,6 @@
 // What a run is made of, and the checks that it can begin.
 
+#include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/loads.h"
@@ -15,7 +16,8 @@
 namespace billet::process {
 
 Process::Process(Scene scene)
-    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)) {
+    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)),
+      window_(scene_.tools.size()) {
   started_ = seconds_now();
   for (const Vec3& p : scene_.mesh.points)
     x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());
@@ -31,6 +33,8 @@ Process::Process(Scene scene)
   check_overlap();
   if (contact_) {
     contact_->start(x_, 0.0);
+    if (contact::Wear::wanted(scene_.tools))
+      wear_ = std::make_unique<contact::Wear>(*surface_, scene_.tools, box_of(scene_.mesh.points));
     check_drives();
   }
 }

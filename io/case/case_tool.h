@@ -306,10 +306,12 @@ struct Friction {
   bool operator==(const Friction&) const = default;
 };
 
-/// Archard's law. (Not available in this version.)
+/// Archard's law.
 struct Wear {
-  double K = 0.0;        ///< [-]
-  double hardness = 0.0; ///< [MPa]
+  double K = 0.0;                    ///< of the tool [-]
+  double hardness = 0.0;             ///< of the tool [MPa]
+  std::optional<double> K_workpiece; ///< with the material's hardness; absent: not asked for [-]
+  double strokes = 1.0;              ///< to extrapolate the tool's wear to
 
   bool operator==(const Wear&) const = default;
 };

@@ -28,7 +28,6 @@ constexpr std::array features{
     NotAvailable{"material.*.flow.law", "perzyna"},
     NotAvailable{"material.*.flow.law", "johnson-cook"},
     NotAvailable{"material.*.flow.law", "hansel-spittel"},
-    NotAvailable{"tool.*.wear"},
     NotAvailable{"solver.accuracy", "draft"},
     NotAvailable{"solver.accuracy", "fine"},
     NotAvailable{"remesh"},

@@ -84,6 +84,7 @@ std::vector<std::string> field_names() {
           "contact_status",
           "sliding_distance",
           "wear_depth",
+          "wear_depth_extrapolated",
           "element_quality"};
 }
 

@@ -47,6 +47,8 @@ std::optional<Wear> as_wear(const At& at) {
   table.required("law", law, [&](const At& word) { return as_word(word, laws); });
   table.required("K", wear.K, as_number, not_negative_number);
   table.required("hardness", wear.hardness, as_number, positive_stress);
+  table.optional("K_workpiece", wear.K_workpiece, as_number, not_negative_number);
+  table.optional("strokes", wear.strokes, as_number, Number{quantity::number, Bounds{1.0}});
   table.finish();
   return wear;
 }

@@ -252,6 +252,9 @@ std::string toml_text(const Tool& tool, int size) {
     wear.add("law", "\"archard\"")
         .add("K", toml_text(tool.wear->K))
         .add("hardness", toml_text(tool.wear->hardness));
+    if (tool.wear->K_workpiece)
+      wear.add("K_workpiece", toml_text(*tool.wear->K_workpiece));
+    wear.add("strokes", toml_text(tool.wear->strokes));
     table.add("wear", wear.on_one_line());
   }
   if (tool.active)

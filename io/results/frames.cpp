@@ -3,6 +3,7 @@
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
+#include "io/results/wear_frame.h"
 #include "mechanics/elements/elements.h"
 #include "mechanics/mesh_check.h"
 
@@ -104,6 +105,9 @@ void add_contact(const process::Process& process, const FrameSettings& s, Workpi
   std::vector<double> shear(3 * n, 0.0);
   std::vector<double> sliding(n, 0.0);
   std::vector<double> status(n, 0.0);
+  const std::vector<double> worn =
+      process.wear() != nullptr ? process.wear()->workpiece_depth() : std::vector<double>{};
+  std::vector<double> wear(worn.empty() ? 0 : n, 0.0);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const Index face = static_cast<Index>(k / idx(surface.points()));
     for (const Index node : surface.scatter().nodes(face)) {
@@ -111,6 +115,8 @@ void add_contact(const process::Process& process, const FrameSettings& s, Workpi
       count[a] += 1.0;
       pressure[a] += results[k].pressure;
       sliding[a] += results[k].sliding;
+      if (!worn.empty())
+        wear[a] += worn[k];
       status[a] = std::max(status[a], static_cast<double>(results[k].status));
       for (std::size_t d = 0; d < 3; ++d)
         shear[3 * a + d] += results[k].shear[static_cast<Index>(d)];
@@ -120,6 +126,8 @@ void add_contact(const process::Process& process, const FrameSettings& s, Workpi
     const double share = count[a] > 0.0 ? 1.0 / count[a] : 0.0;
     pressure[a] *= share;
     sliding[a] *= share;
+    if (!wear.empty())
+      wear[a] *= share;
     for (std::size_t d = 0; d < 3; ++d)
       shear[3 * a + d] *= share;
   }
@@ -127,6 +135,8 @@ void add_contact(const process::Process& process, const FrameSettings& s, Workpi
   frame.point_fields.push_back({"friction_stress", 3, std::move(shear), s.units.stress});
   frame.point_fields.push_back({"sliding_distance", 1, std::move(sliding), s.units.length});
   frame.point_fields.push_back({"contact_status", 1, std::move(status), "0 open 1 stick 2 slip"});
+  if (!wear.empty())
+    frame.point_fields.push_back({"wear_depth", 1, std::move(wear), s.units.length});
 }
 
 Notes notes_of(const FrameSettings& settings) {
@@ -151,6 +161,8 @@ const std::vector<std::string>& known_fields() {
                                               "contact_status",
                                               "gap",
                                               "element_quality",
+                                              "wear_depth",
+                                              "wear_depth_extrapolated",
                                               "mean_stress"};
   return names;
 }
@@ -271,10 +283,16 @@ SurfaceFrame tool_frame(const process::Process& process,
     window.add(pose.to_tool(p));
   }
   const bool planar = process.scene().mesh.dimension() == 2;
-  const geometry::DisplayMesh shape = rigid.surface->display(window, planar);
   SurfaceFrame frame;
   frame.time = process.time();
   frame.notes = notes_of(settings);
+  if (process.wear() != nullptr && process.wear()->map(tool)) {
+    add_wear(*process.wear()->map(tool), rigid, window, settings.units.length, frame);
+    for (Vec3& p : frame.points)
+      p = pose.to_space(p);
+    return frame;
+  }
+  const geometry::DisplayMesh shape = rigid.surface->display(window, planar);
   for (const Vec3& p : shape.points)
     frame.points.push_back(pose.to_space(p));
   for (const auto& line : shape.lines)

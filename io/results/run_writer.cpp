@@ -88,6 +88,44 @@ ordered_json energy_json(const process::EnergyBalance& e) {
           {"relative_error", e.error()}};
 }
 
+ordered_json wear_json(const process::Process& process, std::size_t tool) {
+  const contact::WearMap& map = *process.wear()->map(tool);
+  const double strokes = process.scene().tools[tool].wear->strokes;
+  const std::optional<contact::WearCell> deepest = map.deepest();
+  const double depth = deepest ? deepest->depth : 0.0;
+  ordered_json json{{"volume", map.volume()}, {"largest_depth", depth}};
+  if (deepest) {
+    const Vec3 at = deepest->shape.middle();
+    const Vec3 now = process.contact()->pose(tool, process.time(), process.unknowns()).to_space(at);
+    json["at"] = {now[0], now[1], now[2]};
+    json["at_in_tool_frame"] = {at[0], at[1], at[2]};
+  }
+  json["strokes"] = strokes;
+  json["volume_extrapolated"] = strokes * map.volume();
+  json["largest_depth_extrapolated"] = strokes * depth;
+  if (const auto& workpiece = process.wear()->workpiece(tool))
+    json["workpiece"] = {
+        {"volume", workpiece->volume},
+        {"largest_depth", *std::max_element(workpiece->depth.begin(), workpiece->depth.end())}};
+  return json;
+}
+
+/// Of a pair that never touched only that.
+ordered_json window_json(const contact::Window& window) {
+  ordered_json json{{"contact_time", window.contact_time}};
+  if (window.contact_time > 0.0) {
+    json["mean_area"] = window.mean_area;
+    for (std::size_t q = 0; q < contact::n_window_quantities; ++q) {
+      const contact::WindowRange& range = window.ranges[q];
+      json[std::string(contact::window_names[q])] = {{"mean", range.mean},
+                                                     {"lowest", range.lowest},
+                                                     {"highest", range.highest},
+                                                     {"last_mean", range.last_mean}};
+    }
+  }
+  return json;
+}
+
 ordered_json tools_json(const process::Process& process) {
   ordered_json tools = ordered_json::object();
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
@@ -103,6 +141,9 @@ ordered_json tools_json(const process::Process& process) {
         {"touch_offset", {offset[0], offset[1], offset[2]}}};
     if (const double error = process.scene().tools[t].chord_error; error > 0.0)
       tools[process.scene().tools[t].name]["chord_error"] = error;
+    if (process.wear() != nullptr && process.wear()->map(t))
+      tools[process.scene().tools[t].name]["wear"] = wear_json(process, t);
+    tools[process.scene().tools[t].name]["process_window"] = window_json(process.window().tool(t));
   }
   return tools;
 }
@@ -235,9 +276,11 @@ void RunWriter::write_frame(const process::Process& process) {
     select_fields(contact.cell_fields, content_->output);
     write_vtp(add("contact", ".vtp"), contact);
   }
-  for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
-    write_vtp(add("tool-" + process.scene().tools[t].name, ".vtp"),
-              tool_frame(process, t, points, settings_));
+  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
+    SurfaceFrame tool = tool_frame(process, t, points, settings_);
+    select_fields(tool.cell_fields, content_->output);
+    write_vtp(add("tool-" + process.scene().tools[t].name, ".vtp"), tool);
+  }
   write_pvd(folder_ / (name_ + ".pvd"), entries_);
   last_frame_ = process.time();
 }
@@ -322,6 +365,8 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   }
   summary["grounded_rigid_motions"] = process.grounded_motions();
   summary["tools"] = tools_json(process);
+  if (!process.scene().tools.empty())
+    summary["process_window"] = window_json(process.window().total());
   std::vector<std::string> warnings = facts_.warnings;
   if (std::string quality = warning(); !quality.empty())
     warnings.push_back(std::move(quality));

@@ -24,6 +24,7 @@ template <> struct GaussLine<3> {
 
 /// n^dim points; the first coordinate runs fastest.
 template <int dim, int n> struct GaussRule {
+  static constexpr int per_direction = n;
   static constexpr int points = dim == 1 ? n : dim == 2 ? n * n : n * n * n;
 
   static constexpr std::array<double, dim> point(int i) {

@@ -136,9 +136,9 @@ std::vector<Broken> later_versions() {
           {"\"norton-hoff\" is not available in this version"}),
       one("later_remeshing", "[time]", "[remesh]\nwhen = { quality = 0.2 }\n[time]",
           {"remesh: not available in this version"}, "[remesh]"),
-      one("later_wear", punch_friction,
-          punch_friction + "\nwear = { law = \"archard\", K = 1e-6, hardness = 800 }",
-          {"tool.punch.wear: not available in this version"}, "wear ="),
+      one("wear_of_less_than_a_stroke", punch_friction,
+          punch_friction + "\nwear = { law = \"archard\", K = 1e-6, hardness = 800, strokes = 0 }",
+          {"tool.punch.wear.strokes: found 0, allowed is a value >= 1"}, "wear ="),
   };
 }
 

@@ -105,6 +105,17 @@ void expect_good_summary(const std::filesystem::path& folder, const std::string&
     EXPECT_TRUE(summary.at("energy").at(key).is_number()) << key;
   // The work of the tools is a trapezoidal sum: an increment across the onset of yield is too much.
   EXPECT_LT(summary.at("energy").at("relative_error"), 0.25);
+  for (const nlohmann::json& window :
+       {summary.at("process_window"), summary.at("tools").at(tool).at("process_window")}) {
+    EXPECT_GT(window.at("contact_time"), 0.0);
+    EXPECT_GT(window.at("mean_area"), 0.0);
+    for (const char* key : {"pressure", "sliding_speed", "sliding_distance", "surface_strain",
+                            "surface_strain_rate"}) {
+      EXPECT_LE(window.at(key).at("lowest"), window.at(key).at("mean")) << key;
+      EXPECT_LE(window.at(key).at("mean"), window.at(key).at("highest")) << key;
+      EXPECT_TRUE(window.at(key).at("last_mean").is_number()) << key;
+    }
+  }
   for (const char* key : {"total", "assembly", "linear_solver", "output"})
     EXPECT_GE(summary.at("seconds").at(key), 0.0) << key;
   const ResultTable history = read_table(folder / "history.csv");

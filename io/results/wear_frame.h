@@ -1,0 +1,24 @@
+// A tool drawn by the cells of its wear map, with the depth worn away.
+
+#pragma once
+
+#include "contact/tool.h"
+#include "contact/wear_map.h"
+#include "io/results/vtk_writer.h"
+
+#include <string>
+
+namespace billet::io {
+
+/// Adds the cells of a tool with the fields `wear_depth` and, if strokes are asked for,
+/// `wear_depth_extrapolated`. (W.7)
+///
+/// @param window  about the workpiece; a shape without end is drawn up to its size around it [mm]
+/// @param frame   receives points in the tool's frame
+void add_wear(const contact::WearMap& map,
+              const contact::Tool& tool,
+              const Box& window,
+              const std::string& unit_of_length,
+              SurfaceFrame& frame);
+
+} // namespace billet::io
