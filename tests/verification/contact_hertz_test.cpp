@@ -40,7 +40,8 @@ mechanics::Mesh block(ElementKind kind, double a) {
   constexpr int grown = 30; // elements that grow outwards
   constexpr double ratio = 1.17;
   const double h = a / 8.0;
-  const auto place = [&](double cells) {
+  const auto place = [&](double coordinate) {
+    const double cells = 0.5 * std::round(2.0 * coordinate); // without its rounding
     if (cells <= even)
       return h * cells;
     // Mid-side nodes lie in the middle of their corners.
