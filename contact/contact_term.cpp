@@ -40,8 +40,8 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
       enabled_(tools.size(), 1), held_(tools.size(), 0), positions_(surface.n_points()),
       areas_(surface.n_points()), traction_(surface.n_points()), dtraction_(surface.n_points()),
-      touched_(surface.n_points()), loads_(tools.size()), closed_(tools.size()), drives_(drive_unknowns(tools)),
-      scale_(drives) {
+      touched_(surface.n_points()), loads_(tools.size()), closed_(tools.size()),
+      drives_(drive_unknowns(tools)), scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
   for (ToolState& state : states_) {
@@ -50,6 +50,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
     state.trial.resize(n);
     state.position.resize(n);
     state.foot.resize(n);
+    state.changes.resize(n, 0);
     state.queried_at.resize(n, Vec3::Zero());
     state.known_gap.resize(n, -std::numeric_limits<double>::infinity());
     state.force.resize(n, Vec3::Zero());
@@ -147,10 +148,24 @@ int ContactTerm::evaluate(const Tool& tool,
       in.strength = strength(tool.friction, k);
       state.trial[k] = traction(tool.friction, penalty, old, in, surface_->scheme());
     }
-    if (state.trial[k].status != before)
+    if (state.trial[k].status != before) {
       ++changes;
+      ++state.changes[k];
+    }
   }
   return changes;
+}
+
+std::vector<ContactTerm::Restless> ContactTerm::restless() const {
+  constexpr int many = 4; // points on their way to contact or to slip change once or twice
+  std::vector<Restless> points;
+  for (std::size_t t = 0; t < states_.size(); ++t)
+    for (std::size_t k = 0; k < positions_.size(); ++k)
+      if (states_[t].changes[k] >= many)
+        points.push_back({t, positions_[k], states_[t].changes[k]});
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Restless& a, const Restless& b) { return a.changes > b.changes; });
+  return points;
 }
 
 bool ContactTerm::many_parted(const ToolState& state) const {
@@ -261,6 +276,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
     work_.stored += states_[t].stored;
   }
   stiffening_old_ = stiffening_;
+  stiffening_next_ = stiffening_;
 }
 
 void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {

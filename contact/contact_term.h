@@ -107,10 +107,22 @@ public:
   void restart();
   /// Makes the normal penalty stiffer from the next trial on. (C.21)
   void stiffen(double factor) { stiffening_ *= factor; }
+  /// Changes the penalty with which the tries of the next increment begin; below that of the case
+  /// the one against slip follows. (C.24)
+  void begin_with_stiffness(double factor) { stiffening_next_ *= factor; }
   /// Makes the pressures of the last trial the multipliers of the next. (C.22)
   void augment();
   /// Penalty now over the penalty of the case [-].
   [[nodiscard]] double stiffening() const { return stiffening_; }
+
+  /// A contact point that keeps changing between open, stick and slip.
+  struct Restless {
+    std::size_t tool;
+    Vec3 position; ///< in space [mm]
+    int changes;   ///< of its status in this try
+  };
+  /// Points that have changed in many evaluations of this try, the most restless first.
+  [[nodiscard]] std::vector<Restless> restless() const;
 
   /// Tools that may act now (a stage's choice), one flag a tool.
   void enable(std::vector<char> enabled) { enabled_ = std::move(enabled); }
@@ -152,6 +164,7 @@ private:
     std::vector<Traction> trial;
     std::vector<Vec3> position; ///< tried, tool frame
     std::vector<geometry::Projection> foot;
+    std::vector<int> changes; ///< of status in this try
     std::vector<Vec3> queried_at; ///< where `known_gap` holds
     std::vector<double> known_gap;
     std::vector<Vec3> force;          ///< committed force on the workpiece, in space
@@ -229,7 +242,8 @@ private:
   ContactWork work_;
   double area_ = 0.0;
   double stiffening_ = 1.0;     ///< of the normal penalty in the trial [-]
-  double stiffening_old_ = 1.0; ///< in the committed state [-]
+  double stiffening_old_ = 1.0;  ///< in the committed state [-]
+  double stiffening_next_ = 1.0; ///< at the beginning of a try [-]
 };
 
 } // namespace billet::contact

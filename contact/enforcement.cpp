@@ -1,5 +1,5 @@
 // How contact keeps a limit of penetration: stiffer penalties, or multipliers; and what their
-// changes do to the balance of energy. (C.20)-(C.23)
+// changes do to the balance of energy. (C.20)-(C.24)
 
 #include "contact/contact_term.h"
 
@@ -10,14 +10,17 @@ namespace billet::contact {
 Penalty ContactTerm::penalty() const {
   Penalty penalty = surface_->penalty();
   penalty.normal *= stiffening_;
+  penalty.tangent *= std::min(1.0, stiffening_);
   return penalty;
 }
 
 void ContactTerm::restart() {
-  stiffening_ = stiffening_old_;
-  for (ToolState& state : states_)
+  stiffening_ = stiffening_next_;
+  for (ToolState& state : states_) {
+    std::fill(state.changes.begin(), state.changes.end(), 0);
     for (std::size_t k = 0; k < state.history.size(); ++k)
       state.multiplier[k] = state.history[k].multiplier;
+  }
 }
 
 void ContactTerm::augment() {

@@ -75,6 +75,22 @@ void Process::press_harder(double gain) {
                                : most);
 }
 
+/// (C.24)
+void Process::adapt_penalty(bool laboured) {
+  const contact::ContactSettings& settings = scene_.contact;
+  if (!contact_ || settings.max_penetration || settings.method == contact::Method::augmented)
+    return;
+  // Depths of the deepest contact point over that of the element beneath.
+  constexpr double needlessly_small = 1e-6, large = 1e-4;
+  constexpr double step = 10.0, least = 1e-5;
+  const double share = penetration_.share_at_points;
+  const double now = contact_->stiffening();
+  if (laboured && share > 0.0 && share < needlessly_small && now > least)
+    contact_->begin_with_stiffness(1.0 / step);
+  else if (share > large && now < 1.0)
+    contact_->begin_with_stiffness(std::min(step, 1.0 / now));
+}
+
 std::string Process::penetration_failure(int rounds) const {
   const Vec3& at = penetration_.position;
   const std::string deep =

@@ -24,6 +24,9 @@ std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_po
   return points;
 }
 
+/// Words of the log for contact points that find no rest.
+constexpr std::string_view restless_mark = "kept changing between open, stick and slip";
+
 /// An increment with more plastic strain than this at a point is cut: the return map stays exact,
 /// but the path of strain is lost.
 constexpr double most_plastic_increment = 0.5;
@@ -113,7 +116,7 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
   const auto outcome =
       newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);
   if (!outcome)
-    why = outcome.error().reason;
+    why = outcome.error().reason + restless_points();
   else
     last_residual_ = outcome->residual;
   const bool solved = outcome && plausible(outcome->force_scale, why) && !passes_through(dt, why) &&
@@ -123,6 +126,19 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
   else
     wasted_iterations_ += spent();
   return solved;
+}
+
+std::string Process::restless_points() const {
+  if (!contact_)
+    return {};
+  const std::vector<contact::ContactTerm::Restless> points = contact_->restless();
+  if (points.empty())
+    return {};
+  const auto& worst = points.front();
+  return fmt::format("; {} contact point(s) {}, most of all one on tool '{}' at ({:.6g}, {:.6g}, "
+                     "{:.6g}): {} times",
+                     points.size(), restless_mark, scene_.tools[worst.tool].name, worst.position[0],
+                     worst.position[1], worst.position[2], worst.changes);
 }
 
 bool Process::plausible(double force_scale, std::string& why) const {
@@ -285,6 +301,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   double dt = *limit.first;
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
+  constexpr int easy_iterations = 5;
   std::vector<std::string> tried;
   int failures = 0;
   int refusals = 0;
@@ -315,8 +332,12 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       accept(step);
       if (lands)
         time_ = landing;
+      for (const std::string& line : tried)
+        if (line.find(restless_mark) != std::string::npos)
+          events_.push_back("cut back from " + line);
       notify(observers, report(step, failures));
-      if (last_iterations_ <= 5)
+      adapt_penalty(failures > 0 || last_iterations_ > easy_iterations);
+      if (last_iterations_ <= easy_iterations)
         dt = std::min(std::max(dt, step) * 1.5, largest);
       else if (last_iterations_ > 9)
         dt = std::max(0.7 * step, smallest);
@@ -328,6 +349,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       continue;
     }
     ++failures;
+    adapt_penalty(true);
     ++cutbacks_;
     tried.push_back(fmt::format("dt = {:.4g}: {}", step, why));
     // The last step remains the better guess for a shorter one, but for a start that fails again.

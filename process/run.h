@@ -178,6 +178,10 @@ private:
   [[nodiscard]] bool limit_penetration(double dt, std::string& why);
   [[nodiscard]] bool too_deep() const;
   void press_harder(double gain);
+  /// Which contact points kept changing in the last try, for the log; empty: none.
+  [[nodiscard]] std::string restless_points() const;
+  /// Takes a softer penalty where iterations are many and penetrations needlessly small, and back.
+  void adapt_penalty(bool laboured);
   [[nodiscard]] std::string penetration_failure(int rounds) const;
   void certify(double dt);
   /// Linear systems solved for the try now made.

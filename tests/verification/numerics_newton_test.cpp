@@ -15,7 +15,9 @@ namespace {
 
 /// A punch with a round nose goes into a block with friction: points stick in the middle and slide
 /// beside it, the block yields beneath.
-Scene indentation(ElementKind kind, int steps) {
+Scene indentation(ElementKind kind,
+                  int steps,
+                  const contact::Friction& friction = contact::Coulomb{0.3}) {
   const bool solid = mechanics::dimension(kind) == 3;
   const int n = kind == ElementKind::hex20 ? 3 : 5;
   const double radius = solid ? 20.0 : 10.0;
@@ -30,7 +32,7 @@ Scene indentation(ElementKind kind, int steps) {
   const Vec3 along = Vec3::Unit(up(scene.analysis));
   auto nose = solid ? geometry::make_sphere((4.0 + radius) * along, radius, false)
                     : geometry::make_circle((4.0 + radius) * along, radius, false);
-  scene.tools.push_back(moving_tool("punch", std::move(nose), -along, contact::Coulomb{0.3}));
+  scene.tools.push_back(moving_tool("punch", std::move(nose), -along, friction));
   scene.touch = {1};
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
   scene.stages.push_back({"indent", 0.4, {1}, false});
@@ -82,6 +84,66 @@ TEST(Newton, ConvergesQuadraticallyWithStickSlipAndFlow) {
     EXPECT_GE(median, order);
     EXPECT_LT(end.energy.error(), balance);
     EXPECT_GT(end.energy.friction, 0.0);
+  }
+}
+
+struct LawCase {
+  const char* name;
+  ElementKind kind;
+  contact::Friction friction;
+  contact::Integrator integrator = contact::Integrator::radial;
+};
+
+/// Every law, and what modifies one, at forming pressures.
+std::vector<LawCase> law_cases() {
+  using namespace contact;
+  Friction evolving = Coulomb{0.1};
+  evolving.evolution = {{{{}, {}, {0.0, 0.02, 0.2}}}, {1.0, 1.5, 4.0}};
+  Friction tabled = Coulomb{1.0};
+  tabled.table = {{{{0.0, 3000.0}, {0.0, 1.0}, {}}}, {0.3, 0.2, 0.1, 0.05}};
+  Friction anisotropic = Coulomb{1.0};
+  anisotropic.tensor =
+      FrictionTensor{(Mat2() << 0.05, 0.02, -0.02, 0.25).finished(), Vec3(1, 1, 0)};
+  Friction mises = Tresca{0.4, {}};
+  mises.strength = Strength::von_mises;
+  const ElementKind plane = ElementKind::quad4;
+  const ElementKind solid = ElementKind::hex8;
+  return {{"sticking", plane, Sticking{}},
+          {"coulomb capped at k", plane, Coulomb{0.3, 0.0, 1e9, true}},
+          {"coulomb quadratic", plane, Coulomb{0.1, 50.0, 1e9, true, 1e-4}},
+          {"tresca of the material", plane, Tresca{0.4, {}}},
+          {"tresca of von Mises", plane, mises},
+          {"shaw", plane, Shaw{{}, 0.4}},
+          {"asperity", plane, Asperity{0.5, {}, 0.5}},
+          {"thick film", plane, ThickFilm{0.5, 0.002}},
+          {"viscoplastic", plane, Viscoplastic{150.0, 1.0, 0.2}},
+          {"coulomb evolving", plane, evolving},
+          {"coulomb by table", plane, tabled},
+          {"tresca of the material", solid, Tresca{0.4, {}}},
+          {"viscoplastic", solid, Viscoplastic{150.0, 1.0, 0.2}},
+          {"coulomb anisotropic", solid, anisotropic},
+          {"coulomb, mid-point", solid, Coulomb{0.2}, Integrator::midpoint},
+          {"coulomb, exact", solid, Coulomb{0.2}, Integrator::exact},
+          {"shaw, exact", solid, Shaw{{}, 0.4}, Integrator::exact}};
+}
+
+TEST(Newton, ConvergesQuadraticallyWithEveryLaw) {
+  constexpr double order = 1.8;
+  for (const LawCase& law : law_cases()) {
+    Scene scene = indentation(law.kind, 40, law.friction);
+    scene.contact.scheme.integrator = law.integrator;
+    const FinishedRun done = run(std::move(scene));
+    ASSERT_EQ(done.status, RunStatus::done) << law.name;
+    const std::vector<double> orders = newton_orders(done.recorder.entries);
+    ASSERT_GT(orders.size(), 5u) << law.name;
+    const double median = orders[orders.size() / 2];
+    std::printf(
+        "%-5s %-24s order %.2f in the middle of %zu increments (>= 1.8); %.1f iterations an "
+        "increment, %d cut-backs\n",
+        std::string(mechanics::name(law.kind)).c_str(), law.name, median, orders.size(),
+        static_cast<double>(done.process->iterations()) / done.process->increments(),
+        done.process->cutbacks());
+    EXPECT_GE(median, order) << law.name;
   }
 }
 
