@@ -112,6 +112,8 @@ public:
   void begin_with_stiffness(double factor) { stiffening_next_ *= factor; }
   /// Makes the pressures of the last trial the multipliers of the next. (C.22)
   void augment();
+  /// Likewise as the tries of the next increment begin [-].
+  [[nodiscard]] double next_stiffening() const { return stiffening_next_; }
   /// Penalty now over the penalty of the case [-].
   [[nodiscard]] double stiffening() const { return stiffening_; }
 

@@ -80,15 +80,17 @@ void Process::adapt_penalty(bool laboured) {
   const contact::ContactSettings& settings = scene_.contact;
   if (!contact_ || settings.max_penetration || settings.method == contact::Method::augmented)
     return;
-  // Depths of the deepest contact point over that of the element beneath.
+  // Depths of the deepest contact point over that of the element beneath, with the penalty that the
+  // next increment begins with.
   constexpr double needlessly_small = 1e-6, large = 1e-4;
-  constexpr double step = 10.0, least = 1e-5;
-  const double share = penetration_.share_at_points;
-  const double now = contact_->stiffening();
-  if (laboured && share > 0.0 && share < needlessly_small && now > least)
-    contact_->begin_with_stiffness(1.0 / step);
-  else if (share > large && now < 1.0)
-    contact_->begin_with_stiffness(std::min(step, 1.0 / now));
+  // Softer lets points sink a little; stiffer throws them out, so it comes in small steps.
+  constexpr double softer = 0.1, stiffer = 2.0, least = 1e-5;
+  const double next = contact_->next_stiffening();
+  const double share = penetration_.share_at_points * contact_->stiffening() / next;
+  if (laboured && share > 0.0 && share < needlessly_small && next > least)
+    contact_->begin_with_stiffness(softer);
+  else if (share > large && next < 1.0)
+    contact_->begin_with_stiffness(std::min(stiffer, 1.0 / next));
 }
 
 std::string Process::penetration_failure(int rounds) const {
