@@ -176,7 +176,6 @@ void ContactTerm::sum(const ToolState& state, const geometry::Pose& pose) {
     if (state.trial[k].status == Status::open)
       continue;
     touched_[k] = 1;
-    farthest_ = std::max(farthest_, state.position[k].norm());
     traction_[k] += pose.rotation * state.trial[k].traction;
     dtraction_[k] += pose.rotation * state.trial[k].dtraction_dx * pose.rotation.transpose();
   }
@@ -188,7 +187,6 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
   std::fill(traction_.begin(), traction_.end(), Vec3::Zero());
   std::fill(dtraction_.begin(), dtraction_.end(), Mat3::Zero());
   std::fill(touched_.begin(), touched_.end(), char{0});
-  farthest_ = 0.0;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (!acts(t, trial.time)) {
       std::fill(states_[t].trial.begin(), states_[t].trial.end(), Traction{});
@@ -217,7 +215,6 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
     constexpr int size = Shape::nodes * dim;
     const mechanics::Scatter& faces = surface_->scatter();
     std::array<double, std::size_t{size}> local{};
-    double areas_squared = 0.0;
     for (const Index f : faces.order()) {
       const std::size_t first = idx(f * Rule::points);
       if (std::none_of(touched_.begin() + f * Rule::points,
@@ -234,7 +231,6 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
           continue;
         const FacePoint<Shape> at(surface_->analysis(), local.data(), Rule::point(i),
                                   Rule::weight(i));
-        areas_squared += at.measure * at.measure;
         const Eigen::Matrix<double, dim, 1> T = traction_[k].template head<dim>();
         const Eigen::Matrix<double, dim, dim> D =
             at.measure * dtraction_[k].template topLeftCorner<dim, dim>();
@@ -249,9 +245,6 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
       faces.add(dim, f, force.data(), system.residual);
       faces.add(*pattern_, f, tangent.data(), system.tangent.values);
     }
-    // Gaps are differences of coordinates in the frame of the tool. (N.3)
-    const double gap = 16.0 * std::numeric_limits<double>::epsilon() * farthest_;
-    system.rounding = penalty().normal * gap * std::sqrt(areas_squared);
   });
 }
 

@@ -222,7 +222,6 @@ private:
   std::vector<Vec3> traction_;
   std::vector<Mat3> dtraction_;
   std::vector<char> touched_;
-  double farthest_ = 0.0; ///< of the points that touch from the origin of their tool's frame [mm]
   std::vector<ToolLoad> loads_;
   std::vector<std::vector<ClosedPoint>> closed_;
   std::vector<DriveUnknown> drives_;

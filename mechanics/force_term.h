@@ -49,7 +49,6 @@ struct System {
                            ///< trial: the iteration is not smooth where there are any
 
   bool kept_contacts = false; ///< contacts are in it that have parted: see Trial
-  double rounding = 0.0;      ///< what rounding of coordinates may do to the residual [N]
 
   void clear() {
     std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
@@ -59,7 +58,6 @@ struct System {
         std::fill(part->begin(), part->end(), 0.0);
     symmetric = true;
     kept_contacts = false;
-    rounding = 0.0;
     contact_changes = 0;
   }
 };

@@ -280,12 +280,6 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     constexpr double plausible = 1e-2;
     return taken <= rounding && relative <= plausible;
   };
-  // Nor can a residual be told from zero below what that rounding makes of it.
-  const auto below_rounding = [&](const Norms& at) {
-    constexpr double most = 1e-4;
-    return system_.rounding > settings_.tolerance * at.scale &&
-           at.residual <= std::min(system_.rounding, most * at.scale);
-  };
   double before = norms->residual / norms->scale;
   double correction = 0.0;
   const int most_iterations = (softly ? 2 : 1) * settings_.most_iterations;
@@ -304,8 +298,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     constexpr double small_correction = 1e-5;
     const bool solved_well =
         softening == 1.0 && relative <= settings_.tolerance && next <= small_correction;
-    const bool no_better = at_rounding(relative) || below_rounding(*norms);
-    if ((solved_well || (softening == 1.0 && no_better)) && missing() == 0.0)
+    if ((solved_well || (softening == 1.0 && at_rounding(relative))) && missing() == 0.0)
       return NewtonReport{iteration - 1, relative, norms->scale};
     if (hopeless(iteration - 1, relative))
       return Failure{"no convergence"};
