@@ -16,7 +16,7 @@ TYPED = range(2, 8)                # statuses that name a cause; 70 and signals 
 LATE = 0.6                         # forces are means over the run after this share of it
 AGREEMENT = 0.01                   # with the reference, increments of the same length
 OTHER_INCREMENTS = 0.05            # a run in one increment, or in a hundred times as many
-SAME_IN_UNITS = 1e-6               # with the same iterations; rounding may choose another way
+SAME_IN_UNITS = 1e-6               # of the strip AGREEMENT: rounding may choose which point opens first
 SAME_BITS = 1e-13                  # lengths times a power of two: not even rounding differs
 BALANCE = 0.05                     # energy that may be missing
 SOFT = 1.05                        # a soft tool presses no harder than a hard one, to this
@@ -43,16 +43,30 @@ class Run:
         return self.cost.status == 0 and not self.flaw
 
 
-def run(setting, program, timeout, folder):
+def run(setting, program, timeout, folder, again):
+    """again: takes what an earlier run of the same case left there."""
+    file = folder / "case.toml"
+    if again and (not file.exists() or file.read_text(encoding="utf-8") != case(setting)):
+        raise SystemExit(f"sweep: {file} is not this setting: {setting}")
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "case.toml").write_text(case(setting), encoding="utf-8")
+    file.write_text(case(setting), encoding="utf-8")
     command = [str(program), "run", "case.toml", "-o", "results", "--threads", "1", "--quiet"]
-    cost = timed.run(command, folder, folder / "billet.log", timeout)
+    cost = (earlier(folder / "results") if again
+            else timed.run(command, folder, folder / "billet.log", timeout))
     made = Run(setting, cost, message(folder / "billet.log"))
     made.flaw = flaw_of_ending(cost, made.message)
     if cost.status == 0 and not made.flaw:
         read(made, folder / "results")
     return made
+
+
+def earlier(results):
+    """How an earlier run ended; its times are gone."""
+    ended = results / "summary.json"
+    if not ended.exists():
+        return timed.Cost(math.nan, math.nan, math.nan, -9, True)
+    status = json.loads(ended.read_text(encoding="utf-8"))["exit_status"]
+    return timed.Cost(math.nan, math.nan, math.nan, status, False)
 
 
 def message(log):
@@ -154,7 +168,7 @@ def other_units(made, twin):
     allowed = AGREEMENT
     if made.setting.units == "x2^20":
         allowed = SAME_BITS
-    elif made.iterations == twin.iterations:
+    elif not SCENES[made.setting.scene].passes:
         allowed = SAME_IN_UNITS
     off = deviation(made, twin)
     return "" if off <= allowed else f"other units, {off:.2g} off"

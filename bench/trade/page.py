@@ -4,7 +4,6 @@ import math
 import re
 import subprocess
 import tempfile
-from dataclasses import replace
 from pathlib import Path
 
 HEAD = ["element", "form", "enforcement", "change by softness", "error", "deepest contact point", "deepest point",
@@ -69,7 +68,7 @@ def write(path, enforced, turned, runs, machine):
         page = replaced(page, "integrators", pipes(PATHS, path_rows(turned)))
     page = replaced(page, "machine", pipes(["", ""], [[k, v] for k, v in machine.items()]))
     path.write_text(page, encoding="utf-8")
-    draw(path.with_suffix(".png"), enforced, turned, runs)
+    draw(path, [problem.name for problem in enforced])
 
 
 def replaced(page, name, content):
@@ -80,38 +79,59 @@ def replaced(page, name, content):
     return pattern.sub(lambda _: f"{begin}\n{content}\n{end}", page)
 
 
-def draw(picture, enforced, turned, runs):
-    """Error by cost, a panel a problem; error by increments for the integrators."""
+def table(page, name):
+    """Rows of the table between the marks of `name`, as dictionaries."""
+    begin = page.index(BEGIN.format(name))
+    lines = [line for line in page[begin:page.index(END.format(name))].splitlines() if line.startswith("|")]
+    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    return [dict(zip(cells[0], row)) for row in cells[2:]]
+
+
+def number(text):
+    return float(text.split()[0]) if text[0].isdigit() else math.nan
+
+
+def draw(path, problems):
+    """Draws the tables of the page: softness and iterations by penalty, integrators by increments and cost."""
+    page = path.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
-        panels = [panel(Path(folder), problem, measured, runs) for problem, measured in enforced.items()]
-        if turned:
-            panels.append(integrator_panel(Path(folder), turned))
-        script = (f'set terminal pngcairo size {430 * len(panels)},430 font "Sans,9"\nset output "{picture}"\n'
-                  f'set multiplot layout 1,{len(panels)}\nset grid\nset logscale xy\nset key top right\n'
-                  'set format y "%g %%"\n' + "\n".join(panels) + "\n")
+        sweeps = {name: sweep_files(Path(folder), name, table(page, name)) for name in problems}
+        turns = turn_files(Path(folder), table(page, "integrators"))
+        soft = [lines(f"{name}", "penalty", "change of the force by softness [%]", files, "1:2")
+                for name, files in sweeps.items()]
+        work = [lines(f"{name}", "penalty", "iterations", files, "1:3") for name, files in sweeps.items()]
+        soft.append(lines("integrators", "increments a side", "error of the shear [%]", turns, "1:2"))
+        work.append(lines("integrators", "iterations", "error of the shear [%]", turns, "3:2"))
+        script = (f'set terminal pngcairo size {400 * len(soft)},760 font "Sans,9"\n'
+                  f'set output "{path.with_suffix(".png")}"\nset multiplot layout 2,{len(soft)}\nset grid\n'
+                  'set logscale xy\nset format x "%g"\nset format y "%g"\n' + "\n".join(soft + work) + "\n")
         subprocess.run(["gnuplot"], input=script, text=True, check=True)
 
 
-def panel(folder, problem, measured, runs):
-    unit = runs(problem, problem.default).cost.cpu
-    plots = []
-    for element, form in dict.fromkeys((m.choice.element, m.choice.form) for m, _, _ in measured):
-        file = folder / f"{problem.name}-{element}-{form}"
-        points = [(made.cost.cpu / unit, 100 * error, enforcement(made.choice)) for made, _, error in measured
-                  if (made.choice.element, made.choice.form) == (element, form) and made.done]
-        file.write_text("".join(f'{x} {y} "{name}"\n' for x, y, name in points), encoding="utf-8")
-        plots.append(f'"{file}" using 1:2 with points pt {5 + 2 * (form == "mixed")} ps 1.2 title "{element}, {form}", '
-                     f'"{file}" using 1:2:3 with labels offset 0,0.7 font "Sans,6" notitle')
-    return (f'set title "{problem.name}"\nset xlabel "cost, defaults 1"\nset ylabel "error of the force"\n'
-            "plot " + ", ".join(plots))
+def sweep_files(folder, name, rows):
+    files = {}
+    for element, form in dict.fromkeys((row["element"], row["form"]) for row in rows):
+        file = folder / f"{name}-{element}-{form}"
+        points = [(row["enforcement"].split()[1], number(row["change by softness"]), row["iterations"])
+                  for row in rows if (row["element"], row["form"]) == (element, form)
+                  and row["enforcement"].startswith("penalty") and "limit" not in row["enforcement"]]
+        # what is compared with has no change: nothing to draw on a logarithmic axis
+        file.write_text("".join(f"{x} {y if y > 0 else 'NaN'} {z}\n" for x, y, z in points), encoding="utf-8")
+        files[f"{element}, {form}" if element[-1] in "80" and element != "hex8" else element] = file
+    return files
 
 
-def integrator_panel(folder, turned):
-    plots = []
-    for name in dict.fromkeys(made.choice.integrator for _, made, _, _ in turned):
-        file = folder / f"integrator-{name}"
-        file.write_text("".join(f"{parts} {100 * shear}\n" for parts, made, shear, _ in turned
-                                if made.choice.integrator == name), encoding="utf-8")
-        plots.append(f'"{file}" using 1:2 with linespoints lw 2 title "{name}"')
-    return ('set title "rubbing: integrators"\nset xlabel "increments a side"\n'
-            'set ylabel "error of the shear force"\nplot ' + ", ".join(plots))
+def turn_files(folder, rows):
+    files = {}
+    for name in dict.fromkeys(row["integrator"] for row in rows):
+        files[name] = folder / f"integrator-{name}"
+        files[name].write_text("".join(
+            f"{row['increments a side']} {number(row['error of the shear'])} {row['iterations']}\n"
+            for row in rows if row["integrator"] == name), encoding="utf-8")
+    return files
+
+
+def lines(title, x, y, files, columns):
+    plots = [f'"{file}" using {columns} with linespoints lw 2 pt {4 + 2 * i} ps 1.3 title "{name}"'
+             for i, (name, file) in enumerate(files.items())]
+    return f'set title "{title}"\nset xlabel "{x}"\nset ylabel "{y}"\nplot ' + ", ".join(plots)
