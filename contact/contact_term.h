@@ -108,7 +108,7 @@ public:
   /// Makes the normal penalty stiffer from the next trial on. (C.21)
   void stiffen(double factor) { stiffening_ *= factor; }
   /// Changes the penalty with which the tries of the next increment begin; below that of the case
-  /// the one against slip follows. (C.24)
+  /// the one against slip is no stiffer than it. (C.24)
   void begin_with_stiffness(double factor) { stiffening_next_ *= factor; }
   /// Makes the pressures of the last trial the multipliers of the next. (C.22)
   void augment();

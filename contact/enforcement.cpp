@@ -10,7 +10,8 @@ namespace billet::contact {
 Penalty ContactTerm::penalty() const {
   Penalty penalty = surface_->penalty();
   penalty.normal *= stiffening_;
-  penalty.tangent *= std::min(1.0, stiffening_);
+  if (stiffening_ < 1.0)
+    penalty.tangent = std::min(penalty.tangent, penalty.normal);
   return penalty;
 }
 

@@ -76,18 +76,21 @@ void Process::press_harder(double gain) {
 }
 
 /// (C.24)
-void Process::adapt_penalty(bool laboured) {
+void Process::adapt_penalty(Progress progress) {
   const contact::ContactSettings& settings = scene_.contact;
   if (!contact_ || settings.max_penetration || settings.method == contact::Method::augmented)
     return;
   // Depths of the deepest contact point over that of the element beneath, with the penalty that the
   // next increment begins with.
-  constexpr double needlessly_small = 1e-6, large = 1e-4;
+  constexpr double needlessly_small = 1e-6, small = 1e-5, large = 1e-4;
   // Softer lets points sink a little; stiffer throws them out, so it comes in small steps.
-  constexpr double softer = 0.1, stiffer = 2.0, least = 1e-5;
+  constexpr double softer = 0.1, stiffer = 2.0;
+  constexpr double least = 1e-3; // of the stiffness of the element beneath over its depth
   const double next = contact_->next_stiffening();
   const double share = penetration_.share_at_points * contact_->stiffening() / next;
-  if (laboured && share > 0.0 && share < needlessly_small && next > least)
+  const double enough = progress == Progress::none ? small : needlessly_small;
+  if (progress != Progress::easy && share > 0.0 && share < enough &&
+      next * settings.penalty > least)
     contact_->begin_with_stiffness(softer);
   else if (share > large && next < 1.0)
     contact_->begin_with_stiffness(std::min(stiffer, 1.0 / next));

@@ -336,7 +336,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         if (line.find(restless_mark) != std::string::npos)
           events_.push_back("cut back from " + line);
       notify(observers, report(step, failures));
-      adapt_penalty(failures > 0 || last_iterations_ > easy_iterations);
+      adapt_penalty(failures > 0 || last_iterations_ > easy_iterations ? Progress::laboured
+                                                                       : Progress::easy);
       if (last_iterations_ <= easy_iterations)
         dt = std::min(std::max(dt, step) * 1.5, largest);
       else if (last_iterations_ > 9)
@@ -349,7 +350,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       continue;
     }
     ++failures;
-    adapt_penalty(true);
+    adapt_penalty(failures > 1 ? Progress::none : Progress::laboured);
     ++cutbacks_;
     tried.push_back(fmt::format("dt = {:.4g}: {}", step, why));
     // The last step remains the better guess for a shorter one, but for a start that fails again.

@@ -181,7 +181,8 @@ private:
   /// Which contact points kept changing in the last try, for the log; empty: none.
   [[nodiscard]] std::string restless_points() const;
   /// Takes a softer penalty where iterations are many and penetrations needlessly small, and back.
-  void adapt_penalty(bool laboured);
+  enum class Progress { easy, laboured, none };
+  void adapt_penalty(Progress progress);
   [[nodiscard]] std::string penetration_failure(int rounds) const;
   void certify(double dt);
   /// Linear systems solved for the try now made.
