@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """T/N of both sequences over the friction factor, the same in both: the chart of the paper's Fig. 10.
 
-usage: sweep.py RESULTS [--billet PROGRAM] [M ...]
+usage: sweep.py RESULTS [--billet PROGRAM] [--cells NX NY] [M ...]
 
 RESULTS/ratio.csv: m, and T/N of each sequence (sequences.py).
 """
@@ -20,6 +20,7 @@ def main():
     words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words.add_argument("results", type=pathlib.Path)
     words.add_argument("factors", type=float, nargs="*", default=FACTORS, metavar="M")
+    words.add_argument("--cells", type=int, nargs=2, default=[128, 16])
     words.add_argument("--billet", default=HERE.parents[1] / "build/bin/billet")
     words = words.parse_args()
     words.results.mkdir(parents=True, exist_ok=True)
@@ -27,7 +28,8 @@ def main():
         out.write("m,first,second\n")
         for m in words.factors:
             results = words.results / f"m-{m:g}"
-            subprocess.run([words.billet, "run", HERE / "case.toml", "-o", results, "--quiet"] +
+            subprocess.run([words.billet, "run", HERE / "case.toml", "-o", results, "--quiet",
+                            f"--set=workpiece.mesh.cells={words.cells}"] +
                            [f"--set=tool.{tool}.friction.m={m}" for tool in ("first", "second")],
                            stdout=subprocess.DEVNULL, check=True)
             subprocess.run([sys.executable, HERE / "sequences.py", results], check=True)
