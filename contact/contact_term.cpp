@@ -295,8 +295,11 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     PointHistory& history = state.history[k];
     const Vec3 position = pose.to_tool(positions_[k]);
     const Vec3 force = areas_[k] * (pose.rotation * now.traction);
-    const Vec3 way = pose.to_space(position) - pose_old.to_space(position);
-    work_.external += 0.5 * (force + state.force[k]).dot(way);
+    // What the tool does where the point is and where it was: on a turning tool the chord of either
+    // alone would have the normal force do work.
+    const auto way = [&](const Vec3& X) -> Vec3 { return pose.to_space(X) - pose_old.to_space(X); };
+    work_.external +=
+        0.25 * (force + state.force[k]).dot(way(position) + way(state.history[k].position));
     state.force[k] = force;
     const double sliding = history.sliding + now.slip.norm();
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));

@@ -149,6 +149,30 @@ Walk random_walk(const Friction& law, double press_noise) {
   return walk;
 }
 
+TEST(ContactWork, IsThatOfTheTorqueOnATurningTool) {
+  // A body that rests on a roll turning a tenth of a radian an increment: all work is friction's.
+  // By the chord of a material point alone the normal force would seem to do a sixth of it.
+  mechanics::Mesh mesh = bench_mesh(body_kinds()[0]);
+  const auto faces = faces_at(mesh, 1, 0.0);
+  Tool roll = still_tool(geometry::make_circle({2, -4, 0}, 4.0, false), Coulomb{0.3});
+  roll.motion.rotation = geometry::Rotation{{2, -4, 0}, Vec3::UnitZ(), TimeFunction(0.1)};
+  ContactBench bench(std::move(mesh), body_kinds()[0].analysis, bench_material(),
+                     one_tool(std::move(roll)), {Form::mixed, 1.0, 1.0}, faces);
+  std::vector<double> x = bench.x;
+  for (std::size_t i = 1; i < x.size(); i += 2)
+    x[i] -= 0.02;
+  for (int i = 1; i <= 5; ++i)
+    bench.commit(x, i);
+  const ContactWork before = bench.term.work();
+  for (int i = 6; i <= 15; ++i)
+    bench.commit(x, i);
+  const double external = bench.term.work().external - before.external;
+  const double friction = bench.term.work().friction - before.friction;
+  std::printf("turning roll: external work %.6e, friction %.6e N mm\n", external, friction);
+  EXPECT_GT(friction, 0.0);
+  EXPECT_NEAR(external, friction, 5e-3 * friction); // the path is R sin(theta): -0.2 %
+}
+
 TEST(ContactWork, NeverGainsFromFrictionAtConstantPressure) {
   for (const auto& [name, law] : every_law()) {
     const Walk walk = random_walk(law, 0.0);
