@@ -166,7 +166,7 @@ private:
     std::vector<Traction> trial;
     std::vector<Vec3> position; ///< tried, tool frame
     std::vector<geometry::Projection> foot;
-    std::vector<int> changes; ///< of status in this try
+    std::vector<int> changes;     ///< of status in this try
     std::vector<Vec3> queried_at; ///< where `known_gap` holds
     std::vector<double> known_gap;
     std::vector<Vec3> force;          ///< committed force on the workpiece, in space
@@ -243,7 +243,7 @@ private:
   DriveScale scale_;
   ContactWork work_;
   double area_ = 0.0;
-  double stiffening_ = 1.0;     ///< of the normal penalty in the trial [-]
+  double stiffening_ = 1.0;      ///< of the normal penalty in the trial [-]
   double stiffening_old_ = 1.0;  ///< in the committed state [-]
   double stiffening_next_ = 1.0; ///< at the beginning of a try [-]
 };

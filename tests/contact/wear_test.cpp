@@ -93,8 +93,7 @@ TEST(Wear, is_even_beneath_a_body_that_slides_evenly) {
 }
 
 TEST(Wear, is_none_while_a_point_sticks) {
-  for (const Friction& friction :
-       {Friction(Sticking{}), Friction(Coulomb{0.5})}) {
+  for (const Friction& friction : {Friction(Sticking{}), Friction(Coulomb{0.5})}) {
     WearBench on(body_kinds()[4], friction);
     on.move({0, -1e-3, 0});
     on.move({1e-5, 0, 1e-5});
