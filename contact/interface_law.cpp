@@ -40,13 +40,19 @@ struct TangentFrame {
   Vec3 spin;                     ///< de1 . e2 = spin . dx [1/mm]
 };
 
+/// A tangent where nothing prefers one: in the plane of a plane scene.
+Vec3 some_tangent(const Vec3& n) {
+  const Vec3 in_plane = n.cross(Vec3::UnitZ());
+  return in_plane.isZero(0.0) ? n.unitOrthogonal() : Vec3(in_plane.normalized());
+}
+
 /// The frame whose first axis is the projection of a direction. (F.12)
 TangentFrame frame_along(const Vec3& direction, const geometry::Projection& foot) {
   const Vec3& n = foot.normal;
   const Vec3 projected = direction - n.dot(direction) * n;
   const double length = projected.norm();
   constexpr double smallest = 1e-9; // of a unit vector: it has no projection
-  const Vec3 e1 = length > smallest ? Vec3(projected / length) : n.unitOrthogonal();
+  const Vec3 e1 = length > smallest ? Vec3(projected / length) : some_tangent(n);
   TangentFrame frame;
   frame.E << e1, n.cross(e1);
   frame.spin = Vec3::Zero();
@@ -57,7 +63,7 @@ TangentFrame frame_along(const Vec3& direction, const geometry::Projection& foot
 
 /// Any frame, carried along without turning: isotropic friction cannot tell.
 TangentFrame any_frame(const Vec3& n) {
-  const Vec3 e1 = n.unitOrthogonal();
+  const Vec3 e1 = some_tangent(n);
   TangentFrame frame;
   frame.E << e1, n.cross(e1);
   frame.spin = Vec3::Zero();

@@ -7,6 +7,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace billet::contact {
 
@@ -70,7 +71,7 @@ SlipResult radial(const Friction& friction, const SlipStep& step, const Mat2& Q)
   const Vec2 predictor = step.shear - K * step.path;
   const LimitAtSlip at_rest = limit_at(friction, step.state, 0.0);
   if (sticks(Q, at_rest.shear, predictor, isotropic))
-    return stuck(step, predictor, at_rest.shear);
+    return stuck(step, predictor, at_rest.shear * Q.norm() / std::numbers::sqrt2);
   const double s = slip_of(friction, step, Q, predictor, isotropic);
   const LimitAtSlip limit = limit_at(friction, step.state, s);
   const Mat2 inverse = return_matrix(Q, limit.shear, K * s).inverse();
@@ -85,7 +86,7 @@ SlipResult radial(const Friction& friction, const SlipStep& step, const Mat2& Q)
   out.status = Status::slip;
   out.shear = limit.shear * (Q * d);
   out.slip = -s * d;
-  out.limit = limit.shear;
+  out.limit = out.shear.norm();
   out.d_shear = Mat2::Identity() - loss;
   out.d_path = -K * out.d_shear;
   out.d_pressure = limit.d_pressure * (loss * (Q * d));

@@ -37,7 +37,8 @@ struct SlipResult {
   Status status = Status::stick;
   Vec2 shear;      ///< [MPa]
   Vec2 slip;       ///< irreversible part of the path [mm]
-  double limit;    ///< slip limit at the end [MPa]
+  double limit;    ///< slip limit at the end [MPa]; with a tensor: the shear slipping, else the
+                   ///< mean over directions
   Mat2 d_shear;    ///< by the committed shear [-]
   Mat2 d_path;     ///< by the path [MPa/mm]
   Vec2 d_pressure; ///< [-]

@@ -5,8 +5,7 @@
 // trace.
 //
 // Units   mm; volumes are those of the full turn in axisymmetry, per thickness in plane strain, and
-// of
-//         the part that is modelled where planes of symmetry cut it.
+//         of the part that is modelled where planes of symmetry cut it.
 // Theory  docs/theory/contact.md (W.1)-(W.7).
 
 #pragma once

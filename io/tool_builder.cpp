@@ -10,6 +10,7 @@
 #include "io/stl_report.h"
 #include "io/stl_tool.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <limits>
@@ -218,6 +219,20 @@ geometry::Motion motion_of(const ToolMotion& motion) {
   return result;
 }
 
+/// A direction normal to a plane has no projection on it.
+void check_direction(const Tool& tool) {
+  constexpr double smallest = 1e-6; // sine of the angle between them
+  const auto* const plane = std::get_if<PlaneSurface>(&tool.surface);
+  if (plane == nullptr || !tool.friction.direction)
+    return;
+  if (plane->normal.normalized().cross(tool.friction.direction->normalized()).norm() < smallest)
+    throw Error(Fault::case_file, "",
+                fmt::format("tool '{}': friction.direction is normal to its plane and tells no "
+                            "first axis of the tensor",
+                            tool.name),
+                "give a direction along the plane");
+}
+
 } // namespace
 
 geometry::Pose pose_of(const Place& place) {
@@ -257,6 +272,7 @@ contact::Tool build_tool(const Tool& tool,
     result.reference = result.motion.place.to_tool(result.motion.rotation->point);
   if (result.motion.torque)
     result.reference = result.motion.place.to_tool(result.motion.torque->point);
+  check_direction(tool);
   result.friction = friction_of(tool.friction);
   if (tool.active) {
     result.active_from = (*tool.active)[0];

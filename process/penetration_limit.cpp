@@ -75,6 +75,12 @@ void Process::press_harder(double gain) {
                                : most);
 }
 
+void Process::begin_with_stiffness(double factor) {
+  contact_->begin_with_stiffness(factor);
+  penalty_event_ =
+      fmt::format("  contact penalty: {:.3g} times that of the case", contact_->next_stiffening());
+}
+
 /// (C.24)
 void Process::adapt_penalty(Progress progress) {
   const contact::ContactSettings& settings = scene_.contact;
@@ -91,9 +97,9 @@ void Process::adapt_penalty(Progress progress) {
   const double enough = progress == Progress::none ? small : needlessly_small;
   if (progress != Progress::easy && share > 0.0 && share < enough &&
       next * settings.penalty > least)
-    contact_->begin_with_stiffness(softer);
+    begin_with_stiffness(softer);
   else if (share > large && next < 1.0)
-    contact_->begin_with_stiffness(std::min(stiffer, 1.0 / next));
+    begin_with_stiffness(std::min(stiffer, 1.0 / next));
 }
 
 std::string Process::penetration_failure(int rounds) const {

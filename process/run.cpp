@@ -24,9 +24,6 @@ std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_po
   return points;
 }
 
-/// Words of the log for contact points that find no rest.
-constexpr std::string_view restless_mark = "kept changing between open, stick and slip";
-
 /// An increment with more plastic strain than this at a point is cut: the return map stays exact,
 /// but the path of strain is lost.
 constexpr double most_plastic_increment = 0.5;
@@ -61,6 +58,18 @@ void Process::start_stage(const Stage& stage) {
   last_step_.clear();
   if (contact_)
     contact_->enable(stage.unload ? std::vector<char>(scene_.tools.size(), 0) : stage.tools);
+}
+
+std::string Process::overlaps_at_start(const Stage& stage) const {
+  std::string text;
+  if (!contact_ || stage.unload || time_ == 0.0)
+    return text; // at time 0 an overlap is refused
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t)
+    if (contact_->acts(t, time_) && !contact_->lies_on(t))
+      if (const std::string where = overlap(t); !where.empty())
+        text += fmt::format("; the workpiece overlaps tool '{}' where the stage begins, {}",
+                            scene_.tools[t].name, where);
+  return text;
 }
 
 void Process::release_tools(double next_time, double gone_time) {
@@ -135,9 +144,9 @@ std::string Process::restless_points() const {
   if (points.empty())
     return {};
   const auto& worst = points.front();
-  return fmt::format("; {} contact point(s) {}, most of all one on tool '{}' at ({:.6g}, {:.6g}, "
-                     "{:.6g}): {} times",
-                     points.size(), restless_mark, scene_.tools[worst.tool].name, worst.position[0],
+  return fmt::format("; {} contact point(s) kept changing between open, stick and slip, most of "
+                     "all one on tool '{}' at ({:.6g}, {:.6g}, {:.6g}): {} times",
+                     points.size(), scene_.tools[worst.tool].name, worst.position[0],
                      worst.position[1], worst.position[2], worst.changes);
 }
 
@@ -180,6 +189,8 @@ void Process::accept(double dt) {
   for (mechanics::ForceTerm* term : terms_)
     term->commit(trial);
   events_ = blows_ ? blows_->commit(trial) : std::vector<std::string>();
+  if (!penalty_event_.empty())
+    events_.push_back(std::exchange(penalty_event_, {}));
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
   for (const Index i : prescribed(time_ + dt).unknowns) {
@@ -302,6 +313,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
   constexpr int easy_iterations = 5;
+  const std::string overlapping = overlaps_at_start(stage);
   std::vector<std::string> tried;
   int failures = 0;
   int refusals = 0;
@@ -333,8 +345,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       if (lands)
         time_ = landing;
       for (const std::string& line : tried)
-        if (line.find(restless_mark) != std::string::npos)
-          events_.push_back("cut back from " + line);
+        events_.push_back("  cut back from " + line);
       notify(observers, report(step, failures));
       adapt_penalty(failures > 0 || last_iterations_ > easy_iterations ? Progress::laboured
                                                                        : Progress::easy);
@@ -360,6 +371,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     refusals += refused_as_too_deep_ ? 1 : 0;
     dt = 0.5 * step;
     if (dt < smallest || refusals == most_refusals) {
+      if (time_ == start)
+        why += overlapping;
       const PostMortem post = post_mortem(step, why, tried);
       for (Observer* observer : observers)
         observer->failed(*this, post);

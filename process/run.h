@@ -151,6 +151,9 @@ public:
 
 private:
   void check_overlap() const;
+  /// How deep and where the workpiece lies inside a tool now; empty: no more than chords of faces
+  /// do.
+  [[nodiscard]] std::string overlap(std::size_t tool) const;
   void make_terms();
   [[nodiscard]] contact::DriveScale drive_scale() const;
   void check_drives() const;
@@ -181,8 +184,11 @@ private:
   /// Which contact points kept changing in the last try, for the log; empty: none.
   [[nodiscard]] std::string restless_points() const;
   /// Takes a softer penalty where iterations are many and penetrations needlessly small, and back.
+  /// Of tools that begin to act now though the workpiece lies inside them, for a failure's reason.
+  [[nodiscard]] std::string overlaps_at_start(const Stage& stage) const;
   enum class Progress { easy, laboured, none };
   void adapt_penalty(Progress progress);
+  void begin_with_stiffness(double factor);
   [[nodiscard]] std::string penetration_failure(int rounds) const;
   void certify(double dt);
   /// Linear systems solved for the try now made.
@@ -232,6 +238,7 @@ private:
   double time_ = 0.0;
   bool energy_used_up_ = false;
   std::vector<std::string> events_; ///< of the last increment
+  std::string penalty_event_;       ///< a change of the penalty since then
   PhaseTimes times_;
   double started_ = 0.0;
   int increment_ = 0;

@@ -108,30 +108,33 @@ void Process::make_loads() {
 void Process::check_overlap() const {
   if (!contact_)
     return;
-  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (!contact_->acts(t, 0.0))
-      continue;
-    const contact::Tool& tool = scene_.tools[t];
-    const geometry::Pose pose = tool.motion.pose(0.0);
-    for (Index f = 0; f < surface_->n_faces(); ++f) {
-      std::vector<Vec3> points = surface_->samples(x_, f);
-      for (Vec3& p : points)
-        p = pose.to_tool(p);
-      std::vector<geometry::Projection> feet(points.size());
-      tool.surface->project(points, body_size(scene_.mesh), feet);
-      // A chord of a curved face may lie a little inside a tool that touches its nodes.
-      constexpr double allowed_share = 0.02;
-      for (std::size_t i = 0; i < feet.size(); ++i)
-        if (-feet[i].gap > allowed_share * surface_->depth(f)) {
-          const Vec3 at = pose.to_space(points[i]);
-          throw Error(Fault::geometry, "",
-                      fmt::format("the workpiece overlaps tool '{}' before the start: {:.6g} deep "
-                                  "at ({:.6g}, {:.6g}, {:.6g})",
-                                  tool.name, -feet[i].gap, at[0], at[1], at[2]),
-                      "move the tool or the workpiece apart, or give the tool touch = true");
-        }
-    }
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t)
+    if (contact_->acts(t, 0.0))
+      if (const std::string where = overlap(t); !where.empty())
+        throw Error(Fault::geometry, "",
+                    fmt::format("the workpiece overlaps tool '{}' before the start: {}",
+                                scene_.tools[t].name, where),
+                    "move the tool or the workpiece apart, or give the tool touch = true");
+}
+
+std::string Process::overlap(std::size_t tool) const {
+  // A chord of a curved face may lie a little inside a tool that touches its nodes.
+  constexpr double allowed_share = 0.02; // of the element beneath
+  const geometry::Pose pose = contact_->pose(tool, time_, x_);
+  for (Index f = 0; f < surface_->n_faces(); ++f) {
+    std::vector<Vec3> points = surface_->samples(x_, f);
+    for (Vec3& p : points)
+      p = pose.to_tool(p);
+    std::vector<geometry::Projection> feet(points.size());
+    scene_.tools[tool].surface->project(points, body_size(scene_.mesh), feet);
+    for (std::size_t i = 0; i < feet.size(); ++i)
+      if (-feet[i].gap > allowed_share * surface_->depth(f)) {
+        const Vec3 at = pose.to_space(points[i]);
+        return fmt::format("{:.6g} deep at ({:.6g}, {:.6g}, {:.6g})", -feet[i].gap, at[0], at[1],
+                           at[2]);
+      }
   }
+  return {};
 }
 
 contact::DriveScale Process::drive_scale() const {

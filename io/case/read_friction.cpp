@@ -121,8 +121,9 @@ void read_real_contact(TableReader& table, RealContact& real_contact, double& f)
     table.required("f", f, as_number, fraction_number);
 }
 
-/// Modifiers that a law has no use for would silently do nothing.
-void refuse_idle(TableReader& table, const FrictionLaw& law) {
+/// Modifiers that a law has no use for would silently do nothing; shares of k end at 1.
+void refuse_unfit(TableReader& table, const Friction& friction) {
+  const FrictionLaw& law = friction.law;
   const auto refuse = [&](std::string_view key, std::string_view why) {
     if (const std::optional<At> at = table.find(key))
       at->complain(std::string(why));
@@ -135,6 +136,13 @@ void refuse_idle(TableReader& table, const FrictionLaw& law) {
                     "'m_local' are coefficients");
   if (table.find("table"))
     refuse("mu2", "does not go together with 'table', which holds the whole coefficient");
+  if (std::holds_alternative<TrescaFriction>(law) || std::holds_alternative<AsperityFriction>(law))
+    for (const double value : friction.table.values)
+      if (value > 1.0) {
+        refuse("table",
+               fmt::format("found {}, but m and m_local are shares of k: at most 1", value));
+        break;
+      }
   if (std::holds_alternative<FrictionlessFriction>(law) ||
       std::holds_alternative<StickingFriction>(law))
     for (const std::string_view key : {"tensor", "direction", "evolution"})
@@ -179,7 +187,7 @@ std::optional<Friction> as_friction(const At& at) {
   if (direction && !tensor)
     direction->complain("is the first axis of a 'tensor', which is missing");
   if (has_law) {
-    refuse_idle(table, friction.law);
+    refuse_unfit(table, friction);
     table.finish();
   }
   return friction;

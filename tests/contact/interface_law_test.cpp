@@ -110,6 +110,14 @@ TEST(InterfaceLaw, GainsNothingFromAChangeOfItsStiffness) {
   EXPECT_NEAR(friction, 0.3 * 20.0 * way, 0.02 * friction); // the trapezoids at the turns
 }
 
+TEST(InterfaceLaw, TakesTheFirstAxisOfATensorInThePlaneWhereItsDirectionIsNormal) {
+  Friction friction = Coulomb{1.0};
+  friction.tensor = FrictionTensor{Vec2(0.1, 0.3).asDiagonal(), Vec3::UnitY()};
+  const Traction slid = traction_at(*floor_plane(), friction, on_floor(0.01), {1.0, -0.01, 0});
+  EXPECT_EQ(slid.status, Status::slip);
+  EXPECT_NEAR(slid.shear[0], -0.1 * test_penalty.normal * 0.01, rounding * test_penalty.normal);
+}
+
 TEST(InterfaceLaw, SwitchesFromStickToSlipWithoutAJump) {
   const auto floor = floor_plane();
   const Coulomb law{0.3};

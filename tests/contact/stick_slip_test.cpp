@@ -155,6 +155,21 @@ TEST(StickSlip, AnisotropicFrictionHasTheDirectionOfTheTensor) {
   }
 }
 
+TEST(StickSlip, AMultipleOfTheUnitTensorScalesTheCoefficient) {
+  Friction scaled = Coulomb{1.0};
+  const Mat2 Q = 0.2 * Mat2::Identity();
+  for (const double way : {0.01, 0.5}) { // sticks, slides
+    const SlipStep step{Vec2(3.0, 1.0), Vec2(-way, 0.4 * way), K, 20.0, {100.0, 0.0}};
+    const SlipResult a = stick_slip(scaled, {}, step, Q);
+    const SlipResult b = stick_slip(Coulomb{0.2}, {}, step);
+    ASSERT_EQ(a.status, b.status);
+    constexpr double rounding = 1e-11; // of the scalar equation of the slide, on 20 MPa
+    EXPECT_NEAR((a.shear - b.shear).norm(), 0.0, rounding);
+    EXPECT_NEAR((a.slip - b.slip).norm(), 0.0, rounding);
+    EXPECT_NEAR(a.limit, b.limit, rounding);
+  }
+}
+
 TEST(StickSlip, ForcedAnisotropicBlockSlidesAlongTheInverseTensor) {
   // FRI-06, the inverse problem: slip d ~ Q^-1 a for a predictor along a just outside the limit.
   const Mat2 Q = (Mat2() << 0.1, 0.0, 0.0, 0.3).finished();

@@ -107,5 +107,13 @@ TEST(PressBuilder, ACrankIsInRadians) {
   EXPECT_NEAR(built.motion.translation(bottom).z(), -way, 1e-9);
 }
 
+TEST_F(ToolBuilder, RefusesADirectionOfFrictionThatIsNormalToThePlane) {
+  tool_.surface = PlaneSurface{Vec3::Zero(), Vec3(0, 0, 2)};
+  tool_.friction.direction = Vec3(0, 0, -1);
+  EXPECT_THROW((void)build_tool(tool_, Analysis::solid, 10.0, notes_), Error);
+  tool_.friction.direction = Vec3(0, 1, -1);
+  EXPECT_NO_THROW((void)build_tool(tool_, Analysis::solid, 10.0, notes_));
+}
+
 } // namespace
 } // namespace billet::io

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace billet::process {
 namespace {
@@ -88,6 +89,25 @@ TEST(Stages, LetToolsComeAndGo) {
   EXPECT_LT(largest_position(done.last(), 2, 0), 9.6) << "pressed from the side";
   EXPECT_GT(largest_position(done.last(), 2, 1), 9.2) << "free to rise";
   EXPECT_LT(done.last().report.energy.error(), 5e-3);
+}
+
+TEST(Stages, NameAToolThatLiesInTheWorkpieceWhenItsStageBegins) {
+  Upsetting u;
+  u.analysis = Analysis::plane_strain;
+  u.mesh = mechanics::box_mesh(
+      {ElementKind::quad8, Vec3::Zero(), Vec3(10, 10, 0), {4, 4, 1}, {1, 1, 1}});
+  u.height = 10.0;
+  u.reduction = 0.02;
+  Scene scene = upsetting_scene(std::move(u));
+  scene.tools.push_back(
+      moving_tool("side", geometry::make_plane({7, 0, 0}, {-1, 0, 0}), {0, 0, 0}));
+  scene.touch = {1, 0};
+  scene.stages = {{"from above", 1.0, {1, 0}, false}, {"from the side", 2.0, {1, 1}, false}};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_NE(done.status, RunStatus::done);
+  ASSERT_FALSE(done.recorder.failures.empty());
+  const std::string& why = done.recorder.failures.back().reason;
+  EXPECT_NE(why.find("overlaps tool 'side' where the stage begins"), std::string::npos) << why;
 }
 
 TEST(Stages, LetARollDragAStrip) {
