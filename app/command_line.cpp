@@ -25,6 +25,7 @@ constexpr Option all_options[] = {
     {"--set", "KEY=VALUE", "overrides a key of the case, e.g. tool.punch.friction.m=0.2"},
     {"--threads", "N", "threads for assembly and contact search (default: all)"},
     {"--quiet", "", "no progress on standard error"},
+    {"--profile", "", "print where the time went"},
     {"--allow-outside", "", "the case may name files outside its folder"},
     {"--resume", "", "goes on from a checkpoint (not available in this version)"},
 };
@@ -49,6 +50,8 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.threads = positive_number(value, option);
   else if (option == "--quiet")
     arguments.quiet = true;
+  else if (option == "--profile")
+    arguments.profile = true;
   else if (option == unit_option.name)
     arguments.unit = value;
   else if (option == "--allow-outside")

@@ -17,6 +17,7 @@ struct Arguments {
   std::vector<std::string> overrides;          ///< --set key=value
   std::optional<int> threads;                  ///< --threads
   bool quiet = false;                          ///< --quiet
+  bool profile = false;                        ///< --profile
   bool allow_outside = false;                  ///< --allow-outside
   std::optional<std::string> unit;             ///< --unit, of an STL
   std::vector<std::string> rest;               ///< passed on (render)

@@ -18,6 +18,7 @@ struct ReadyProcess {
 
 /// @param file  of the case: the place of complaints that have none of their own
 /// @throws Error
-[[nodiscard]] ReadyProcess make_process(const io::Case& content, const std::string& file);
+[[nodiscard]] ReadyProcess
+make_process(const io::Case& content, const std::string& file, int threads = 1);
 
 } // namespace billet::app

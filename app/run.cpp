@@ -83,6 +83,31 @@ void print_summary(const process::Process& process,
     fmt::print("what went wrong: {}\n", (folder / "failure" / "post_mortem.txt").string());
 }
 
+void print_profile(const process::Process& process) {
+  const process::PhaseTimes& t = process.times();
+  const auto line = [&](std::string_view phase, double seconds) {
+    fmt::print("{:<14} {:>9.3f} s {:>6.1f} %\n", phase, seconds, 100.0 * seconds / t.total);
+  };
+  line("search", t.search);
+  line("contact", t.contact);
+  line("elements", t.elements);
+  line("assembly", t.assembly);
+  line("analysis", t.analysis);
+  line("factorization", t.factorization);
+  line("solve", t.solve);
+  line("certificate", t.certificate);
+  line("output", t.output);
+  line("rest", t.rest());
+  line("total", t.total);
+  const mechanics::SolverWork& work = process.solver_work();
+  fmt::print("{} linear systems: {} factorizations at {:.3g} GFLOP/s, {} substitutions, {} systems "
+             "with an earlier factorization; the last factorization, {}, {:.3g} GFLOP, {:.3g} MB\n",
+             work.systems, work.factorizations,
+             work.factorization > 0.0 ? 1e-9 * work.flops / work.factorization : 0.0,
+             work.substitutions, work.reused, work.last_method, 1e-9 * work.last_flops,
+             1e-6 * work.last_factor_bytes);
+}
+
 } // namespace
 
 int run_case(const Arguments& arguments) {
@@ -96,7 +121,7 @@ int run_case(const Arguments& arguments) {
   const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
                                             static_cast<std::size_t>(threads));
   Progress progress(arguments.quiet);
-  const ReadyProcess ready = make_process(content, arguments.file);
+  const ReadyProcess ready = make_process(content, arguments.file, threads);
   process::Process& process = *ready.process;
   progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
                            mechanics::blas_core()));
@@ -113,6 +138,8 @@ int run_case(const Arguments& arguments) {
     progress.say(warning);
   writer.write_summary(process, {ending(status), exit_status(status)});
   print_summary(process, content, status, folder);
+  if (arguments.profile)
+    print_profile(process);
   return exit_status(status);
 }
 

@@ -1,5 +1,6 @@
 #include "contact/contact_term.h"
 
+#include "geometry/base/stopwatch.h"
 #include "mechanics/elements/faces.h"
 
 #include <Eigen/Geometry>
@@ -29,6 +30,14 @@ constexpr double rounding_of_touch = 1e-9;
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
 
+/// The derivative of a traction without what couples its shear to the pressure, and symmetric: a
+/// stiff normal and a soft tangential spring. (C.40)
+Mat3 without_coupling(const Mat3& D, const Vec3& n) {
+  const Mat3 plane = Mat3::Identity() - n * n.transpose();
+  const Mat3 tangential = plane * D * plane;
+  return n.dot(D * n) * n * n.transpose() + 0.5 * (tangential + tangential.transpose());
+}
+
 } // namespace
 
 ContactTerm::ContactTerm(const ContactSurface& surface,
@@ -40,8 +49,8 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
       enabled_(tools.size(), 1), held_(tools.size(), 0), positions_(surface.n_points()),
       areas_(surface.n_points()), traction_(surface.n_points()), dtraction_(surface.n_points()),
-      touched_(surface.n_points()), loads_(tools.size()), closed_(tools.size()),
-      drives_(drive_unknowns(tools)), scale_(drives) {
+      symmetric_(surface.n_points()), touched_(surface.n_points()), loads_(tools.size()),
+      closed_(tools.size()), drives_(drive_unknowns(tools)), scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
   for (ToolState& state : states_) {
@@ -192,15 +201,21 @@ void ContactTerm::sum(const ToolState& state, const geometry::Pose& pose) {
       continue;
     touched_[k] = 1;
     traction_[k] += pose.rotation * state.trial[k].traction;
-    dtraction_[k] += pose.rotation * state.trial[k].dtraction_dx * pose.rotation.transpose();
+    const Mat3& D = state.trial[k].dtraction_dx;
+    dtraction_[k] += pose.rotation * D * pose.rotation.transpose();
+    symmetric_[k] +=
+        pose.rotation * without_coupling(D, state.foot[k].normal) * pose.rotation.transpose();
   }
 }
 
 Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& trial,
                                                     mechanics::System& system) {
+  const double begun = seconds_now();
+  const double searched = times_.search;
   surface_->positions(trial.x, positions_);
   std::fill(traction_.begin(), traction_.end(), Vec3::Zero());
   std::fill(dtraction_.begin(), dtraction_.end(), Mat3::Zero());
+  std::fill(symmetric_.begin(), symmetric_.end(), Mat3::Zero());
   std::fill(touched_.begin(), touched_.end(), char{0});
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (!acts(t, trial.time)) {
@@ -209,7 +224,9 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     }
     const geometry::Pose place = pose(t, trial.time, trial.x);
     states_[t].rotation = place.rotation;
+    const double asked = seconds_now();
     search(tools_[t], states_[t], place);
+    times_.search += seconds_now() - asked;
     system.contact_changes +=
         evaluate(tools_[t], states_[t], trial, trial.first_guess && many_parted(states_[t]));
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
@@ -219,6 +236,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
   add_strength(trial, system);
   add_loads(trial, system);
   add_borders(trial, system);
+  times_.elements += seconds_now() - begun - (times_.search - searched);
   return mechanics::Assembled{};
 }
 
@@ -238,8 +256,9 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
       system.symmetric = false;
       mechanics::gather(x, faces.nodes(f), dim, local.data());
       Eigen::Matrix<double, size, 1> force = Eigen::Matrix<double, size, 1>::Zero();
-      Eigen::Matrix<double, size, size, Eigen::RowMajor> tangent;
-      tangent.setZero();
+      using Square = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
+      Square tangent = Square::Zero();
+      Square near = Square::Zero(); // without what couples slip to pressure
       for (int i = 0; i < Rule::points; ++i) {
         const std::size_t k = first + idx(i);
         if (touched_[k] == 0)
@@ -249,16 +268,23 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
         const Eigen::Matrix<double, dim, 1> T = traction_[k].template head<dim>();
         const Eigen::Matrix<double, dim, dim> D =
             at.measure * dtraction_[k].template topLeftCorner<dim, dim>();
+        const Eigen::Matrix<double, dim, dim> C =
+            at.measure * symmetric_[k].template topLeftCorner<dim, dim>();
         for (int a = 0; a < Shape::nodes; ++a) {
           const double Na = at.N[idx(a)];
           force.template segment<dim>(a * dim) -= Na * at.measure * T;
-          for (int b = 0; b < Shape::nodes; ++b)
-            tangent.template block<dim, dim>(a * dim, b * dim) -=
-                Na * (at.N[idx(b)] * D + T * at.dmeasure[idx(b)].template head<dim>().transpose());
+          for (int b = 0; b < Shape::nodes; ++b) {
+            const Eigen::Matrix<double, dim, dim> growth =
+                T * at.dmeasure[idx(b)].template head<dim>().transpose();
+            tangent.template block<dim, dim>(a * dim, b * dim) -= Na * (at.N[idx(b)] * D + growth);
+            near.template block<dim, dim>(a * dim, b * dim) -= Na * (at.N[idx(b)] * C + growth);
+          }
         }
       }
+      const Square unsymmetric = tangent - 0.5 * (near + near.transpose());
       faces.add(dim, f, force.data(), system.residual);
       faces.add(*pattern_, f, tangent.data(), system.tangent.values);
+      faces.list(*pattern_, f, unsymmetric.data(), system.tangent.unsymmetric);
     }
   });
 }

@@ -138,6 +138,12 @@ public:
   /// Resultants of the last committed trial, one a tool.
   [[nodiscard]] std::span<const ToolLoad> loads() const { return loads_; }
   [[nodiscard]] const ContactWork& work() const { return work_; }
+  /// Time spent in all assemblies [s].
+  struct Times {
+    double search = 0.0;
+    double elements = 0.0; ///< laws, contact elements, loads of tools
+  };
+  [[nodiscard]] const Times& times() const { return times_; }
   /// Points of the last committed trial, shape (n_points).
   [[nodiscard]] std::vector<PointResult> results() const;
   /// What the points closed on each tool did in the last committed increment, shape (n_tools).
@@ -236,6 +242,7 @@ private:
   std::vector<double> areas_;
   std::vector<Vec3> traction_;
   std::vector<Mat3> dtraction_;
+  std::vector<Mat3> symmetric_; ///< of each derivative, what a symmetric tangent may have of it
   std::vector<char> touched_;
   std::vector<ToolLoad> loads_;
   std::vector<std::vector<ClosedPoint>> closed_;
@@ -243,6 +250,7 @@ private:
   DriveScale scale_;
   ContactWork work_;
   double area_ = 0.0;
+  Times times_;
   double stiffening_ = 1.0;      ///< of the normal penalty in the trial [-]
   double stiffening_old_ = 1.0;  ///< in the committed state [-]
   double stiffening_next_ = 1.0; ///< at the beginning of a try [-]

@@ -61,9 +61,13 @@ void add_row(const mechanics::BlockPattern& pattern,
   for (std::size_t b = 0; b < gradient.nodes().size(); ++b) {
     const Index column = pattern.offset(node, gradient.nodes()[b]) * dim;
     for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j)
-        system.tangent.values[idx(pattern.row_start[idx(node * dim + i)] + column + j)] +=
-            dforce[i] * gradient(b, j);
+      for (int j = 0; j < dim; ++j) {
+        const Index row = node * dim + i;
+        const Index entry = pattern.row_start[idx(row)] + column + j;
+        const double value = dforce[i] * gradient(b, j);
+        system.tangent.values[idx(entry)] += value;
+        system.tangent.unsymmetric.push_back({row, entry, value});
+      }
   }
 }
 

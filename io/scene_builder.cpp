@@ -355,9 +355,6 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
             "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
   if (content.materials.at(content.workpiece.material).density)
     notes.push_back("density has no effect in this version: there is no inertia");
-  if (content.solver.reproducible)
-    notes.push_back("reproducible = true changes nothing in this version: every run repeats to the "
-                    "bit");
 }
 
 } // namespace
@@ -397,7 +394,7 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
                       content.time.increments.max};
   scene.landing_times = landing_times(content, scene);
   scene.tolerance = content.solver.tolerance;
-  scene.solver = static_cast<mechanics::SolverChoice>(content.solver.linear);
+  scene.solver.choice = static_cast<mechanics::SolverChoice>(content.solver.linear);
   return built;
 }
 

@@ -47,6 +47,12 @@ public:
   [[nodiscard]] ElementKind kind() const { return mesh_->kind; }
   /// Reference volumes, shape (n_elements, points) [mm^3].
   [[nodiscard]] std::span<const double> volumes() const { return volumes_; }
+  /// Time of all assemblies, and the share of it that went into adding to the system [s].
+  struct Times {
+    double elements = 0.0;
+    double scatter = 0.0;
+  };
+  [[nodiscard]] const Times& times() const { return times_; }
   /// Largest plastic strain increment of the last trial [-].
   [[nodiscard]] double largest_plastic_increment() const { return largest_plastic_increment_; }
   /// Plastic work of all commits [N mm].
@@ -60,8 +66,9 @@ public:
 
 private:
   struct Scratch;
-  ElementStatus
-  assemble_element(Index element, const Trial& trial, System& system, Scratch& scratch);
+  /// Forces and tangent of an element, in the scratch.
+  ElementStatus run_element(Index element, const Trial& trial, Scratch& scratch);
+  void add_element(Index element, System& system, const Scratch& scratch) const;
 
   const Mesh* mesh_;
   const BlockPattern* pattern_;
@@ -76,6 +83,7 @@ private:
   std::vector<double> increments_; ///< largest plastic increment of each element
   double largest_plastic_increment_ = 0.0;
   double plastic_work_ = 0.0;
+  Times times_;
 };
 
 /// Positions of a group's nodes, gathered; shape (nodes, dim).

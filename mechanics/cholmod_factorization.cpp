@@ -1,6 +1,7 @@
 #include "mechanics/linear_solver.h"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <new>
@@ -8,6 +9,19 @@
 namespace billet::mechanics {
 
 namespace {
+
+/// One thread for OpenMP while it lives: CHOLMOD shares loops among four whatever the machine has,
+/// and on small fronts they wait for each other longer than they work.
+class OneThread {
+public:
+  OneThread() { omp_set_max_active_levels(0); }
+  ~OneThread() { omp_set_max_active_levels(before_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+private:
+  int before_ = omp_get_max_active_levels();
+};
 
 /// Supernodal Cholesky factorization with the order given.
 class CholmodFactorization final : public Factorization {
@@ -38,6 +52,7 @@ public:
   CholmodFactorization& operator=(const CholmodFactorization&) = delete;
 
   [[nodiscard]] bool factorize(const SparseMatrix& matrix) override {
+    const OneThread one;
     cholmod_sparse A = view(matrix.values.data());
     const int ok = cholmod_factorize(&A, factor_, &common_);
     if (common_.status == CHOLMOD_OUT_OF_MEMORY)
@@ -47,6 +62,7 @@ public:
   }
 
   void solve(std::span<double> rhs) override {
+    const OneThread one;
     cholmod_dense b{};
     b.nrow = rhs.size();
     b.ncol = 1;

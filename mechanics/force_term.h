@@ -52,6 +52,7 @@ struct System {
 
   void clear() {
     std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
+    tangent.unsymmetric.clear();
     std::fill(residual.begin(), residual.end(), 0.0);
     for (Border& border : borders)
       for (std::vector<double>* part : {&border.column, &border.row, &border.corner})

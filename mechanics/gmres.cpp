@@ -104,11 +104,11 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
     matrix.multiply(directions_[idx(k)], basis_[idx(k) + 1]);
     columns_[idx(k)].assign(idx(k) + 2, 0.0);
     const double length = extend(k);
+    if (!std::isfinite(length))
+      return report;
     columns_[idx(k)][idx(k) + 1] = length;
     report.iterations = k + 1;
     report.residual = reduce(k) / scale;
-    if (!std::isfinite(report.residual))
-      return report;
     report.converged = report.residual <= tolerance;
     if (report.converged || too_slow(report.residual, tolerance, k + 1, most))
       break;

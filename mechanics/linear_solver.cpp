@@ -1,5 +1,8 @@
 #include "mechanics/linear_solver.h"
 
+#include "geometry/base/stopwatch.h"
+#include "mechanics/blas.h"
+
 #include <metis.h>
 
 #include <algorithm>
@@ -30,6 +33,25 @@ int most_solves(const FactorCost& cost) {
   return solves < fewest ? 0 : static_cast<int>(solves);
 }
 
+/// Where the transpose of every entry lies, shape (n_entries).
+std::vector<Index> transposed_entries(const BlockPattern& pattern) {
+  // Rows are walked in order, so the transpose is the next entry of its row not met so far.
+  std::vector<Index> transposed(pattern.n_entries());
+  std::vector<Index> next(pattern.row_start.begin(), pattern.row_start.end() - 1);
+  for (std::size_t k = 0; k < transposed.size(); ++k)
+    transposed[k] = next[static_cast<std::size_t>(pattern.columns[k])]++;
+  return transposed;
+}
+
+/// Relative residual that counts as exact: what a factorization and its refinement are held to.
+constexpr double exact = 1e-10;
+
+/// Iterations with the symmetric part: more cost more than MUMPS' LU does beyond Cholesky.
+constexpr int most_iterations = 24;
+
+/// The symmetric part that fails is tried again after 2, 4, ... 32 systems.
+constexpr int most_failures = 5;
+
 } // namespace
 
 std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
@@ -56,23 +78,57 @@ std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
   return order;
 }
 
-LinearSolver::LinearSolver(const BlockPattern& pattern, SolverChoice choice)
-    : pattern_(&pattern), choice_(choice), order_(fill_reducing_order(pattern)),
-      residual_(static_cast<std::size_t>(pattern.n_dofs())) {}
+LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
+    : pattern_(&pattern), settings_(settings),
+      residual_(static_cast<std::size_t>(pattern.n_dofs())) {
+  const Stopwatch watch(work_.analysis);
+  order_ = fill_reducing_order(pattern);
+}
+
+template <class Make>
+Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorization, Make make) {
+  if (!factorization) {
+    const Stopwatch watch(work_.analysis);
+    factorization = make();
+  }
+  return *factorization;
+}
+
+bool LinearSolver::factorize(Factorization& factorization,
+                             std::string_view method,
+                             const SparseMatrix& matrix) {
+  const Stopwatch watch(work_.factorization);
+  constexpr double large = 1e9; // operations: below them threads wait longer than they work
+  last_ = nullptr;
+  const bool share = settings_.threads > 1 && factorization.cost().flops > large;
+  if (share)
+    set_blas_threads(settings_.threads);
+  const bool done = factorization.factorize(matrix);
+  if (share)
+    set_blas_threads(1);
+  const FactorCost cost = factorization.cost();
+  ++work_.factorizations;
+  work_.flops += cost.flops;
+  work_.last_method = method;
+  work_.last_flops = cost.flops;
+  work_.last_factor_bytes = cost.entries * sizeof(double);
+  if (done)
+    last_ = &factorization;
+  return done;
+}
 
 Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
                                               std::string_view method,
                                               const SparseMatrix& matrix,
                                               std::span<const double> rhs,
                                               std::span<double> x) {
-  last_ = nullptr;
-  if (!factorization.factorize(matrix))
+  if (!factorize(factorization, method, matrix))
     return Failure{"the tangent is singular (" + std::string(method) + ")"};
   auto report = back_substitute(factorization, method, matrix, rhs, x);
-  if (report) {
-    last_ = &factorization;
-    current_ = true;
-  }
+  if (report)
+    held_ = Held::current;
+  else
+    last_ = nullptr;
   return report;
 }
 
@@ -81,10 +137,11 @@ Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
                                                    const SparseMatrix& matrix,
                                                    std::span<const double> rhs,
                                                    std::span<double> x) {
+  const Stopwatch watch(work_.substitution);
   std::copy(rhs.begin(), rhs.end(), x.begin());
   factorization.solve(x);
+  ++work_.substitutions;
   // Backward stable factorizations leave 1e-14 or so; one refinement mends a poor pivot order.
-  constexpr double wanted = 1e-10;
   const double scale = norm(rhs);
   SolveReport report{method, 0.0};
   for (int pass = 0; pass < 2; ++pass) {
@@ -92,9 +149,10 @@ Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
     for (std::size_t i = 0; i < rhs.size(); ++i)
       residual_[i] = rhs[i] - residual_[i];
     report.relative_residual = scale > 0.0 ? norm(residual_) / scale : 0.0;
-    if (report.relative_residual <= wanted || pass == 1)
+    if (report.relative_residual <= exact || pass == 1)
       break;
     factorization.solve(residual_);
+    ++work_.substitutions;
     for (std::size_t i = 0; i < rhs.size(); ++i)
       x[i] += residual_[i];
   }
@@ -103,20 +161,38 @@ Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
   return report;
 }
 
+GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
+                                  std::span<const double> rhs,
+                                  std::span<double> x,
+                                  double tolerance,
+                                  int most) {
+  const Stopwatch watch(work_.substitution);
+  const GmresReport report = gmres_.solve(matrix, *last_, rhs, x, tolerance, most);
+  work_.substitutions += report.iterations;
+  return report;
+}
+
 Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
                                          bool symmetric,
                                          std::span<const double> rhs,
                                          std::span<double> x,
                                          double tolerance) {
-  current_ = false;
-  const bool may_reuse = tolerance > 0.0 && choice_ == SolverChoice::automatic;
+  ++work_.systems;
+  held_ = Held::earlier;
+  if (norm(rhs) == 0.0) {
+    std::fill(x.begin(), x.end(), 0.0);
+    return SolveReport{"zero", 0.0};
+  }
+  const bool may_reuse = tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
   if (most > 0) {
-    const GmresReport report = gmres_.solve(matrix, *last_, rhs, x, tolerance, most);
-    if (report.converged)
+    const GmresReport report = iterate(matrix, rhs, x, tolerance, most);
+    if (report.converged) {
+      ++work_.reused;
       return SolveReport{"gmres", report.residual};
+    }
   }
-  return factorize_and_solve(matrix, symmetric, rhs, x);
+  return factorize_and_solve(matrix, symmetric, rhs, x, tolerance);
 }
 
 Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
@@ -124,34 +200,79 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
                                                std::span<const double> rhs,
                                                std::span<double> x,
                                                double tolerance) {
-  if (current_)
+  if (held_ == Held::current)
     return back_substitute(*last_, "again", matrix, rhs, x);
+  if (held_ == Held::symmetric_part) {
+    const GmresReport report = iterate(matrix, rhs, x, std::max(tolerance, exact), most_iterations);
+    if (report.converged)
+      return SolveReport{"again", report.residual};
+  }
   return solve(matrix, symmetric, rhs, x, tolerance);
+}
+
+void LinearSolver::take_symmetric_part(const SparseMatrix& matrix) {
+  if (transposed_.empty())
+    transposed_ = transposed_entries(*pattern_);
+  symmetric_part_.pattern = pattern_;
+  symmetric_part_.values = matrix.values;
+  auto& values = symmetric_part_.values;
+  for (const EntryPart& part : matrix.unsymmetric)
+    values[static_cast<std::size_t>(part.entry)] -= part.value;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto other = static_cast<std::size_t>(transposed_[k]);
+    if (other > k)
+      values[k] = values[other] = 0.5 * (values[k] + values[other]);
+  }
+}
+
+Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix& matrix,
+                                                             std::span<const double> rhs,
+                                                             std::span<double> x,
+                                                             double tolerance) {
+  take_symmetric_part(matrix);
+  Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(*pattern_, order_); });
+  if (!factorize(cholesky, "cholmod-gmres", symmetric_part_))
+    return Failure{"the symmetric part of the tangent is not positive definite"};
+  const bool small =
+      most_solves(cholesky.cost()) == 0; // a correction less than exact saves nothing
+  const GmresReport report =
+      iterate(matrix, rhs, x, small ? exact : std::max(tolerance, exact), most_iterations);
+  if (!report.converged)
+    return Failure{"the tangent is too far from symmetric"};
+  ++work_.nearly_symmetric;
+  held_ = Held::symmetric_part;
+  return SolveReport{"cholmod-gmres", report.residual};
 }
 
 Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,
                                                        bool symmetric,
                                                        std::span<const double> rhs,
-                                                       std::span<double> x) {
-  const bool fast = choice_ == SolverChoice::automatic || choice_ == SolverChoice::cholmod;
+                                                       std::span<double> x,
+                                                       double tolerance) {
+  const bool fast =
+      settings_.choice == SolverChoice::automatic || settings_.choice == SolverChoice::cholmod;
   if (symmetric && fast) {
-    if (!cholmod_)
-      cholmod_ = make_cholmod(*pattern_, order_);
-    auto outcome = solve_with(*cholmod_, "cholmod", matrix, rhs, x);
+    Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(*pattern_, order_); });
+    auto outcome = solve_with(cholesky, "cholmod", matrix, rhs, x);
     if (outcome)
       return outcome;
   }
-  if (choice_ != SolverChoice::umfpack) {
-    auto& mumps = symmetric ? mumps_symmetric_ : mumps_;
-    if (!mumps)
-      mumps = make_mumps(*pattern_, order_, symmetric);
-    auto outcome = solve_with(*mumps, symmetric ? "mumps-ldlt" : "mumps-lu", matrix, rhs, x);
-    if (outcome || choice_ == SolverChoice::mumps)
+  if (!symmetric && fast && wait_-- <= 0) {
+    auto outcome = solve_with_symmetric_part(matrix, rhs, x, tolerance);
+    failures_ = outcome ? 0 : std::min(failures_ + 1, most_failures);
+    wait_ = outcome ? 0 : 1 << failures_;
+    if (outcome)
       return outcome;
   }
-  if (!umfpack_)
-    umfpack_ = make_umfpack(*pattern_, order_);
-  return solve_with(*umfpack_, "umfpack", matrix, rhs, x);
+  if (settings_.choice != SolverChoice::umfpack) {
+    Factorization& mumps = prepared(symmetric ? mumps_symmetric_ : mumps_,
+                                    [&] { return make_mumps(*pattern_, order_, symmetric); });
+    auto outcome = solve_with(mumps, symmetric ? "mumps-ldlt" : "mumps-lu", matrix, rhs, x);
+    if (outcome || settings_.choice == SolverChoice::mumps)
+      return outcome;
+  }
+  Factorization& umfpack = prepared(umfpack_, [&] { return make_umfpack(*pattern_, order_); });
+  return solve_with(umfpack, "umfpack", matrix, rhs, x);
 }
 
 } // namespace billet::mechanics

@@ -1,9 +1,11 @@
 // Solution of the linear systems of Newton's method by direct factorization.
 //
 // The unknowns are ordered once per mesh (METIS on the node graph). A symmetric matrix goes to
-// CHOLMOD's supernodal Cholesky factorization and, when a pivot is not positive, to MUMPS' LDL^T;
-// an unsymmetric one to MUMPS' LU; UMFPACK stands in when MUMPS fails. Every solution's residual
-// is checked and refined once where it is too large.
+// CHOLMOD's supernodal Cholesky factorization and, when a pivot is not positive, to MUMPS' LDL^T.
+// An unsymmetric one is solved by GMRES with the Cholesky factorization of a symmetric neighbour
+// (SparseMatrix::unsymmetric), and by MUMPS' LU where that does not converge; UMFPACK stands
+// in when MUMPS fails. Every solution's residual is checked and refined once where it is too large.
+// docs/decisions/0010-symmetric-neighbour.md
 
 #pragma once
 
@@ -21,10 +23,33 @@ namespace billet::mechanics {
 /// Which factorization solves the systems.
 enum class SolverChoice { automatic, cholmod, mumps, umfpack };
 
+/// How systems are solved.
+struct SolverSettings {
+  SolverChoice choice = SolverChoice::automatic;
+  int threads = 1; ///< of large factorizations; the bits of a result depend on them
+};
+
 /// What the last solution did, for the log and the summary.
 struct SolveReport {
-  std::string_view method;      ///< "cholmod", "mumps-ldlt", "mumps-lu", "umfpack", "gmres"
+  std::string_view method;      ///< "cholmod", "cholmod-gmres", "mumps-ldlt", "mumps-lu",
+                                ///< "umfpack"; "gmres": with an earlier factorization
   double relative_residual = 0; ///< of the linear system
+};
+
+/// What solving has taken so far.
+struct SolverWork {
+  double analysis = 0.0;      ///< time for orders and symbolic factorizations [s]
+  double factorization = 0.0; ///< time [s]
+  double substitution = 0.0;  ///< time for substitutions and iterations around them [s]
+  double flops = 0.0;         ///< of all factorizations
+  long factorizations = 0;
+  long substitutions = 0;
+  long reused = 0;           ///< systems solved without a factorization of their own
+  long nearly_symmetric = 0; ///< unsymmetric systems solved with their symmetric part
+  long systems = 0;
+  std::string_view last_method;   ///< of the last factorization
+  double last_flops = 0.0;        ///< of the last factorization
+  double last_factor_bytes = 0.0; ///< of the last factorization's factors
 };
 
 /// Work of a factorization.
@@ -41,7 +66,7 @@ public:
   [[nodiscard]] virtual bool factorize(const SparseMatrix& matrix) = 0;
   /// Overwrites the right-hand side with the solution.
   virtual void solve(std::span<double> rhs) = 0;
-  /// Work of the last factorization, as counted by the method.
+  /// Work of the last factorization, as counted by the method; before it what analysis expects.
   [[nodiscard]] virtual FactorCost cost() const = 0;
 };
 
@@ -60,7 +85,7 @@ make_mumps(const BlockPattern& pattern, std::span<const Index> order, bool symme
 class LinearSolver {
 public:
   /// @pre pattern outlives the solver
-  LinearSolver(const BlockPattern& pattern, SolverChoice choice);
+  LinearSolver(const BlockPattern& pattern, SolverSettings settings);
 
   /// Solves matrix * x = rhs; `symmetric` promises that the matrix is.
   ///
@@ -73,13 +98,21 @@ public:
                                            double tolerance = 0.0);
 
   /// Solves for another right-hand side, just after `solve` with the same matrix.
+  /// The symmetric part's factorization serves here as well.
   [[nodiscard]] Outcome<SolveReport> solve_again(const SparseMatrix& matrix,
                                                  bool symmetric,
                                                  std::span<const double> rhs,
                                                  std::span<double> x,
                                                  double tolerance);
 
+  [[nodiscard]] const SolverWork& work() const { return work_; }
+
 private:
+  /// Makes a factorization of the pattern where there is none so far.
+  template <class Make>
+  Factorization& prepared(std::unique_ptr<Factorization>& factorization, Make make);
+  [[nodiscard]] bool
+  factorize(Factorization& factorization, std::string_view method, const SparseMatrix& matrix);
   [[nodiscard]] Outcome<SolveReport> solve_with(Factorization& factorization,
                                                 std::string_view method,
                                                 const SparseMatrix& matrix,
@@ -90,22 +123,41 @@ private:
                                                      const SparseMatrix& matrix,
                                                      std::span<const double> rhs,
                                                      std::span<double> x);
+  /// By the Cholesky factorization of the symmetric neighbour. (C.40)
+  [[nodiscard]] Outcome<SolveReport> solve_with_symmetric_part(const SparseMatrix& matrix,
+                                                               std::span<const double> rhs,
+                                                               std::span<double> x,
+                                                               double tolerance);
+  /// GMRES with the factorization at hand.
+  [[nodiscard]] GmresReport iterate(const SparseMatrix& matrix,
+                                    std::span<const double> rhs,
+                                    std::span<double> x,
+                                    double tolerance,
+                                    int most);
+  void take_symmetric_part(const SparseMatrix& matrix);
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
                                                          bool symmetric,
                                                          std::span<const double> rhs,
-                                                         std::span<double> x);
+                                                         std::span<double> x,
+                                                         double tolerance);
 
   const BlockPattern* pattern_;
-  SolverChoice choice_;
+  SolverSettings settings_;
   std::vector<Index> order_;
   std::unique_ptr<Factorization> cholmod_;
   std::unique_ptr<Factorization> mumps_symmetric_;
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
   Factorization* last_ = nullptr; ///< holds a factorization of an earlier matrix
-  bool current_ = false;          ///< ... of the last matrix `solve` was given
+  /// ... and the matrix it is of.
+  enum class Held { earlier, symmetric_part, current } held_ = Held::earlier;
   Gmres gmres_;
+  SparseMatrix symmetric_part_;
+  std::vector<Index> transposed_; ///< where entry (j, i) lies, shape (n_entries)
+  int wait_ = 0;                  ///< systems to go before the symmetric part is tried again
+  int failures_ = 0;              ///< of the symmetric part, one after another
   std::vector<double> residual_;
+  SolverWork work_;
 };
 
 } // namespace billet::mechanics

@@ -2,6 +2,7 @@
 
 #include <dmumps_c.h>
 
+#include <algorithm>
 #include <new>
 
 namespace billet::mechanics {
@@ -62,7 +63,7 @@ public:
   [[nodiscard]] FactorCost cost() const override {
     // INFOG(9) counts millions below zero when it does not fit.
     const double entries = mumps_.infog[8];
-    return {mumps_.rinfog[2], entries >= 0.0 ? entries : -1e6 * entries};
+    return {std::max(mumps_.rinfog[0], mumps_.rinfog[2]), entries >= 0.0 ? entries : -1e6 * entries};
   }
 
 private:

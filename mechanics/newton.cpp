@@ -56,10 +56,10 @@ double forcing(double relative_residual, double tolerance) {
 } // namespace
 
 Newton::Newton(const BlockPattern& pattern,
-               SolverChoice choice,
+               SolverSettings solver,
                NewtonSettings settings,
                std::size_t n_extra)
-    : pattern_(&pattern), settings_(settings), solver_(pattern, choice) {
+    : pattern_(&pattern), settings_(settings), solver_(pattern, solver) {
   const auto n = idx(pattern.n_dofs());
   system_.tangent.pattern = &pattern;
   system_.tangent.values.resize(pattern.n_entries());
@@ -139,6 +139,9 @@ Newton::correct(const Prescribed& prescribed, std::span<const double> x, double 
     if (fixed_[i] == 0)
       rhs_[i] = -system_.residual[i] - lift;
   }
+  std::erase_if(system_.tangent.unsymmetric, [&](const EntryPart& part) {
+    return fixed_[idx(part.row)] != 0 || fixed_[idx(pattern_->columns[idx(part.entry)])] != 0;
+  });
   return solve_bordered(tolerance);
 }
 

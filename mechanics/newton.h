@@ -70,7 +70,7 @@ public:
   /// @param n_extra  unknowns of the terms' own after those of the nodes: see `Border`
   /// @pre pattern outlives this
   Newton(const BlockPattern& pattern,
-         SolverChoice choice,
+         SolverSettings solver,
          NewtonSettings settings,
          std::size_t n_extra = 0);
 
@@ -92,6 +92,7 @@ public:
   /// Residual of the last trial [N]; at prescribed unknowns: the force of the support.
   [[nodiscard]] std::span<const double> residual() const { return system_.residual; }
   [[nodiscard]] const NewtonTimes& times() const { return times_; }
+  [[nodiscard]] const SolverWork& solver_work() const { return solver_.work(); }
   /// Free unknown of a node with the largest residual of the last trial (for a post-mortem).
   [[nodiscard]] Index worst_unknown() const;
 

@@ -114,6 +114,26 @@ void Scatter::add(const BlockPattern& pattern,
   }
 }
 
+void Scatter::list(const BlockPattern& pattern,
+                   Index group,
+                   const double* local,
+                   std::vector<EntryPart>& parts) const {
+  const auto dim = idx(pattern.dim);
+  const auto size = idx(size_);
+  const Index* offsets = offsets_.data() + at(group) * size;
+  for (std::size_t a = 0; a < size; ++a)
+    for (std::size_t i = 0; i < dim; ++i) {
+      const std::size_t row = idx(nodes(group)[a]) * dim + i;
+      for (std::size_t b = 0; b < size; ++b)
+        for (std::size_t j = 0; j < dim; ++j, ++local)
+          if (*local != 0.0)
+            parts.push_back({static_cast<Index>(row),
+                             pattern.row_start[row] + offsets[a * size + b] * pattern.dim +
+                                 static_cast<Index>(j),
+                             *local});
+    }
+}
+
 void Scatter::add(int dim, Index group, const double* local, std::span<double> vector) const {
   const auto n = idx(dim);
   for (const Index a : nodes(group))

@@ -33,6 +33,13 @@ struct BlockPattern {
 /// Pattern of a mesh whose every cell couples all its nodes.
 [[nodiscard]] BlockPattern block_pattern(const Mesh& mesh);
 
+/// A part of one entry of a matrix.
+struct EntryPart {
+  Index row;
+  Index entry; ///< index into the values
+  double value;
+};
+
 /// Where the blocks of equally large groups of nodes (elements or faces) go in the matrix, and an
 /// order in which groups of one colour share no node: sums come out the same to the bit for any
 /// number of threads.
@@ -58,6 +65,11 @@ public:
            Index group,
            const double* local,
            std::span<double> values) const;
+  /// Lists the parts of a local matrix, but for zeros.
+  void list(const BlockPattern& pattern,
+            Index group,
+            const double* local,
+            std::vector<EntryPart>& parts) const;
   /// Adds a local vector, shape (size * dim), to `vector`.
   void add(int dim, Index group, const double* local, std::span<double> vector) const;
 
@@ -78,6 +90,9 @@ private:
 struct SparseMatrix {
   const BlockPattern* pattern = nullptr;
   std::vector<double> values; ///< shape (n_entries)
+  /// What, taken away, leaves a symmetric matrix close to this one, in any order: what couples slip
+  /// to pressure and strength. Solvers may use it; it is part of the values.
+  std::vector<EntryPart> unsymmetric = {};
 
   /// y = A x, shapes (n_dofs).
   void multiply(std::span<const double> x, std::span<double> y) const;

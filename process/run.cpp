@@ -382,8 +382,20 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   return RunStatus::done;
 }
 
+void Process::take_times() {
+  const mechanics::SolverWork& work = newton_->solver_work();
+  times_.elements = bulk_->times().elements;
+  times_.search = contact_ ? contact_->times().search : 0.0;
+  times_.contact = contact_ ? contact_->times().elements : 0.0;
+  times_.assembly = newton_->times().assembly - times_.elements - times_.search - times_.contact;
+  times_.analysis = work.analysis;
+  times_.factorization = work.factorization;
+  times_.solve =
+      newton_->times().solve - work.factorization - (work.analysis - analysis_before_run_);
+}
+
 RunStatus Process::run(const std::vector<Observer*>& observers) {
-  const double begun = seconds_now();
+  analysis_before_run_ = newton_->solver_work().analysis;
   for (Observer* observer : observers)
     observer->started(*this);
   RunStatus status = RunStatus::done;
@@ -394,9 +406,8 @@ RunStatus Process::run(const std::vector<Observer*>& observers) {
       break;
     start = stage.end;
   }
-  times_.assembly = newton_->times().assembly;
-  times_.solve = newton_->times().solve;
-  times_.total = seconds_now() - begun;
+  take_times();
+  times_.total = seconds_now() - started_;
   for (Observer* observer : observers)
     observer->finished(*this);
   return status;

@@ -85,11 +85,22 @@ enum class RunStatus { done, not_converged, stopped };
 
 /// Time spent by part of the program [s].
 struct PhaseTimes {
-  double total = 0.0;
-  double assembly = 0.0;    ///< elements, contact search, contact elements
-  double solve = 0.0;       ///< analysis, factorization, back substitution
-  double certificate = 0.0; ///< bound of penetration
-  double output = 0.0;      ///< observers
+  double total = 0.0;         ///< from the scene to the end
+  double elements = 0.0;      ///< forces and tangents of the workpiece's elements
+  double search = 0.0;        ///< contact search
+  double contact = 0.0;       ///< laws of the interface, contact elements
+  double assembly = 0.0;      ///< adding up the system, norms, other terms
+  double analysis = 0.0;      ///< order of the unknowns, symbolic factorization
+  double factorization = 0.0; ///< numerical
+  double solve = 0.0;         ///< substitutions, iterations around them, constraints
+  double certificate = 0.0;   ///< bound of penetration
+  double output = 0.0;        ///< observers
+
+  /// What is left: preparing the scene, guesses, commits [s].
+  [[nodiscard]] double rest() const {
+    return total - search - contact - elements - assembly - analysis - factorization - solve -
+           certificate - output;
+  }
 };
 
 class Process {
@@ -141,6 +152,8 @@ public:
   [[nodiscard]] std::span<const double> reactions() const { return reactions_; }
   [[nodiscard]] const EnergyBalance& energy() const { return energy_; }
   [[nodiscard]] const PhaseTimes& times() const { return times_; }
+  /// Factorizations and substitutions of the run.
+  [[nodiscard]] const mechanics::SolverWork& solver_work() const { return newton_->solver_work(); }
   [[nodiscard]] int increments() const { return increment_; }
   [[nodiscard]] int iterations() const { return iterations_; }
   [[nodiscard]] int cutbacks() const { return cutbacks_; }
@@ -188,6 +201,7 @@ private:
   [[nodiscard]] std::string overlaps_at_start(const Stage& stage) const;
   enum class Progress { easy, laboured, none };
   void adapt_penalty(Progress progress);
+  void take_times();
   void begin_with_stiffness(double factor);
   [[nodiscard]] std::string penetration_failure(int rounds) const;
   void certify(double dt);
@@ -240,6 +254,7 @@ private:
   std::vector<std::string> events_; ///< of the last increment
   std::string penalty_event_;       ///< a change of the penalty since then
   PhaseTimes times_;
+  double analysis_before_run_ = 0.0; ///< time of it outside the iteration [s]
   double started_ = 0.0;
   int increment_ = 0;
   int iterations_ = 0;

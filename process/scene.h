@@ -71,7 +71,7 @@ struct Scene {
   IncrementLimits increments;
   std::vector<double> landing_times; ///< times an increment must end at, sorted [s]
   double tolerance = 1e-6;
-  mechanics::SolverChoice solver = mechanics::SolverChoice::automatic;
+  mechanics::SolverSettings solver;
 };
 
 /// Rigid motions that the supports leave free (the contact may still stop them).

@@ -167,11 +167,33 @@ ordered_json blows_json(const process::Process& process) {
 
 ordered_json timings_json(const process::PhaseTimes& t) {
   return {{"total", t.total},
+          {"search", t.search},
+          {"contact", t.contact},
+          {"elements", t.elements},
           {"assembly", t.assembly},
-          {"linear_solver", t.solve},
+          {"analysis", t.analysis},
+          {"factorization", t.factorization},
+          {"solve", t.solve},
           {"certificate", t.certificate},
           {"output", t.output},
-          {"rest", t.total - t.assembly - t.solve - t.certificate - t.output}};
+          {"rest", t.rest()}};
+}
+
+ordered_json solver_json(const mechanics::SolverWork& work) {
+  constexpr double giga = 1e9;
+  constexpr double mega = 1e6;
+  return {{"systems", work.systems},
+          {"factorizations", work.factorizations},
+          {"substitutions", work.substitutions},
+          {"reused", work.reused},
+          {"nearly_symmetric", work.nearly_symmetric},
+          {"gigaflop", work.flops / giga},
+          {"gigaflop_per_second",
+           work.factorization > 0.0 ? work.flops / giga / work.factorization : 0.0},
+          {"last",
+           {{"method", work.last_method},
+            {"gigaflop", work.last_flops / giga},
+            {"megabytes", work.last_factor_bytes / mega}}}};
 }
 
 /// A file such as workpiece_0012.vtu, as write_frame calls them.
@@ -374,6 +396,7 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   if (post_)
     summary["failure"] = {{"time", post_->time}, {"reason", post_->reason}};
   summary["seconds"] = timings_json(process.times());
+  summary["linear_solver"] = solver_json(process.solver_work());
   write_file(folder_ / "summary.json", summary.dump(2) + "\n");
 }
 

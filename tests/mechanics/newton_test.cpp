@@ -29,7 +29,7 @@ public:
       : mesh_(box_mesh(
             {.kind = element.kind, .low = {1, 0, 0}, .high = {2, 1, 1}, .cells = {3, 3, 2}})),
         pattern_(block_pattern(mesh_)), bulk_(mesh_, element.analysis, material, pattern_),
-        newton_(pattern_, SolverChoice::automatic, settings), X_(flat(mesh_)), x_(X_) {}
+        newton_(pattern_, SolverSettings{}, settings), X_(flat(mesh_)), x_(X_) {}
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
 

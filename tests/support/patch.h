@@ -89,7 +89,7 @@ public:
         X_(flat(mesh_)), x_(X_),
         // Far below what is asked of the result; the floor only counts without any load.
         newton_(pattern_,
-                mechanics::SolverChoice::automatic,
+                mechanics::SolverSettings{},
                 {1e-12, 40, 1e-9 * material.elasticity.young}) {}
   Patch(const Patch&) = delete;
   Patch& operator=(const Patch&) = delete;
