@@ -3,7 +3,9 @@
 #include "app/command_line.h"
 #include "app/make_process.h"
 #include "geometry/base/box.h"
+#include "io/case/material_library.h"
 #include "io/case/read_case.h"
+#include "io/case/toml_text.h"
 #include "mechanics/linear_solver.h"
 #include "mechanics/mesh_check.h"
 #include "process/run.h"
@@ -90,9 +92,41 @@ void print_mesh(const process::Scene& scene, const io::Case& content) {
              content.units.length, *std::min_element(qualities.begin(), qualities.end()));
 }
 
-void print_activity(const process::Scene& scene, const process::Process& process) {
-  fmt::print("active: {} unknowns a node, rate-independent, isothermal, {}wear, no remeshing\n",
-             scene.mesh.dimension(), process.wear() != nullptr ? "" : "no ");
+/// The constants of the workpiece's material, in the units of the case.
+void print_material(const io::Case& content) {
+  const std::string& name = content.workpiece.material;
+  const io::Material& material = content.materials.at(name);
+  fmt::print("material '{}':\n", name);
+  const std::string text = io::toml_text(material);
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = text.find('\n', from);
+    fmt::print("  {}\n", text.substr(from, end - from));
+    from = end == std::string::npos ? text.size() : end + 1;
+  }
+  if (const io::LibraryMaterial* const known = io::find_library_material(material.library))
+    fmt::print("  source: {}\n", known->source);
+}
+
+/// What depends on rate and temperature.
+std::string describe(const process::Scene& scene, const io::Case& content) {
+  std::string text =
+      mechanics::follows_rate(scene.material.flow) ? "rate-dependent" : "rate-independent";
+  if (scene.material.heating > 0.0)
+    text += fmt::format(", adiabatic heating from {} {}", scene.material.temperature,
+                        content.units.temperature);
+  else if (content.temperature)
+    text +=
+        fmt::format(", isothermal at {} {}", scene.material.temperature, content.units.temperature);
+  else
+    text += ", isothermal";
+  return text;
+}
+
+void print_activity(const process::Scene& scene,
+                    const process::Process& process,
+                    const io::Case& content) {
+  fmt::print("active: {} unknowns a node, {}, {}wear, no remeshing\n", scene.mesh.dimension(),
+             describe(scene, content), process.wear() != nullptr ? "" : "no ");
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const contact::Tool& tool = scene.tools[t];
     fmt::print(
@@ -141,7 +175,8 @@ int check_case(const Arguments& arguments) {
   for (const std::string& note : ready.notes)
     fmt::print("{}\n", note);
   print_mesh(scene, content);
-  print_activity(scene, process);
+  print_material(content);
+  print_activity(scene, process, content);
   print_cost(scene);
   fmt::print("the case is good\n");
   return 0;

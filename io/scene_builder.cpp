@@ -63,33 +63,41 @@ struct MeshMaker {
   }
 };
 
-/// Builds the law of each kind of flow; the reader has refused those not available.
-struct FlowMaker {
-  mechanics::AnyFlowLaw operator()(const PerfectFlow& f) const {
-    return mechanics::Perfect{f.yield};
-  }
-  mechanics::AnyFlowLaw operator()(const LinearFlow& f) const {
-    return mechanics::Linear{f.yield, f.hardening};
-  }
-  mechanics::AnyFlowLaw operator()(const SwiftFlow& f) const {
-    return mechanics::Swift{f.K, f.eps0, f.n};
-  }
-  mechanics::AnyFlowLaw operator()(const LudwikFlow& f) const {
-    return mechanics::Ludwik{f.yield, f.K, f.n};
-  }
-  mechanics::AnyFlowLaw operator()(const VoceFlow& f) const {
-    return mechanics::Voce{f.yield, f.saturation, f.rate};
-  }
-  mechanics::AnyFlowLaw operator()(const TableFlow& f) const {
-    return mechanics::FlowTable{f.points};
-  }
-  template <class Other> mechanics::AnyFlowLaw operator()(const Other&) const {
-    throw Error(Fault::case_file, "", "this flow law is not available in this version");
-  }
-};
+/// The law of each kind of flow.
+mechanics::Perfect law_of(const PerfectFlow& f) { return {f.yield}; }
+mechanics::Linear law_of(const LinearFlow& f) { return {f.yield, f.hardening}; }
+mechanics::Swift law_of(const SwiftFlow& f) { return {f.K, f.eps0, f.n}; }
+mechanics::Ludwik law_of(const LudwikFlow& f) { return {f.yield, f.K, f.n}; }
+mechanics::Voce law_of(const VoceFlow& f) { return {f.yield, f.saturation, f.rate}; }
+mechanics::FlowTable law_of(const TableFlow& f) { return {f.points}; }
+mechanics::NortonHoff law_of(const NortonHoffFlow& f) { return {f.K, f.m, f.n, f.eps0, f.yield}; }
+mechanics::Perzyna law_of(const PerzynaFlow& f) {
+  return {
+      std::visit([](const auto& base) -> mechanics::AnyStaticLaw { return law_of(base); }, f.base),
+      f.eta, f.m};
+}
+mechanics::JohnsonCook law_of(const JohnsonCookFlow& f) {
+  return {f.A, f.B, f.n, f.C, f.rate0, f.m, f.T_room, f.T_melt};
+}
+mechanics::HanselSpittel law_of(const HanselSpittelFlow& f) {
+  return {f.A, f.m1, f.m2, f.m3, f.m4, f.m5, f.m7, f.m8, f.m9, f.eps_min};
+}
 
 mechanics::AnyFlowLaw flow_law(const std::optional<FlowLaw>& flow) {
-  return flow ? std::visit(FlowMaker{}, *flow) : mechanics::AnyFlowLaw(mechanics::Elastic{});
+  if (!flow)
+    return mechanics::Elastic{};
+  return std::visit([](const auto& f) -> mechanics::AnyFlowLaw { return law_of(f); }, *flow);
+}
+
+/// The workpiece's material.
+mechanics::Material material_of(const Case& content) {
+  const Material& m = content.materials.at(content.workpiece.material);
+  mechanics::Material material{{m.elastic.young, m.elastic.poisson}, flow_law(m.flow)};
+  if (content.temperature)
+    material.temperature = *content.temperature;
+  if (m.heating)
+    material.heating = *m.heating / (*m.density * *m.heat_capacity);
+  return material;
 }
 
 /// Which nodes a `where` means, and which faces.
@@ -345,6 +353,16 @@ std::vector<double> landing_times(const Case& content, const process::Scene& sce
   return times;
 }
 
+/// Where a law is asked for more than it can say.
+void note_molten(const mechanics::Material& material, std::vector<std::string>& notes) {
+  const auto* const law = std::get_if<mechanics::JohnsonCook>(&material.flow);
+  if (law != nullptr && law->softening(material.temperature) <= mechanics::JohnsonCook::melt_floor)
+    notes.push_back(fmt::format(
+        "warning: at {} degC the metal is molten (T_melt = {}): what is left of its flow stress, a "
+        "millionth, only keeps the equations solvable",
+        material.temperature, law->T_melt));
+}
+
 /// Keys that are read and kept but change nothing here: said, not passed over.
 void note_keys_without_effect(const Case& content, std::vector<std::string>& notes) {
   constexpr double default_feature_angle = 30.0;
@@ -353,7 +371,8 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
       if (!stl->smooth && stl->feature_angle != default_feature_angle)
         notes.push_back(fmt::format(
             "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
-  if (content.materials.at(content.workpiece.material).density)
+  const Material& material = content.materials.at(content.workpiece.material);
+  if (material.library.empty() && material.density && !material.heating)
     notes.push_back("density has no effect in this version: there is no inertia");
 }
 
@@ -372,8 +391,8 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
     p = pose.to_space(p);
   mechanics::require_sound_mesh(scene.mesh, place,
                                 scene.analysis == mechanics::Analysis::axisymmetric);
-  const Material& material = content.materials.at(content.workpiece.material);
-  scene.material = {{material.elastic.young, material.elastic.poisson}, flow_law(material.flow)};
+  scene.material = material_of(content);
+  note_molten(scene.material, built.notes);
   const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
   const Selector select(scene.mesh, boundary, place);
   add_supports(content, select, scene);

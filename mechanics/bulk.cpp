@@ -63,6 +63,8 @@ Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPa
   }
   states_.resize(volumes_.size());
   trial_states_ = states_;
+  if (material_.heating > 0.0)
+    temperatures_.assign(volumes_.size(), material_.temperature);
   increments_.resize(idx(mesh.n_elements()));
 }
 
@@ -72,9 +74,13 @@ ElementStatus Bulk::run_element(Index element, const Trial& trial, Scratch& scra
   gather(trial.x, mesh_->cell(element), dim, scratch.x.data());
   const std::size_t first = idx(element * points_);
   const auto n = idx(points_);
-  const ElementInput in{scratch.x_old.data(), scratch.x.data(),
+  const ElementInput in{scratch.x_old.data(),
+                        scratch.x.data(),
                         std::span(volumes_).subspan(first, n),
-                        std::span<const PointState>(states_).subspan(first, n)};
+                        std::span<const PointState>(states_).subspan(first, n),
+                        {trial.time - trial.time_old, temperatures_.empty()
+                                                          ? std::span<const double>()
+                                                          : temperatures().subspan(first, n)}};
   ElementOutput out{scratch.force.data(), scratch.tangent.data(),
                     std::span(trial_states_).subspan(first, n), 0.0};
   const ElementStatus status = kernel_(material_, in, out);
@@ -90,6 +96,7 @@ void Bulk::add_element(Index element, System& system, const Scratch& scratch) co
 }
 
 Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
+  trial_dt_ = trial.time - trial.time_old;
   constexpr Index none = std::numeric_limits<Index>::max();
   std::atomic<Index> bad{none};
   const auto size = idx(scatter_.size() * pattern_->dim);
@@ -137,11 +144,17 @@ Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
   return Assembled{};
 }
 
-void Bulk::commit(const Trial&) {
-  for (std::size_t k = 0; k < states_.size(); ++k)
-    plastic_work_ +=
-        volumes_[k] * mechanics::plastic_work(material_.flow, states_[k].plastic_strain,
-                                              trial_states_[k].plastic_strain);
+void Bulk::commit(const Trial& trial) {
+  const double dt = trial.time - trial.time_old;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const double from = states_[k].plastic_strain;
+    const double to = trial_states_[k].plastic_strain;
+    const double work =
+        mechanics::plastic_work(material_.flow, from, {to, (to - from) / dt, temperature(k)});
+    plastic_work_ += volumes_[k] * work;
+    if (!temperatures_.empty())
+      temperatures_[k] += material_.heating * work; // (M.29)
+  }
   states_ = trial_states_;
 }
 

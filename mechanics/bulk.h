@@ -34,11 +34,21 @@ public:
   /// Von Mises stress and strength of an integration point in the last assembled trial; what they
   /// owe to the displacements of its element's nodes. (F.21)
   [[nodiscard]] MisesStress trial_stress(std::size_t point) const {
-    return mises_stress(material_, trial_states_[point], states_[point].plastic_strain);
+    return mises_stress(material_, trial_states_[point], states_[point].plastic_strain, trial_dt_,
+                        temperature(point));
   }
-  /// Yield stress of an integration point in the last assembled trial [MPa].
+  /// Flow stress of an integration point in the last assembled trial [MPa].
   [[nodiscard]] double trial_strength(std::size_t point) const {
-    return yield_stress(material_.flow, trial_states_[point].plastic_strain);
+    return follows_rate(material_.flow)
+               ? trial_stress(point).strength
+               : yield_stress(material_.flow,
+                              {trial_states_[point].plastic_strain, 0.0, temperature(point)});
+  }
+  /// Committed temperatures, shape (n_elements, points) [degC]; empty: nothing heats the metal.
+  [[nodiscard]] std::span<const double> temperatures() const { return temperatures_; }
+  /// Committed temperature of an integration point [degC].
+  [[nodiscard]] double temperature(std::size_t point) const {
+    return temperatures_.empty() ? material_.temperature : temperatures_[point];
   }
   /// Nodes of the element that an integration point lies in.
   [[nodiscard]] std::span<const Index> nodes_around(std::size_t point) const {
@@ -80,7 +90,9 @@ private:
   std::vector<double> volumes_;
   std::vector<PointState> states_;
   std::vector<PointState> trial_states_;
-  std::vector<double> increments_; ///< largest plastic increment of each element
+  std::vector<double> temperatures_; ///< of the points; empty: isothermal
+  double trial_dt_ = 0.0;            ///< length of the increment of the last trial
+  std::vector<double> increments_;   ///< largest plastic increment of each element
   double largest_plastic_increment_ = 0.0;
   double plastic_work_ = 0.0;
   Times times_;

@@ -235,7 +235,7 @@ template <class Element, Analysis analysis> struct Kernel {
   ElementStatus run(const Material& material, const ElementInput& in, ElementOutput& out) {
     if (!kinematics(in))
       return ElementStatus::inverted;
-    if (!update(material, b_pred, in.old, planar, response))
+    if (!update(material, b_pred, in.old, planar, in.flow, response))
       return ElementStatus::no_return;
     Eigen::Map<Positions> force(out.force);
     force.setZero();

@@ -24,6 +24,7 @@ struct ElementInput {
   const double* x;                 ///< positions tried [mm]
   std::span<const double> volumes; ///< reference volume of each point [mm^3]
   std::span<const PointState> old; ///< committed states
+  FlowConditions flow;             ///< length of the increment, temperatures of the points
 };
 
 /// What an element gives; the arrays belong to the caller.

@@ -162,7 +162,7 @@ struct Case {
   std::string title;
   UnitSystem units;
   Analysis analysis = Analysis::plane_strain;
-  double temperature = 20.0; ///< of the workpiece [degC]
+  std::optional<double> temperature; ///< of the workpiece [degC]; absent: nothing asks for it
   Workpiece workpiece;
   std::map<std::string, Material> materials; ///< by name; holds `workpiece.material`
   std::vector<Support> supports;

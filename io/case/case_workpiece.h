@@ -126,7 +126,7 @@ struct TableFlow {
   bool operator==(const TableFlow&) const = default;
 };
 
-/// Overstress sqrt(3) K (sqrt(3) rate)^m (eps0 + eps)^n. (Not available in this version.)
+/// sigma_0 + sqrt(3) K (sqrt(3) rate)^m (eps0 + eps)^n.
 struct NortonHoffFlow {
   double K = 0.0;     ///< [MPa s^m]
   double m = 0.0;     ///< [-]
@@ -140,7 +140,7 @@ struct NortonHoffFlow {
 using RateIndependentFlow =
     std::variant<PerfectFlow, LinearFlow, SwiftFlow, LudwikFlow, VoceFlow, TableFlow>;
 
-/// rate = (1/eta) <sigma / sigma_y - 1>^(1/m). (Not available in this version.)
+/// rate = (1/eta) <sigma / sigma_y - 1>^(1/m).
 struct PerzynaFlow {
   RateIndependentFlow base; ///< sigma_y
   double eta = 0.0;         ///< [s]
@@ -149,7 +149,7 @@ struct PerzynaFlow {
   bool operator==(const PerzynaFlow&) const = default;
 };
 
-/// (A + B eps^n)(1 + C ln(rate/rate0)+)(1 - T*^m). (Not available in this version.)
+/// (A + B eps^n)(1 + C ln(rate/rate0)+)(1 - T*^m).
 struct JohnsonCookFlow {
   double A = 0.0;      ///< [MPa]
   double B = 0.0;      ///< [MPa]
@@ -163,12 +163,12 @@ struct JohnsonCookFlow {
   bool operator==(const JohnsonCookFlow&) const = default;
 };
 
-/// The formula of the guide, temperature in degC. (Not available in this version.)
+/// The formula of the guide, temperature in degC.
 struct HanselSpittelFlow {
   double A = 0.0; ///< [MPa, with the rates and temperatures of the formula]
   double m1 = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0, m5 = 0.0, m7 = 0.0, m8 = 0.0, m9 = 0.0;
-  double m6 = 0.0;      ///< reserved by the formula's numbering; must be 0
-  double eps_min = 0.0; ///< strains below this count as this [-]
+  double m6 = 0.0;       ///< reserved by the formula's numbering; must be 0
+  double eps_min = 0.01; ///< strains below this count as this [-]
 
   bool operator==(const HanselSpittelFlow&) const = default;
 };
@@ -185,10 +185,13 @@ using FlowLaw = std::variant<PerfectFlow,
                              HanselSpittelFlow>;
 
 struct Material {
+  std::string library; ///< name in material_library.h that gave what the case does not; empty: none
   ElasticConstants elastic;
-  std::optional<FlowLaw> flow;    ///< absent: an elastic body
-  std::optional<double> hardness; ///< [MPa]; absent only where nothing gives a default
-  std::optional<double> density;  ///< [t/mm^3]
+  std::optional<FlowLaw> flow;         ///< absent: an elastic body
+  std::optional<double> hardness;      ///< [MPa]; absent only where nothing gives a default
+  std::optional<double> density;       ///< [t/mm^3]
+  std::optional<double> heat_capacity; ///< [mm^2/s^2/K]
+  std::optional<double> heating; ///< share of the plastic work that heats it [-]; absent: none
 
   bool operator==(const Material&) const = default;
 };

@@ -59,6 +59,46 @@ void check_material(const At& root, const Case& content) {
                suggestion(*text_of(at), names));
 }
 
+/// Whether the flow stress depends on the temperature.
+bool asks_temperature(const std::optional<FlowLaw>& flow) {
+  if (!flow)
+    return false;
+  if (const auto* const hot = std::get_if<HanselSpittelFlow>(&*flow))
+    return hot->m1 != 0.0 || hot->m5 != 0.0 || hot->m8 != 0.0 || hot->m9 != 0.0;
+  return std::holds_alternative<JohnsonCookFlow>(*flow);
+}
+
+/// What Hensel's and Spittel's formula must not be asked.
+void check_range(const At& at, const HanselSpittelFlow& law, double T) {
+  if (law.m9 != 0.0 && T <= 0.0)
+    at.complain(fmt::format("T^m9 needs a temperature above 0 degC, the case has {}", T));
+  if (law.m3 + law.m8 * T < 0.0)
+    at.complain(fmt::format(
+        "the flow stress falls with the rate at {} degC: m3 + m8 T = {}, allowed is >= 0", T,
+        law.m3 + law.m8 * T));
+}
+
+/// The temperature is there for a law that asks for it, and one that it can take.
+void check_temperature(const At& root, const Case& content) {
+  const auto found = content.materials.find(content.workpiece.material);
+  const std::optional<At> material = child(child(root, "material"), content.workpiece.material);
+  if (found == content.materials.end() || !material)
+    return;
+  const bool by_law = asks_temperature(found->second.flow);
+  const std::optional<At> own = child(material, by_law ? "flow" : "heating");
+  const At& at = own ? *own : *material;
+  if (!content.temperature) {
+    if (by_law || found->second.heating)
+      at.complain(by_law ? "this law needs the temperature of the workpiece"
+                         : "heating needs the temperature that the workpiece starts from",
+                  "give temperature = ... (degC) at the top of the case");
+    return;
+  }
+  if (found->second.flow)
+    if (const auto* const law = std::get_if<HanselSpittelFlow>(&*found->second.flow))
+      check_range(at, *law, *content.temperature);
+}
+
 void check_stage_tools(const At& root) {
   std::vector<std::string> names;
   for (const At& tool : items(child(root, "tool")))
@@ -126,6 +166,7 @@ void check_whole(const At& root, Case& content) {
   refuse_same_names(root, "tool");
   refuse_same_names(root, "stage");
   check_material(root, content);
+  check_temperature(root, content);
   check_stage_tools(root);
   check_stage_ends(root, content);
   settle_end(root, content);

@@ -90,7 +90,7 @@ template <> struct LawKeys<NortonHoffFlow> {
   using Key = NumberKey<NortonHoffFlow>;
   static constexpr std::string_view name = "norton-hoff";
   static constexpr std::array keys{
-      Key{"K", &NortonHoffFlow::K, positive_number},
+      Key{"K", &NortonHoffFlow::K, positive_stress},
       Key{"m", &NortonHoffFlow::m, {quantity::number, {0.0, 1.0, true, false}}},
       Key{"n", &NortonHoffFlow::n, not_negative_number, false},
       Key{"eps0", &NortonHoffFlow::eps0, not_negative_number, false},
@@ -129,7 +129,7 @@ template <> struct LawKeys<HanselSpittelFlow> {
   static constexpr std::string_view name = "hansel-spittel";
   static constexpr Number exponent{};
   static constexpr std::array keys{
-      Key{"A", &Law::A, positive_number},
+      Key{"A", &Law::A, positive_stress},
       Key{"m1", &Law::m1, exponent, false},
       Key{"m2", &Law::m2, exponent, false},
       Key{"m3", &Law::m3, exponent, false},
@@ -139,7 +139,7 @@ template <> struct LawKeys<HanselSpittelFlow> {
       Key{"m7", &Law::m7, exponent, false},
       Key{"m8", &Law::m8, exponent, false},
       Key{"m9", &Law::m9, exponent, false},
-      Key{"eps_min", &Law::eps_min, positive_number},
+      Key{"eps_min", &Law::eps_min, positive_number, false},
   };
 };
 

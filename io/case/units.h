@@ -50,6 +50,7 @@ inline constexpr Quantity stress{"a stress", {-2, 1, 0}, "MPa"};
 inline constexpr Quantity inverse_stress{"an inverse stress", {2, -1, 0}, "1/MPa"};
 inline constexpr Quantity force_density{"a force per volume", {-3, 1, 0}, "N/mm^3"};
 inline constexpr Quantity density{"a density", {-4, 1, 2}, "kg/m^3"};
+inline constexpr Quantity heat_capacity{"a heat capacity", {2, 0, -2, -1}, "J/kg/K"};
 inline constexpr Quantity speed{"a speed", {1, 0, -1}, "mm/s"};
 inline constexpr Quantity rate{"a rate", {0, 0, -1}, "1/s"};
 inline constexpr Quantity angular_speed{"an angular speed", {0, 0, -1, 0, 1}, "rad/s"};

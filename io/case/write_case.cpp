@@ -135,12 +135,12 @@ std::string output_text(const OutputSettings& output) {
 
 std::string resolved_toml(const Case& content) {
   const int size = content.dimension();
-  std::string text = TomlTable()
-                         .add("title", toml_text(std::string_view(content.title)))
-                         .add("units", toml_text(std::string_view(content.units.name)))
-                         .add("analysis", word_text(content.analysis, analyses))
-                         .add("temperature", toml_text(content.temperature))
-                         .on_lines();
+  TomlTable head;
+  head.add("title", toml_text(std::string_view(content.title)))
+      .add("units", toml_text(std::string_view(content.units.name)))
+      .add("analysis", word_text(content.analysis, analyses));
+  add_if(head, "temperature", content.temperature);
+  std::string text = head.on_lines();
   const auto section = [&](const std::string& header, const std::string& lines) {
     text += "\n" + header + "\n" + lines;
   };

@@ -69,6 +69,8 @@ std::string toml_text(const Material& material) {
   elastic.add("young", toml_text(material.elastic.young))
       .add("poisson", toml_text(material.elastic.poisson));
   TomlTable table;
+  if (!material.library.empty())
+    table.add("library", toml_text(std::string_view(material.library)));
   table.add("elastic", elastic.on_one_line());
   if (material.flow)
     table.add("flow", law_text(*material.flow));
@@ -76,6 +78,10 @@ std::string toml_text(const Material& material) {
     table.add("hardness", toml_text(*material.hardness));
   if (material.density)
     table.add("density", toml_text(*material.density));
+  if (material.heat_capacity)
+    table.add("heat_capacity", toml_text(*material.heat_capacity));
+  if (material.heating)
+    table.add("heating", toml_text(*material.heating));
   return table.on_lines();
 }
 

@@ -153,6 +153,7 @@ const std::vector<std::string>& known_fields() {
                                               "velocity",
                                               "plastic_strain",
                                               "plastic_strain_rate",
+                                              "temperature",
                                               "von_mises",
                                               "stress",
                                               "contact_pressure",
@@ -223,6 +224,10 @@ WorkpieceFrame workpiece_frame(const process::Process& process,
   frame.point_fields.push_back({"plastic_strain_rate", 1,
                                 to_nodes(process, 1, process.plastic_rate()),
                                 "1/" + settings.units.time});
+  if (!process.bulk().temperatures().empty())
+    frame.point_fields.push_back({"temperature", 1,
+                                  to_nodes(process, 1, process.bulk().temperatures()),
+                                  settings.units.temperature});
   add_stress(process, settings, frame);
   add_contact(process, settings, frame);
   frame.cell_fields.push_back(

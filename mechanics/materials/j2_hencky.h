@@ -6,7 +6,9 @@
 //
 // Kinematics   left elastic Cauchy-Green tensor b_e, logarithmic strains eps_a = ln(b_a) / 2.
 // Yield        von Mises stress of the *Kirchhoff* stress against the flow law.
-// Units        stresses MPa. Theory: docs/theory/mechanics.md (M.4)-(M.9); Simo (1992).
+// Rates        backward Euler: the rate of an increment is its plastic strain over its length.
+// Units        stresses MPa. Theory: docs/theory/mechanics.md (M.4)-(M.9), (M.22)-(M.24); Simo
+//              (1992).
 
 #pragma once
 
@@ -31,6 +33,14 @@ struct Elasticity {
 struct Material {
   Elasticity elasticity;
   AnyFlowLaw flow;
+  double temperature = 20.0; ///< of the workpiece at the start, and for good without heating [degC]
+  double heating = 0.0;      ///< rise of temperature per plastic work; 0: isothermal [degC/MPa]
+};
+
+/// What a flow law may ask for besides the strains; matters to rate laws only.
+struct FlowConditions {
+  double dt;                              ///< length of the increment [s], > 0
+  std::span<const double> temperatures{}; ///< of the points [degC]; empty: the material's
 };
 
 /// History of one integration point: all that a restart needs.
@@ -55,12 +65,14 @@ struct DeviatoricResponse {
 /// @param b_pred  elastic predictors, shape (n), symmetric positive definite
 /// @param old     committed states, shape (n)
 /// @param planar  no shear out of the plane: xz and yz entries are zero
+/// @param at      length of the increment and temperatures, shape (n) or empty
 /// @param out     shape (n), overwritten
 /// @return false when a return map has no solution (NaN or a predictor that is not positive)
 [[nodiscard]] bool update(const Material& material,
                           std::span<const Mat3> b_pred,
                           std::span<const PointState> old,
                           bool planar,
+                          const FlowConditions& at,
                           std::span<DeviatoricResponse> out);
 
 /// Elastic energies per reference volume stored in states, shape (n) [MPa]. (M.6)
@@ -68,24 +80,32 @@ void elastic_energies(const Elasticity& elasticity,
                       std::span<const PointState> states,
                       std::span<double> out);
 
-/// Plastic work per reference volume from `from` to `to` at the flow stress [MPa]. (M.9)
-[[nodiscard]] double plastic_work(const AnyFlowLaw& flow, double from, double to);
+/// Plastic work per reference volume at the flow stress [MPa]. (M.9)
+///
+/// @param from  plastic strain at the start [-]
+/// @param to    plastic strain at the end [-]; rate and temperature are those of the whole way
+[[nodiscard]] double plastic_work(const AnyFlowLaw& flow, double from, const FlowPoint& to);
 
-/// Yield stress at a plastic strain [MPa]; infinite for an elastic body.
-[[nodiscard]] double yield_stress(const AnyFlowLaw& flow, double plastic_strain);
+/// Flow stress [MPa]; infinite for an elastic body.
+[[nodiscard]] double yield_stress(const AnyFlowLaw& flow, const FlowPoint& at);
 
 /// Von Mises stress of a state and how it follows the strains of an increment. (F.21)
 struct MisesStress {
   double stress;     ///< q, of the Kirchhoff stress [MPa]
-  double strength;   ///< yield stress at its plastic strain [MPa]
+  double strength;   ///< flow stress at its plastic strain, rate and temperature [MPa]
   Mat3 direction;    ///< unit deviator of the elastic strain [-]; zero without one
   double d_stress;   ///< d q = d_stress direction : grad u [MPa]
-  double d_strength; ///< of the yield stress, likewise [MPa]
+  double d_strength; ///< of the flow stress, likewise [MPa]
 };
 
 /// @param old_plastic_strain  of the committed state: the point flows when it has grown [-]
-[[nodiscard]] MisesStress
-mises_stress(const Material& material, const PointState& state, double old_plastic_strain);
+/// @param dt                  length of the increment [s]
+/// @param temperature         [degC]
+[[nodiscard]] MisesStress mises_stress(const Material& material,
+                                       const PointState& state,
+                                       double old_plastic_strain,
+                                       double dt,
+                                       double temperature);
 
 /// Kirchhoff stresses of states, shape (n) [MPa]. (M.6)
 void kirchhoff_stresses(const Elasticity& elasticity,

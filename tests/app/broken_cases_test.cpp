@@ -114,6 +114,10 @@ std::vector<Broken> wrong_words() {
       one("two_kinds_of_surface", "plane = {",
           "circle = { centre = [0, 0], radius = 1 }, plane = {",
           {"tool.punch.surface.circle", "there is 'plane' already"}),
+      one("law_without_its_temperature", swift,
+          "flow = { law = \"johnson-cook\", A = 1, B = 1, n = 1, C = 0, rate0 = 1, m = 1, T_room = "
+          "20, T_melt = 100 }",
+          {"needs the temperature of the workpiece", "give temperature = ... (degC) at the top"}),
       one("element_of_another_dimension", "quad8", "hex20", {"workpiece.element"}),
       {"same_tool_twice",
        upsetting + "[[tool]]\nname = \"punch\" # again\n" + punch_surface + "\n",
@@ -132,8 +136,6 @@ std::vector<Broken> wrong_words() {
 std::vector<Broken> later_versions() {
   return {
       one("later_tri6", "\"quad8\"", "\"tri6\"", {"\"tri6\" is not available in this version"}),
-      one("later_law", swift, "flow = { law = \"norton-hoff\", K = 100, m = 0.2 }",
-          {"\"norton-hoff\" is not available in this version"}),
       one("later_remeshing", "[time]", "[remesh]\nwhen = { quality = 0.2 }\n[time]",
           {"remesh: not available in this version"}, "[remesh]"),
       one("wear_of_less_than_a_stroke", punch_friction,

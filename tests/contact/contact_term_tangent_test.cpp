@@ -3,6 +3,7 @@
 #include "contact/contact_term.h"
 #include "tests/support/contact_bench.h"
 #include "tests/support/contact_laws.h"
+#include "tests/support/sample_materials.h"
 
 #include <gtest/gtest.h>
 
@@ -83,13 +84,16 @@ mechanics::Material hardening_material() { return {{200e3, 0.3}, mechanics::Line
 class WholeTangent : public testing::TestWithParam<Choice> {
 protected:
   /// Two increments with history, then the tangent of a third; drift makes points slide.
-  void check(const NamedLaw& law, const SlipScheme& scheme, double drift) {
+  void check(const NamedLaw& law,
+             const SlipScheme& scheme,
+             double drift,
+             const mechanics::Material& material = hardening_material()) {
     const auto [kind, form, curved] = GetParam();
     const BodyKind& body = body_kinds()[static_cast<std::size_t>(kind)];
     mechanics::Mesh mesh = bench_mesh(body);
     const auto faces = mechanics::boundary_faces(mesh);
     const ContactSettings settings{form, 1.0, 0.7, Method::penalty, {}, scheme};
-    ContactBench bench(std::move(mesh), body.analysis, hardening_material(),
+    ContactBench bench(std::move(mesh), body.analysis, material,
                        one_tool(still_tool(tool_for(body, curved), law.second)), settings, faces);
     std::mt19937 generator(17);
     const int dim = bench.mesh.dimension();
@@ -128,6 +132,23 @@ TEST_P(WholeTangent, AgreesWithDifferencesOfTheResidual) {
               form == Form::mixed ? "mixed" : "compatible", curved ? "curved" : "plane",
               seen_.stick, seen_.slip, worst_);
   EXPECT_GT(seen_.stick, 0);
+  EXPECT_GT(seen_.slip, 0);
+}
+
+// Strengths that follow metal whose flow stress depends on rate and temperature.
+TEST_P(WholeTangent, AgreesWithDifferencesOverRateDependentMetal) {
+  Friction yield = Tresca{0.4, {}};
+  Friction mises = yield;
+  mises.strength = Strength::von_mises;
+  for (const support::NamedMaterial& metal : support::every_material())
+    if (mechanics::follows_rate(metal.material.flow))
+      for (const Friction& friction : {yield, mises})
+        check({metal.name, friction}, {}, 0.05, metal.material);
+  const auto [kind, form, curved] = GetParam();
+  std::printf("%-20s %-10s %-6s stick %3d slip %3d: largest error %.1e (<= 1e-6)\n",
+              body_kinds()[static_cast<std::size_t>(kind)].name().c_str(),
+              form == Form::mixed ? "mixed" : "compatible", curved ? "curved" : "plane",
+              seen_.stick, seen_.slip, worst_);
   EXPECT_GT(seen_.slip, 0);
 }
 

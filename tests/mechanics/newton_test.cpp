@@ -109,8 +109,12 @@ TEST(Newton, ELT_07_converges_quadratically_in_plastic_flow) {
   constexpr double smallest_order = 1.8; // VALIDATION
   for (const auto& element : every_element) {
     std::vector<double> list = orders(element, Linear{300.0, 500.0});
-    for (const double one : orders(element, Swift{700.0, 0.01, 0.2}))
-      list.push_back(one);
+    for (const AnyFlowLaw& law :
+         {AnyFlowLaw(Swift{700.0, 0.01, 0.2}), AnyFlowLaw(NortonHoff{300.0, 0.2, 0.1, 0.01, 0.0}),
+          AnyFlowLaw(Perzyna{Linear{300.0, 500.0}, 1.0, 0.3}), AnyFlowLaw(support::steel_4340),
+          AnyFlowLaw(support::hot_steel)})
+      for (const double one : orders(element, law))
+        list.push_back(one);
     std::sort(list.begin(), list.end());
     const double median = list[list.size() / 2];
     support::show("ELT-07",

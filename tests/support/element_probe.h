@@ -68,9 +68,13 @@ class ElementProbe {
 public:
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  ElementProbe(const ElementCase& element, mechanics::Material material, std::vector<double> X)
+  /// @param dt  length of every increment [s]
+  ElementProbe(const ElementCase& element,
+               mechanics::Material material,
+               std::vector<double> X,
+               double dt = 0.01)
       : kernel_(mechanics::element_kernel(element.kind, element.analysis)),
-        material_(std::move(material)), x_(std::move(X)),
+        material_(std::move(material)), dt_(dt), x_(std::move(X)),
         states_(static_cast<std::size_t>(mechanics::points_per_element(element.kind))),
         trial_(states_), volumes_(states_.size()), force_(size()), tangent_(size(), size()) {
     mechanics::point_volumes(element.kind, element.analysis, x_.data(), volumes_);
@@ -81,7 +85,7 @@ public:
   /// Evaluates forces, tangent and trial states at nodal positions.
   mechanics::ElementStatus evaluate(const std::vector<double>& x) {
     mechanics::ElementOutput out{force_.data(), tangent_.data(), trial_, 0.0};
-    const auto status = kernel_(material_, {x_.data(), x.data(), volumes_, states_}, out);
+    const auto status = kernel_(material_, {x_.data(), x.data(), volumes_, states_, {dt_}}, out);
     plastic_increment_ = out.largest_plastic_increment;
     return status;
   }
@@ -104,6 +108,7 @@ public:
 private:
   mechanics::ElementKernel kernel_;
   mechanics::Material material_;
+  double dt_;
   std::vector<double> x_;
   std::vector<mechanics::PointState> states_;
   std::vector<mechanics::PointState> trial_;

@@ -20,12 +20,15 @@ public:
   explicit PointDriver(mechanics::Material material, bool planar = false)
       : material_(std::move(material)), planar_(planar) {}
 
+  /// Length of the increments to come [s].
+  void set_dt(double dt) { dt_ = dt; }
+
   /// Response to an increment f on top of the committed state.
   [[nodiscard]] mechanics::DeviatoricResponse response(const Mat3& f) const {
     Mat3 b = f * state_.b_e * f.transpose();
     b = 0.5 * (b + b.transpose()).eval();
     mechanics::DeviatoricResponse out;
-    EXPECT_TRUE(mechanics::update(material_, {&b, 1}, {&state_, 1}, planar_, {&out, 1}));
+    EXPECT_TRUE(mechanics::update(material_, {&b, 1}, {&state_, 1}, planar_, {dt_}, {&out, 1}));
     return out;
   }
   /// Kirchhoff stress of a response [MPa].
@@ -67,6 +70,7 @@ public:
 private:
   mechanics::Material material_;
   bool planar_;
+  double dt_ = 1.0;
   mechanics::PointState state_;
   Mat3 F_ = Mat3::Identity();
   Mat3 tau_ = Mat3::Zero();

@@ -27,6 +27,8 @@ std::string press(const std::string& keys) {
 const std::vector<Mistake>& mistakes() {
   static const std::string& plane = plane_case;
   static const std::string& space = space_case;
+  static const std::string freezing = replaced(plane, "temperature = 20\n", "temperature = 0\n");
+  static const std::string untempered = replaced(plane, "temperature = 20\n", "");
   static const std::string punch = R"({ plane = { point = [0, 7.5], normal = [0, -1] } })";
   static const std::string box = "{ box = [[0, 0], [5, 7.5]], cells = [12, 18], grading = [1, 2] }";
   static const std::string swift = R"({ law = "swift", K = 740, eps0 = 0.01, n = 0.2 })";
@@ -99,18 +101,45 @@ const std::vector<Mistake>& mistakes() {
        "allowed is a list of 2 numbers"},
       {plane, swift, R"({ law = "voce", yield = 3, saturation = 2, rate = 1 })",
        "found 2, allowed is no less than the yield stress 3"},
-      {plane, swift, R"({ law = "norton-hoff", K = 1, m = 0.1 })",
-       "\"norton-hoff\" is not available in this version"},
+      {plane, swift, R"({ law = "norton-hoff", K = 1, m = 1.5 })",
+       "material.steel.flow.m: found 1.5, allowed is 0 < value <= 1"},
+      {plane, swift, R"({ law = "norton-hoff", K = "1 mm", m = 0.5 })",
+       "'mm' does not measure a stress"},
       {plane, swift, R"({ law = "perzyna", base = { law = "perfect" }, eta = 1, m = 1 })",
        "material.steel.flow.base.yield: missing"},
       {plane, swift,
-       R"({ law = "perzyna", base = { law = "perfect", yield = 1 }, eta = 1, m = 1 })",
-       "\"perzyna\" is not available"},
+       R"({ law = "perzyna", base = { law = "norton-hoff", K = 1, m = 1 }, eta = 1, m = 1 })",
+       "material.steel.flow.base.law: found \"norton-hoff\""},
       {plane, swift,
        "{ law = \"johnson-cook\", A = 1, B = 1, n = 1, C = 1, rate0 = 1, m = 1, T_room = 20, "
        "T_melt = 10 }",
        "found 10, allowed is more than T_room = 20"},
-      {plane, swift, R"({ law = "hansel-spittel", A = 1, eps_min = 0.01 })", "not available"},
+      {plane, swift, R"({ law = "hansel-spittel", A = 1, eps_min = 0 })",
+       "eps_min: found 0, allowed is a value > 0"},
+      {plane, swift, R"({ law = "hansel-spittel", A = 1, m6 = 1 })", "m6: found 1"},
+      {plane, swift, R"({ law = "hansel-spittel", A = 1, m3 = 0.1, m8 = -0.01 })",
+       "the flow stress falls with the rate at 20 degC"},
+      {freezing, swift, R"({ law = "hansel-spittel", A = 1, m9 = 1 })",
+       "needs a temperature above 0 degC"},
+      {untempered, swift,
+       "{ law = \"johnson-cook\", A = 1, B = 1, n = 1, C = 1, rate0 = 1, m = 1, T_room = 20, "
+       "T_melt = 100 }",
+       "material.steel.flow: this law needs the temperature of the workpiece"},
+      {untempered, swift, R"({ law = "hansel-spittel", A = 1, m1 = -0.002 })",
+       "material.steel.flow: this law needs the temperature of the workpiece"},
+      {untempered, "density = \"7850 kg/m^3\"",
+       "density = 7.85e-9\nheat_capacity = \"460 J/kg/K\"\nheating = 0.9",
+       "material.steel.heating: heating needs the temperature", 2},
+      {plane, "density = \"7850 kg/m^3\"", "heat_capacity = 4.6e8\nheating = 0.9",
+       "material.steel.heating: heating needs the density of the metal", 1},
+      {plane, "density = \"7850 kg/m^3\"", "density = 7.85e-9\nheating = 0.9",
+       "material.steel.heating: heating needs the heat_capacity of the metal", 1},
+      {plane, "density = \"7850 kg/m^3\"", "heating = 1.2",
+       "heating: found 1.2, allowed is 0 < value"},
+      {plane, "density = \"7850 kg/m^3\"", "heat_capacity = \"460 J/kg\"",
+       "'J/kg' does not measure a heat capacity"},
+      {plane, "density = \"7850 kg/m^3\"", "library = \"ofhc-coper\"",
+       "did you mean 'ofhc-copper'?"},
       {plane, "\"7850 kg/m^3\"", "\"7850 kg\"", "'kg' does not measure a density"},
       // supports and loads
       {plane, "where = \"x = 0\"", "where = \"z = 0\"", "a plane of x or y"},

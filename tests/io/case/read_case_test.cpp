@@ -71,7 +71,7 @@ TEST(ReadCase, reads_the_shapes_of_space) {
 TEST(ReadCase, fills_in_the_defaults_of_the_format) {
   const Case content = read(space_case);
   EXPECT_EQ(content.units.name, "mm-N-s-MPa-degC");
-  EXPECT_EQ(content.temperature, 20.0);
+  EXPECT_FALSE(content.temperature);
   EXPECT_EQ(content.contact, ContactSettings{});
   EXPECT_EQ(content.contact.penalty, 100.0);
   EXPECT_EQ(content.contact.penalty_tangent, 10.0);
@@ -98,6 +98,42 @@ TEST(ReadCase, reads_every_available_flow_law) {
   EXPECT_EQ(law(R"(law = "ludwik", yield = 5, K = 7, n = 0.5)"), FlowLaw(LudwikFlow{5, 7, 0.5}));
   EXPECT_EQ(law(R"(law = "voce", yield = 5, saturation = 9, rate = 3)"),
             FlowLaw(VoceFlow{5, 9, 3}));
+  EXPECT_EQ(law(R"(law = "norton-hoff", K = "5 MPa", m = 0.1)"),
+            FlowLaw(NortonHoffFlow{5, 0.1, 0, 0, 0}));
+  EXPECT_EQ(law(R"(law = "perzyna", base = { law = "perfect", yield = 5 }, eta = "1 ms", m = 0.2)"),
+            FlowLaw(PerzynaFlow{PerfectFlow{5}, 1e-3, 0.2}));
+  EXPECT_EQ(law(R"(law = "hansel-spittel", A = "1 GPa", m3 = 0.1)"),
+            FlowLaw(HanselSpittelFlow{1000, 0, 0, 0.1, 0, 0, 0, 0, 0, 0, 0.01}));
+}
+
+TEST(ReadCase, takes_the_temperature_that_a_law_asks_for_in_any_unit) {
+  const std::string text = replaced(
+      space_case, R"(law = "table", points = [[0, 10], [0.1, 20]])",
+      R"(law = "johnson-cook", A = "90 MPa", B = 292, n = 0.31, C = 0.025, rate0 = "60 1/min", )"
+      R"(m = 1.09, T_room = "293.15 K", T_melt = "1356 K")");
+  const Case content = read("temperature = \"373.15 K\"\n" + text);
+  EXPECT_NEAR(*content.temperature, 100.0, 1e-12);
+  const auto law = std::get<JohnsonCookFlow>(*content.materials.at("lead").flow);
+  EXPECT_NEAR(law.rate0, 1.0, 1e-15);
+  EXPECT_NEAR(law.T_room, 20.0, 1e-12);
+  EXPECT_NEAR(law.T_melt, 1082.85, 1e-12);
+}
+
+TEST(ReadCase, takes_heating_with_density_and_heat_capacity) {
+  const std::string flow = R"(flow = { law = "table", points = [[0, 10], [0.1, 20]] })";
+  const auto lead = [&](const std::string& head) {
+    return read(head + "temperature = 20\n" +
+                replaced(space_case, flow,
+                         flow + "\ndensity = \"7850 kg/m^3\"\nheat_capacity = \"460 J/kg/K\"\n"
+                                "heating = 0.9"))
+        .materials.at("lead");
+  };
+  const Material in_mm = lead("");
+  EXPECT_NEAR(*in_mm.heat_capacity, 4.6e8, 1e-6);
+  EXPECT_NEAR(*in_mm.density * *in_mm.heat_capacity, 3.611, 1e-12); // MPa/K
+  EXPECT_EQ(*in_mm.heating, 0.9);
+  const Material in_m = lead("units = \"m-N-s-Pa-degC\"\n");
+  EXPECT_NEAR(*in_m.density * *in_m.heat_capacity, 3.611e6, 1e-6); // Pa/K
 }
 
 TEST(ReadCase, finds_files_beside_the_case) {

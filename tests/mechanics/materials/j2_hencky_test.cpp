@@ -18,6 +18,7 @@ using support::LongMat3;
 using support::steel;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double dt = 0.01; // of every increment [s]
 
 Mat3 stress(const DeviatoricResponse& at) {
   const Mat3& n = at.predictor.vectors;
@@ -29,21 +30,24 @@ Mat3 symmetrized(const Mat3& A) { return 0.5 * (A + A.transpose()); }
 DeviatoricResponse
 respond(const Material& material, const Mat3& b, const PointState& old = {}, bool planar = false) {
   DeviatoricResponse out;
-  EXPECT_TRUE(update(material, {&b, 1}, {&old, 1}, planar, {&out, 1}));
+  EXPECT_TRUE(update(material, {&b, 1}, {&old, 1}, planar, {dt}, {&out, 1}));
   return out;
 }
 
-std::function<Long(Long)> long_yield(const AnyFlowLaw& flow) {
-  return [&flow](Long strain) -> Long {
-    return Long(yield_stress(flow, static_cast<double>(strain)));
+std::function<Long(Long)> long_yield(const Material& material, double old) {
+  return [&material, old](Long strain) -> Long {
+    const auto rate = static_cast<double>((strain - Long(old)) / Long(dt));
+    return Long(
+        yield_stress(material.flow, {static_cast<double>(strain), rate, material.temperature}));
   };
 }
 
 /// Errors of stress (over 2 G) and state against the reference.
 double error(const Material& material, const Mat3& b, const PointState& old, bool planar) {
   const DeviatoricResponse at = respond(material, b, old, planar);
-  const auto reference = support::reference_return(material.elasticity, long_yield(material.flow),
-                                                   b.cast<Long>(), Long(old.plastic_strain));
+  const auto reference =
+      support::reference_return(material.elasticity, long_yield(material, old.plastic_strain),
+                                b.cast<Long>(), Long(old.plastic_strain));
   const Mat3 s = reference.s.cast<double>();
   const Mat3 b_e = reference.b_e.cast<double>();
   return std::max((stress(at) - s).norm() / (2.0 * material.elasticity.shear()),
@@ -115,8 +119,8 @@ Mat3 reference_rate(const Material& material, const Mat3& b, const PointState& o
   const auto s = [&](Long step) -> LongMat3 {
     const LongMat3 f = LongMat3::Identity() + step * d.cast<Long>();
     const LongMat3 moved = f * b.cast<Long>() * f.transpose();
-    return support::reference_return(material.elasticity, long_yield(material.flow), moved,
-                                     Long(old.plastic_strain))
+    return support::reference_return(material.elasticity, long_yield(material, old.plastic_strain),
+                                     moved, Long(old.plastic_strain))
         .s;
   };
   return ((s(h) - s(-h)) / (2.0L * h)).cast<double>();
@@ -179,7 +183,9 @@ TEST(J2Hencky, lands_on_the_yield_surface_keeps_the_volume_and_the_direction) {
       const PointState old{Mat3::Identity(), random.number(0.0, 0.3)};
       const auto at = respond(material, b, old);
       ASSERT_GT(at.plastic_increment, 0.0) << name;
-      const double yield = yield_stress(material.flow, at.state.plastic_strain);
+      const double yield =
+          yield_stress(material.flow,
+                       {at.state.plastic_strain, at.plastic_increment / dt, material.temperature});
       // The stress comes from beta = 1 - 3 G d / q with q up to 100 times the yield stress.
       constexpr double cancellation = 1e-12;
       EXPECT_NEAR(support::von_mises(stress(at)), yield, cancellation * yield) << name;
@@ -200,7 +206,8 @@ TEST(J2Hencky, refuses_predictors_without_a_logarithm) {
     for (const bool planar : {true, false}) {
       const PointState old;
       DeviatoricResponse out;
-      EXPECT_FALSE(update({steel, Perfect{300.0}}, {&b, 1}, {&old, 1}, planar, {&out, 1})) << b;
+      EXPECT_FALSE(update({steel, Perfect{300.0}}, {&b, 1}, {&old, 1}, planar, {dt}, {&out, 1}))
+          << b;
     }
 }
 
@@ -210,7 +217,7 @@ TEST(J2Hencky, stops_a_batch_at_its_bad_point_and_treats_the_others_one_by_one) 
   const std::array<PointState, 2> old{PointState{Mat3::Identity(), 0.1}, PointState{}};
   std::array<DeviatoricResponse, 2> out;
   const Material material{steel, Linear{300.0, 500.0}};
-  ASSERT_TRUE(update(material, b, old, false, out));
+  ASSERT_TRUE(update(material, b, old, false, {dt}, out));
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(out[i].state.plastic_strain, respond(material, b[i], old[i]).state.plastic_strain);
 }

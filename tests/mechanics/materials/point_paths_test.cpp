@@ -165,13 +165,13 @@ TEST(PointPaths, the_elastic_energy_is_the_potential_of_the_stress) {
 }
 
 TEST(PointPaths, plastic_work_is_the_integral_of_the_flow_stress) {
-  EXPECT_DOUBLE_EQ(plastic_work(Perfect{240.0}, 0.1, 0.6), 120.0);
-  EXPECT_DOUBLE_EQ(plastic_work(Linear{200.0, 100.0}, 0.0, 2.0), 600.0);
-  EXPECT_EQ(plastic_work(Linear{200.0, 100.0}, 0.3, 0.3), 0.0);
-  EXPECT_EQ(plastic_work(Elastic{}, 0.0, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(plastic_work(Perfect{240.0}, 0.1, {0.6, 0.0, 20.0}), 120.0);
+  EXPECT_DOUBLE_EQ(plastic_work(Linear{200.0, 100.0}, 0.0, {2.0, 0.0, 20.0}), 600.0);
+  EXPECT_EQ(plastic_work(Linear{200.0, 100.0}, 0.3, {0.3, 0.0, 20.0}), 0.0);
+  EXPECT_EQ(plastic_work(Elastic{}, 0.0, {0.0, 0.0, 20.0}), 0.0);
   // Voce, in closed form; three Gauss points are good to 1e-6 over an increment of 2 %.
   const double exact = 500.0 * 0.02 + 300.0 / 12.0 * (std::exp(-12.0 * 0.02) - 1.0);
-  EXPECT_NEAR(plastic_work(Voce{200.0, 500.0, 12.0}, 0.0, 0.02), exact, 1e-6 * exact);
+  EXPECT_NEAR(plastic_work(Voce{200.0, 500.0, 12.0}, 0.0, {0.02, 0.0, 20.0}), exact, 1e-6 * exact);
 }
 
 } // namespace
