@@ -374,6 +374,8 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
   const Material& material = content.materials.at(content.workpiece.material);
   if (material.library.empty() && material.density && !material.heating)
     notes.push_back("density has no effect in this version: there is no inertia");
+  if (material.library.empty() && material.heat_capacity && !material.heating)
+    notes.push_back("heat_capacity has no effect without heating");
 }
 
 } // namespace

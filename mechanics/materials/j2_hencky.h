@@ -7,7 +7,7 @@
 // Kinematics   left elastic Cauchy-Green tensor b_e, logarithmic strains eps_a = ln(b_a) / 2.
 // Yield        von Mises stress of the *Kirchhoff* stress against the flow law.
 // Rates        backward Euler: the rate of an increment is its plastic strain over its length.
-// Units        stresses MPa. Theory: docs/theory/mechanics.md (M.4)-(M.9), (M.22)-(M.24); Simo
+// Units        stresses MPa. Theory: docs/theory/mechanics.md (M.4)-(M.9), (M.22)-(M.23); Simo
 //              (1992).
 
 #pragma once

@@ -6,6 +6,8 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
+#include <cmath>
+
 namespace billet::test {
 
 namespace {
@@ -71,7 +73,7 @@ TEST_F(RateLaws, a_faster_press_needs_more_work) {
   const auto work = [&](const std::string& text) {
     const Outcome outcome = run({"run", "case.toml", "--quiet", "-o", "out"}, text);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return read_table(folder_.path() / "out" / "history.csv").last("plastic_work");
+    return read_table(folder_.path() / "out" / "history.csv").values("plastic_work").back();
   };
   const std::string fast = edited(copper, {{"heating = 0.9\n", ""}});
   const std::string slow =
