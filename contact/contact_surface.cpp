@@ -1,8 +1,10 @@
 #include "contact/contact_surface.h"
 
 #include "mechanics/elements/elements.h"
+#include "mechanics/mesh_edges.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -61,6 +63,55 @@ std::vector<Vec3> element_points(const mechanics::Mesh& mesh, Index element) {
   });
 }
 
+constexpr double third = 1.0 / 3.0;
+
+/// The part of the line [-1, 1] that point i of a Gauss rule stands for.
+template <int n> std::array<double, 2> share_of_line(int i) {
+  double low = -1.0;
+  for (int before = 0; before < i; ++before)
+    low += mechanics::GaussLine<n>::w[idx(before)];
+  return {low, low + mechanics::GaussLine<n>::w[idx(i)]};
+}
+
+/// Reference coordinates in a triangle from barycentric ones counted from corner `first` on.
+mechanics::RefPoint<2> at_barycentric(std::size_t first, const std::array<double, 3>& lambda) {
+  return {lambda[(4 - first) % 3], lambda[(5 - first) % 3]};
+}
+
+/// Corners of the piece of the reference face that point i of a rule stands for, in turn: the
+/// pieces' areas are in the ratio of the weights. (C.26)
+template <int n> std::array<mechanics::RefPoint<1>, 2> piece(mechanics::GaussRule<1, n>, int i) {
+  const auto [low, high] = share_of_line<n>(i);
+  return {{{low}, {high}}};
+}
+
+template <int n> std::array<mechanics::RefPoint<2>, 4> piece(mechanics::GaussRule<2, n>, int i) {
+  const auto [left, right] = share_of_line<n>(i % n);
+  const auto [low, high] = share_of_line<n>(i / n);
+  return {{{left, low}, {right, low}, {right, high}, {left, high}}};
+}
+
+/// A third: a corner, the middles of its sides, and the centre.
+inline std::array<mechanics::RefPoint<2>, 4> piece(mechanics::SimplexRule<2, 3>, int i) {
+  const auto a = static_cast<std::size_t>(i);
+  return {{at_barycentric(a, {1.0, 0.0, 0.0}), at_barycentric(a, {0.5, 0.5, 0.0}),
+           at_barycentric(a, {third, third, third}), at_barycentric(a, {0.5, 0.0, 0.5})}};
+}
+
+/// A corner cut off, or what lies between the side opposite to a corner and the centre.
+inline std::vector<mechanics::RefPoint<2>> piece(mechanics::SimplexRule<2, 6> rule, int i) {
+  const auto a = static_cast<std::size_t>(i % 3);
+  const double cut = std::sqrt(rule.share[0]); // share of the sides that goes with the corner
+  const double rest = 1.0 - cut;
+  const double half = 0.5 * cut;
+  if (i < 3)
+    return {at_barycentric(a, {1.0, 0.0, 0.0}), at_barycentric(a, {rest, cut, 0.0}),
+            at_barycentric(a, {rest, 0.0, cut})};
+  return {at_barycentric(a, {0.0, rest, cut}), at_barycentric(a, {0.0, cut, rest}),
+          at_barycentric(a, {half, half, rest}), at_barycentric(a, {third, third, third}),
+          at_barycentric(a, {half, rest, half})};
+}
+
 } // namespace
 
 ContactSurface::ContactSurface(const mechanics::Mesh& mesh,
@@ -89,6 +140,8 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
   const std::vector<double> x = flat(mesh);
   std::vector<double> area(beneath_.size());
   areas(x, area);
+  // A triangle is twice, a tetrahedron three times as high as a prism of its volume.
+  const double height_share = mechanics::is_simplex(kind_) ? mesh.dimension() : 1.0;
   double total_volume = 0.0;
   double total_area = 0.0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -98,6 +151,7 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
     double face_area = 0.0;
     for (std::size_t i = 0; i < idx(points_); ++i)
       face_area += area[f * idx(points_) + i];
+    volume *= height_share;
     depths_.push_back(volume / face_area);
     total_volume += volume;
     total_area += face_area;
@@ -155,57 +209,40 @@ PointShares ContactSurface::shares(std::span<const double> x, std::size_t point)
 Footprint ContactSurface::footprint(std::span<const double> x, std::size_t point) const {
   return visit_contact_face(kind_, form_, [&](auto shape, auto rule) {
     using Shape = decltype(shape);
-    using Rule = decltype(rule);
     constexpr int dim = Shape::dim + 1;
     std::array<double, std::size_t{Shape::nodes} * dim> local{};
     mechanics::gather(x, scatter_.nodes(static_cast<Index>(point / idx(points_))), dim,
                       local.data());
-    std::array<std::array<double, 2>, Shape::dim> ends;
-    int i = static_cast<int>(point % idx(points_));
-    for (auto& [low, high] : ends) {
-      low = -1.0;
-      for (int before = 0; before < i % Rule::per_direction; ++before)
-        low += mechanics::GaussLine<Rule::per_direction>::w[idx(before)];
-      high = low + mechanics::GaussLine<Rule::per_direction>::w[idx(i % Rule::per_direction)];
-      i /= Rule::per_direction;
-    }
     Footprint footprint;
-    const auto add = [&](const mechanics::RefPoint<Shape::dim>& xi) {
+    for (const auto& xi : piece(rule, static_cast<int>(point % idx(points_))))
       footprint.corners[footprint.n_corners++] =
           FacePoint<Shape>(analysis_, local.data(), xi, 1.0).position;
-    };
-    if constexpr (Shape::dim == 1) {
-      add({ends[0][0]});
-      add({ends[0][1]});
-    } else {
-      for (const auto& [first, second] : {std::pair{0U, 0U}, {1U, 0U}, {1U, 1U}, {0U, 1U}})
-        add({ends[0][first], ends[1][second]});
-    }
     return footprint;
   });
 }
 
 geometry::BezierPatch ContactSurface::patch(std::span<const double> x, Index face) const {
-  return geometry::BezierPatch(grid(x, face, 2));
+  return geometry::BezierPatch(samples(x, face, 2));
 }
 
-std::vector<Vec3> ContactSurface::samples(std::span<const double> x, Index face) const {
-  return grid(x, face, 4);
-}
-
-std::vector<Vec3> ContactSurface::grid(std::span<const double> x, Index face, int steps) const {
+std::vector<Vec3> ContactSurface::samples(std::span<const double> x, Index face, int steps) const {
   return mechanics::visit_face(kind_, [&](auto shape) {
     using Shape = decltype(shape);
     constexpr int dim = Shape::dim + 1;
+    constexpr bool triangle = std::is_same_v<Shape, mechanics::Tri6>;
     std::array<double, std::size_t{Shape::nodes} * dim> local{};
     mechanics::gather(x, scatter_.nodes(face), dim, local.data());
+    const auto coordinate = [&](int i) {
+      const double share = static_cast<double>(i) / steps;
+      return triangle ? share : 2.0 * share - 1.0;
+    };
     std::vector<Vec3> points;
     for (int j = 0; j <= (Shape::dim == 2 ? steps : 0); ++j)
-      for (int i = 0; i <= steps; ++i) {
+      for (int i = 0; i <= (triangle ? steps - j : steps); ++i) {
         mechanics::RefPoint<Shape::dim> xi{};
-        xi[0] = 2.0 * i / steps - 1.0;
+        xi[0] = coordinate(i);
         if constexpr (Shape::dim == 2)
-          xi[1] = 2.0 * j / steps - 1.0;
+          xi[1] = coordinate(j);
         points.push_back(FacePoint<Shape>(analysis_, local.data(), xi, 1.0).position);
       }
     return points;

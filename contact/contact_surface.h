@@ -2,9 +2,9 @@
 //
 // Two forms of contact element (the paper's section 3.2). `compatible` integrates the contact work
 // fully. `mixed` gives the contact stress one order less than the displacement: on quadratic faces
-// it is linear, which after condensation is the 2-point Gauss rule per direction (C.11). On linear
-// faces both forms use the 2-point rule (C.12): a single point finds fold-over too late. The
-// penalty follows the stiffness of the elements beneath.
+// it is linear, which after condensation is the 2-point Gauss rule per direction (C.11), on a
+// triangle the 3-point rule (C.25). On linear faces both forms use the 2-point rule (C.12): a
+// single point finds fold-over too late. The penalty follows the stiffness of the elements beneath.
 
 #pragma once
 
@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace billet::contact {
@@ -49,7 +50,7 @@ struct PointShares {
 
 /// The piece of a face that one of its points stands for: pieces of a face meet without gaps.
 struct Footprint {
-  std::array<Vec3, 4> corners; ///< the two ends in the plane; in space in turn [mm]
+  std::array<Vec3, 5> corners; ///< the two ends in the plane; in space in turn [mm]
   std::size_t n_corners = 0;
 };
 
@@ -92,12 +93,15 @@ public:
   [[nodiscard]] Footprint footprint(std::span<const double> x, std::size_t point) const;
   /// A face as the curve or surface that its nodes span.
   [[nodiscard]] geometry::BezierPatch patch(std::span<const double> x, Index face) const;
-  /// Points spread over a face with its corners and edges, for a look at overlap [mm].
-  [[nodiscard]] std::vector<Vec3> samples(std::span<const double> x, Index face) const;
+  /// Points at equal steps of a face's coordinates, with its corners and edges, for a look at
+  /// overlap [mm].
+  ///
+  /// @return  of a line steps + 1, of a quadrilateral rows of as many; of a triangle rows of which
+  ///          each has one point less than the one before
+  [[nodiscard]] std::vector<Vec3>
+  samples(std::span<const double> x, Index face, int steps = 4) const;
 
 private:
-  /// Points at equal steps of the face's coordinates, the first running fastest [mm].
-  [[nodiscard]] std::vector<Vec3> grid(std::span<const double> x, Index face, int steps) const;
   void set_penalty(const mechanics::Mesh& mesh,
                    const mechanics::Bulk& bulk,
                    const std::vector<mechanics::Face>& faces,
@@ -124,8 +128,8 @@ decltype(auto) visit_contact_face(mechanics::ElementKind kind, Form form, Visito
   return mechanics::visit_face(kind, [&](auto shape) {
     using Shape = decltype(shape);
     constexpr bool linear = Shape::nodes == (1 << Shape::dim);
-    using Full = mechanics::GaussRule<Shape::dim, linear ? 2 : 3>;
-    using Mixed = mechanics::GaussRule<Shape::dim, 2>;
+    using Mixed = typename mechanics::FaceRules<Shape>::Lower;
+    using Full = std::conditional_t<linear, Mixed, typename mechanics::FaceRules<Shape>::Full>;
     return form == Form::mixed ? visitor(shape, Mixed{}) : visitor(shape, Full{});
   });
 }

@@ -27,12 +27,15 @@ double size(const Footprint& footprint) {
   const auto& c = footprint.corners;
   if (footprint.n_corners == 2)
     return (c[1] - c[0]).norm();
-  return std::sqrt(0.5 * (c[2] - c[0]).cross(c[3] - c[1]).norm());
+  Vec3 twice = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < footprint.n_corners; ++i)
+    twice += (c[i] - c[0]).cross(c[i + 1] - c[0]);
+  return std::sqrt(0.5 * twice.norm());
 }
 
 /// A cut may add a corner, and so may each side of a footprint.
 bool can_be_cut(const geometry::ConvexPolygon& shape, std::size_t n_nodes) {
-  return n_nodes < most_nodes && shape.corners().size() + 5 < geometry::ConvexPolygon::most_corners;
+  return n_nodes < most_nodes && shape.corners().size() + 6 < geometry::ConvexPolygon::most_corners;
 }
 
 /// Out of the tool, of any length: of a line its right, as in a profile.

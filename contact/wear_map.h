@@ -73,7 +73,7 @@ private:
   };
   /// A place of a patch on its way, and how finely cells have to be cut there.
   struct Imprint {
-    std::array<HalfSpace, 4> sides;
+    std::array<HalfSpace, 5> sides;
     std::size_t n_sides;
     Vec3 centre;    ///< the foot
     Vec3 normal;    ///< of the tool

@@ -18,11 +18,24 @@ void for_each_row(std::size_t size, std::size_t direction, const Visit& visit) {
     visit(direction == 0 ? row * order : row, stride);
 }
 
+/// Of a triangle's control points, in rows of 3, 2 and 1: corners, and the one of the side from
+/// each corner to the next.
+constexpr std::array<std::size_t, 3> corners{0, 2, 5};
+constexpr std::array<std::size_t, 3> sides{1, 4, 3};
+constexpr std::size_t triangle_size = 6;
+
 } // namespace
 
+bool BezierPatch::triangle() const { return size_ == triangle_size; }
+
 BezierPatch::BezierPatch(std::span<const Vec3> at) : size_(at.size()) {
-  assert(size_ == order || size_ == order * order);
+  assert(size_ == order || triangle() || size_ == order * order);
   std::copy(at.begin(), at.end(), control_.begin());
+  if (triangle()) {
+    for (std::size_t i = 0; i < 3; ++i)
+      control_[sides[i]] = 2.0 * at[sides[i]] - 0.5 * (at[corners[i]] + at[corners[(i + 1) % 3]]);
+    return;
+  }
   for (std::size_t direction = 0; direction < size_ / order && direction < 2; ++direction)
     for_each_row(size_, direction, [&](std::size_t first, std::size_t stride) {
       Vec3& middle = control_[first + stride];
@@ -31,6 +44,12 @@ BezierPatch::BezierPatch(std::span<const Vec3> at) : size_(at.size()) {
 }
 
 Vec3 BezierPatch::centre() const {
+  if (triangle()) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += control_[corners[i]] + 2.0 * control_[sides[i]];
+    return sum / 9.0;
+  }
   const auto along = [&](std::size_t first) {
     return Vec3(0.25 * (control_[first] + 2.0 * control_[first + 1] + control_[first + 2]));
   };
@@ -46,7 +65,8 @@ double BezierPatch::farthest(const Vec3& from) const {
 }
 
 Vec3 BezierPatch::farthest_corner(const Vec3& from) const {
-  const std::size_t last_row = size_ - order;
+  // A triangle's last row is its last corner.
+  const std::size_t last_row = triangle() ? size_ - 1 : size_ - order;
   std::size_t best = 0;
   for (const std::size_t corner : {order - 1, last_row, size_ - 1})
     if ((control_[corner] - from).squaredNorm() > (control_[best] - from).squaredNorm())
@@ -64,7 +84,34 @@ double BezierPatch::length(std::size_t direction) const {
   return most;
 }
 
+/// By de Casteljau's steps at the middle of the longest side: with that side from a to b, c
+/// opposite.
+std::array<BezierPatch, 2> BezierPatch::triangle_halves() const {
+  const auto length_of = [&](std::size_t i) {
+    return (control_[sides[i]] - control_[corners[i]]).norm() +
+           (control_[corners[(i + 1) % 3]] - control_[sides[i]]).norm();
+  };
+  std::size_t longest = 0;
+  for (const std::size_t i : {std::size_t{1}, std::size_t{2}})
+    longest = length_of(i) > length_of(longest) ? i : longest;
+  const std::size_t a = longest, b = (longest + 1) % 3, c = (longest + 2) % 3;
+  const Vec3 left = 0.5 * (control_[corners[a]] + control_[sides[a]]);
+  const Vec3 right = 0.5 * (control_[sides[a]] + control_[corners[b]]);
+  const Vec3 cut = 0.5 * (left + right);
+  const Vec3 inside = 0.5 * (control_[sides[b]] + control_[sides[c]]);
+  std::array<BezierPatch, 2> halves{*this, *this};
+  halves[0].control_[sides[a]] = left;
+  halves[0].control_[corners[b]] = cut;
+  halves[0].control_[sides[b]] = inside;
+  halves[1].control_[sides[a]] = right;
+  halves[1].control_[corners[a]] = cut;
+  halves[1].control_[sides[c]] = inside;
+  return halves;
+}
+
 std::array<BezierPatch, 2> BezierPatch::halves() const {
+  if (triangle())
+    return triangle_halves();
   const std::size_t direction = size_ > order && length(1) > length(0) ? 1 : 0;
   std::array<BezierPatch, 2> halves{*this, *this};
   for_each_row(size_, direction, [&](std::size_t first, std::size_t stride) {

@@ -2,8 +2,15 @@
 
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
+#include "geometry/mesher_2d.h"
+#include "geometry/mesher_3d.h"
 #include "io/mesh/read_mesh.h"
+#include "io/profile.h"
+#include "io/stl.h"
+#include "io/stl_report.h"
+#include "io/stl_tool.h"
 #include "io/tool_builder.h"
+#include "mechanics/domain_meshes.h"
 #include "mechanics/loads.h"
 #include "mechanics/mesh_check.h"
 #include "mechanics/mesh_generators.h"
@@ -35,6 +42,19 @@ ElementKind element_kind(const std::string& element) {
   throw Error(Fault::case_file, "", "unknown element '" + element + "'");
 }
 
+/// What `make` makes; its complaints that have no place yet get that of a file.
+template <class Make> auto at_file(const InputFile& file, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    std::vector<Complaint> complaints = error.complaints();
+    for (Complaint& complaint : complaints)
+      if (complaint.place.empty())
+        complaint.place = file.given;
+    throw Error(error.fault(), std::move(complaints));
+  }
+}
+
 /// Makes or reads the mesh of each kind of source.
 struct MeshMaker {
   ElementKind kind;
@@ -58,8 +78,29 @@ struct MeshMaker {
           fmt::format("set element = \"{}\" in [workpiece]", mechanics::name(read.mesh.kind)));
     return std::move(read.mesh);
   }
-  template <class Other> Mesh operator()(const Other&) const {
-    throw Error(Fault::case_file, "", "this kind of mesh is not available in this version");
+  Mesh operator()(const OutlineMesh& outline) const {
+    const geometry::Profile profile = read_profile(outline.file.path);
+    const geometry::PlaneMesh domain =
+        at_file(outline.file, [&] { return geometry::mesh_outline(profile, outline.size); });
+    notes.push_back(fmt::format("{}: meshed with {} triangles of size {:.6g}, smallest angle "
+                                "{:.1f} degrees",
+                                outline.file.given, domain.triangles.size(), outline.size,
+                                geometry::smallest_angle(domain)));
+    return mechanics::triangle_mesh(domain);
+  }
+  Mesh operator()(const StlMesh& stl) const {
+    const StlFile file = read_stl(stl.file.path);
+    const StlTool body = tool_mesh(file, {stl.unit_factor, false, stl.feature_angle});
+    notes.push_back(fmt::format("workpiece: {}", report(file, body)));
+    const geometry::SolidMesh domain = at_file(
+        stl.file, [&] { return geometry::mesh_solid(body.mesh, stl.size, stl.feature_angle); });
+    const double volume = geometry::volume(domain);
+    notes.push_back(fmt::format(
+        "{}: meshed with {} tetrahedra of size {:.6g}, smallest dihedral angle {:.1f} degrees; "
+        "volume {:.6g}, {:+.2g} % of that of the surface",
+        stl.file.given, domain.tetrahedra.size(), stl.size, geometry::smallest_dihedral(domain),
+        volume, 100.0 * (volume / body.health.volume - 1.0)));
+    return mechanics::tetrahedron_mesh(domain);
   }
 };
 

@@ -1,8 +1,8 @@
 // Forces and tangent of one element at a trial configuration.
 //
 // Virtual work of the Kirchhoff stress over the reference volume, f = sum_g dV0 tau : grad du, with
-// gradients with respect to the current positions (M.3). quad8 and hex20 evaluate the whole stress
-// at each point; quad4 and hex8 take the pressure from the dilatation of the whole element
+// gradients with respect to the current positions (M.3). Quadratic elements evaluate the whole
+// stress at each point; quad4 and hex8 take the pressure from the dilatation of the whole element
 // (variational mean dilatation, M.11-M.13), which keeps the tangent symmetric.
 //
 // Shapes   positions (nodes, dim) row by row; local vectors (nodes * dim); local matrices

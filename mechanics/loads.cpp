@@ -66,7 +66,7 @@ public:
 private:
   template <class Shape>
   void assemble_face(Shape, Index g, double p, std::span<const double> x, System& system) const {
-    using Rule = GaussRule<Shape::dim, 3>; // exact for the quadratic area of a curved face
+    using Rule = typename FaceRules<Shape>::Full;
     constexpr std::size_t dim = Shape::dim + 1;
     constexpr std::size_t size = Shape::nodes * dim;
     std::array<double, size> local{};
@@ -95,7 +95,7 @@ private:
     const double p = pressure_(time);
     visit_face(kind_, [&](auto shape) {
       using Shape = decltype(shape);
-      using Rule = GaussRule<Shape::dim, 3>;
+      using Rule = typename FaceRules<Shape>::Full;
       constexpr std::size_t dim = Shape::dim + 1;
       std::array<double, Shape::nodes * dim> local{};
       for (const Index g : scatter_.order()) {
@@ -201,7 +201,7 @@ std::vector<double> traction_forces(const Mesh& mesh,
   std::vector<double> forces(x.size(), 0.0);
   visit_face(mesh.kind, [&](auto shape) {
     using Shape = decltype(shape);
-    using Rule = GaussRule<Shape::dim, 3>;
+    using Rule = typename FaceRules<Shape>::Full;
     constexpr int dim = Shape::dim + 1;
     std::array<double, static_cast<std::size_t>(Shape::nodes * dim)> local{};
     for (const Face& face : faces) {

@@ -41,6 +41,10 @@ int corners_per_element(ElementKind kind) {
 
 bool is_quadratic(ElementKind kind) { return nodes_per_element(kind) != corners_per_element(kind); }
 
+bool is_simplex(ElementKind kind) {
+  return kind == ElementKind::tri6 || kind == ElementKind::tet10;
+}
+
 std::span<const Edge> element_edges(ElementKind kind) {
   switch (kind) {
   case ElementKind::tri6:

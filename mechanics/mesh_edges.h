@@ -15,6 +15,9 @@ namespace billet::mechanics {
 /// True if the cell has a node in the middle of each edge.
 [[nodiscard]] bool is_quadratic(ElementKind kind);
 
+/// True of triangles and tetrahedra.
+[[nodiscard]] bool is_simplex(ElementKind kind);
+
 /// The two corners of each edge; in a quadratic cell node `corners_per_element(kind) + i` lies on
 /// edge i.
 [[nodiscard]] std::span<const std::array<int, 2>> element_edges(ElementKind kind);

@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "mechanics/mesh_edges.h"
+#include "mechanics/simplex_cells.h"
 
 #include <fmt/format.h>
 
@@ -104,21 +105,19 @@ private:
   int nx_, ny_, nz_;
 };
 
-/// How a box is cut into cells of a kind: corners of each cell among those of the box.
-std::vector<std::vector<int>> cuts(ElementKind kind) {
-  switch (kind) {
-  case ElementKind::tri6:
-    return {{0, 1, 2}, {0, 2, 3}};
-  case ElementKind::tet10: // six about the diagonal 0-6: neighbouring boxes match
-    return {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
-  case ElementKind::quad4:
-  case ElementKind::quad8:
-    return {{0, 1, 2, 3}};
-  case ElementKind::hex8:
-  case ElementKind::hex20:
-    return {{0, 1, 2, 3, 4, 5, 6, 7}};
-  }
-  return {};
+/// 0 or 1 along an axis, alternating from both ends: cells are cut from their corners of lowest sum
+/// over the axes, so that neighbours mirror each other and every corner of the box is cut through.
+int alternation(int i, int n) { return std::min(i, n - i) % 2; }
+
+std::vector<int> grid_ranks(const BoxDomain& box, int dimension) {
+  std::vector<int> ranks;
+  const int n_layers = dimension == 3 ? box.cells[2] : 0;
+  for (int k = 0; k <= n_layers; ++k)
+    for (int j = 0; j <= box.cells[1]; ++j)
+      for (int i = 0; i <= box.cells[0]; ++i)
+        ranks.push_back(alternation(i, box.cells[0]) + alternation(j, box.cells[1]) +
+                        alternation(k, n_layers));
+  return ranks;
 }
 
 std::vector<Vec3> grid_points(const BoxDomain& box, int dimension) {
@@ -138,8 +137,14 @@ std::vector<Vec3> grid_points(const BoxDomain& box, int dimension) {
   return points;
 }
 
-/// The mesh of a kind from corner cells: as they are, or with mid-side nodes.
-Mesh mesh_from_corners(ElementKind kind, std::vector<Vec3> points, std::vector<Index> corners) {
+/// The mesh of a kind from corner cells: as they are, or with mid-side nodes; simplices by cutting
+/// the cells, from the corners of lowest rank.
+Mesh mesh_from_corners(ElementKind kind,
+                       std::vector<Vec3> points,
+                       std::vector<Index> corners,
+                       const std::vector<int>& ranks) {
+  if (is_simplex(kind))
+    corners = cut_into_simplices(dimension(kind), corners, ranks);
   if (is_quadratic(kind))
     return quadratic_mesh(kind, std::move(points), corners);
   return Mesh{
@@ -163,6 +168,9 @@ public:
   [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
   /// Corners of the cells, shape (n, 4).
   [[nodiscard]] const std::vector<Index>& corners() const { return corners_; }
+  /// Ranks of the points, alternating along both lines of cells that cross at each (see
+  /// `alternation`).
+  [[nodiscard]] const std::vector<int>& ranks() const { return ranks_; }
 
 private:
   /// Half the width of the core at the relative distance t from its axis: the corners stand back
@@ -179,6 +187,7 @@ private:
         const double u = static_cast<double>(i) / m_;
         const double v = static_cast<double>(j) / m_;
         points_.emplace_back(u * half_width(v), v * half_width(u), 0.0);
+        ranks_.push_back(std::abs(i % 2) + std::abs(j % 2));
       }
     for (int j = low_y_; j < m_; ++j)
       for (int i = low_x_; i < m_; ++i)
@@ -220,6 +229,7 @@ private:
         const Vec3 outer = radius_ * direction(around);
         const double t = static_cast<double>(ring) / rings_;
         points_.emplace_back((1.0 - t) * inner + t * outer);
+        ranks_.push_back(around % 2 + (m_ + ring) % 2);
       }
     const auto node = [&](int ring, int around) {
       const int place = around % n_places;
@@ -238,12 +248,14 @@ private:
   bool closed_;
   std::vector<Vec3> points_;
   std::vector<Index> corners_;
+  std::vector<int> ranks_;
 };
 
 void require_sound(const CylinderDomain& cylinder) {
-  if (cylinder.kind != ElementKind::hex8 && cylinder.kind != ElementKind::hex20)
-    refuse(fmt::format("a cylinder is meshed with hex8 or hex20, not with {}", name(cylinder.kind)),
-           "choose element = \"hex20\", or give a mesh file");
+  if (dimension(cylinder.kind) != 3)
+    refuse(fmt::format("a cylinder is a body in space and cannot be meshed with {}",
+                       name(cylinder.kind)),
+           "choose element = \"hex20\", \"hex8\" or \"tet10\", or give a mesh file");
   if (!(cylinder.radius > 0.0) || !std::isfinite(cylinder.radius) || !(cylinder.height > 0.0) ||
       !std::isfinite(cylinder.height))
     refuse(fmt::format("a cylinder of radius {} and height {} has no volume", cylinder.radius,
@@ -261,20 +273,23 @@ void require_sound(const CylinderDomain& cylinder) {
 /// Layers of the section, from z = 0 to the height.
 Mesh extrude(const Disc& disc, const CylinderDomain& cylinder) {
   std::vector<Vec3> points;
+  std::vector<int> ranks;
   std::vector<Index> corners;
   const auto n_section = static_cast<Index>(disc.points().size());
   for (int layer = 0; layer <= cylinder.n_height; ++layer) {
     const double z =
         layer == cylinder.n_height ? cylinder.height : cylinder.height * layer / cylinder.n_height;
-    for (const Vec3& point : disc.points())
-      points.emplace_back(point.x(), point.y(), z);
+    for (std::size_t i = 0; i < disc.points().size(); ++i) {
+      points.emplace_back(disc.points()[i].x(), disc.points()[i].y(), z);
+      ranks.push_back(disc.ranks()[i] + alternation(layer, cylinder.n_height));
+    }
   }
   for (int layer = 0; layer < cylinder.n_height; ++layer)
     for (std::size_t cell = 0; cell < disc.corners().size(); cell += 4)
       for (int above = 0; above < 2; ++above)
         for (std::size_t corner = 0; corner < 4; ++corner)
           corners.push_back(disc.corners()[cell + corner] + (layer + above) * n_section);
-  return mesh_from_corners(cylinder.kind, std::move(points), std::move(corners));
+  return mesh_from_corners(cylinder.kind, std::move(points), std::move(corners), ranks);
 }
 
 /// Moves the mid-side nodes between two nodes of the outer surface to the true circle.
@@ -303,14 +318,12 @@ Mesh box_mesh(const BoxDomain& domain) {
   const int dimension = mechanics::dimension(domain.kind);
   require_sound(domain, dimension);
   const Grid grid(domain.cells[0], domain.cells[1], dimension == 3 ? domain.cells[2] : 0);
-  const std::vector<std::vector<int>> pieces = cuts(domain.kind);
   std::vector<Index> corners;
   grid.for_each_box([&](const std::vector<Index>& box) {
-    for (const std::vector<int>& piece : pieces)
-      for (const int corner : piece)
-        corners.push_back(box[static_cast<std::size_t>(corner)]);
+    corners.insert(corners.end(), box.begin(), box.end());
   });
-  Mesh mesh = mesh_from_corners(domain.kind, grid_points(domain, dimension), std::move(corners));
+  Mesh mesh = mesh_from_corners(domain.kind, grid_points(domain, dimension), std::move(corners),
+                                grid_ranks(domain, dimension));
   for (Eigen::Index axis = 0; axis < dimension; ++axis) {
     const std::string letter(1, "xyz"[axis]);
     add_node_set(mesh, letter + "-min", [&](const Vec3& p) { return p[axis] == domain.low[axis]; });

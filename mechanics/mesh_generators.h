@@ -28,7 +28,7 @@ struct BoxDomain {
 
 /// A cylinder about z on the base z = 0, or the part of it with 0 <= polar angle <= sector.
 struct CylinderDomain {
-  ElementKind kind = ElementKind::hex20; ///< hex8 or hex20
+  ElementKind kind = ElementKind::hex20; ///< hex8, hex20 or tet10
   double radius = 1.0;                   ///< [mm]
   double height = 1.0;                   ///< [mm]
   int n_radius = 4;                      ///< cells along a radius, >= 2
@@ -36,14 +36,15 @@ struct CylinderDomain {
   int sector = 360;                      ///< 360, 180 (y >= 0) or 90 (x >= 0, y >= 0) [degrees]
 };
 
-/// Mesh of a box; triangles and tetrahedra by cutting each rectangle in 2, each block in 6.
+/// Mesh of a box; triangles and tetrahedra by cutting each rectangle in 2, each block in 6,
+/// neighbours as mirror images of each other.
 ///
 /// Node sets "x-min", "x-max", "y-min", "y-max" and, in space, "z-min", "z-max".
 /// @throws Error  for counts, lengths or gradings that are not positive, or too many cells
 [[nodiscard]] Mesh box_mesh(const BoxDomain& domain);
 
 /// Mesh of a cylinder: a square core with bulged sides and a ring around it; the mid-side nodes of
-/// the outer surface lie on the true circle.
+/// the outer surface lie on the true circle. Tetrahedra as in a box.
 ///
 /// Node sets "bottom", "top", "side"; "y-min" for a half, "x-min" and "y-min" for a quarter.
 /// @throws Error  for a kind, count, length or sector that is not offered

@@ -11,10 +11,6 @@ namespace billet::mechanics {
 
 namespace {
 
-bool is_simplex(ElementKind kind) {
-  return kind == ElementKind::tri6 || kind == ElementKind::tet10;
-}
-
 constexpr int max_nodes = 20;
 using Gradients = std::array<Vec3, max_nodes>;
 

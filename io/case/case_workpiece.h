@@ -43,18 +43,22 @@ struct FileMesh {
   bool operator==(const FileMesh&) const = default;
 };
 
-/// A domain of the plane to be meshed. (Not available in this version.)
+/// A domain of the plane, bounded by the lines and arcs of a closed profile, to be meshed with
+/// tri6.
 struct OutlineMesh {
   InputFile file;
-  double size = 0.0; ///< [mm]
+  double size = 0.0; ///< of the triangles [mm]
 
   bool operator==(const OutlineMesh&) const = default;
 };
 
-/// A closed triangulated surface to be meshed. (Not available in this version.)
+/// A closed triangulated surface, the body in which is to be meshed with tet10.
 struct StlMesh {
   InputFile file;
-  double size = 0.0; ///< [mm]
+  double size = 0.0;           ///< of the tetrahedra [mm]
+  std::string unit;            ///< of the file's numbers, as given; empty: that of the case
+  double unit_factor = 1.0;    ///< from the file's numbers to the case's lengths [mm]
+  double feature_angle = 30.0; ///< edges sharper than this are kept [degrees]
 
   bool operator==(const StlMesh&) const = default;
 };

@@ -20,10 +20,6 @@ struct NotAvailable {
 };
 
 constexpr std::array features{
-    NotAvailable{"workpiece.element", "tri6"},
-    NotAvailable{"workpiece.element", "tet10"},
-    NotAvailable{"workpiece.mesh.outline"},
-    NotAvailable{"workpiece.mesh.stl"},
     NotAvailable{"solver.accuracy", "draft"},
     NotAvailable{"solver.accuracy", "fine"},
     NotAvailable{"remesh"},

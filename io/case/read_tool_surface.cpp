@@ -115,21 +115,13 @@ std::optional<ToolSurface> read_points(TableReader& table, const At& at) {
 
 std::optional<ToolSurface> read_stl(TableReader& table, const At& at) {
   StlSurface surface;
-  const auto as_unit = [&](const At& unit) -> std::optional<std::string> {
-    const std::optional<std::string> text = as_text(unit);
-    const Outcome<double> factor = length_factor(text.value_or(""), unit.context.units);
-    if (text && factor) {
-      surface.unit_factor = *factor;
-      return text;
-    }
-    if (text)
-      unit.complain_found("a unit of length such as \"mm\", \"m\" or \"in\"");
-    return std::nullopt;
-  };
+  LengthUnit unit;
   const std::optional<InputFile> file = as_input_file(at);
   if (file)
     surface.file = *file;
-  table.required("unit", surface.unit, as_unit);
+  table.required("unit", unit, as_length_unit);
+  surface.unit = unit.name;
+  surface.unit_factor = unit.factor;
   table.optional("smooth", surface.smooth, as_flag);
   table.optional("feature_angle", surface.feature_angle, as_number,
                  Number{quantity::angle, {0.0, 180.0}});

@@ -108,12 +108,27 @@ std::optional<MeshSource> read_file(TableReader& /*table*/, const At& at) {
   return file ? std::optional<MeshSource>(FileMesh{*file}) : std::nullopt;
 }
 
-template <class Mesh> std::optional<MeshSource> read_domain(TableReader& table, const At& at) {
-  Mesh mesh;
+std::optional<MeshSource> read_outline(TableReader& table, const At& at) {
+  OutlineMesh mesh;
   const std::optional<InputFile> file = as_input_file(at);
+  table.required("size", mesh.size, as_number, positive_length);
   if (file)
     mesh.file = *file;
+  return file ? std::optional<MeshSource>(mesh) : std::nullopt;
+}
+
+std::optional<MeshSource> read_stl(TableReader& table, const At& at) {
+  StlMesh mesh;
+  const std::optional<InputFile> file = as_input_file(at);
+  LengthUnit unit;
   table.required("size", mesh.size, as_number, positive_length);
+  table.optional("unit", unit, as_length_unit);
+  table.optional("feature_angle", mesh.feature_angle, as_number,
+                 Number{quantity::angle, {0.0, 180.0}});
+  mesh.unit = unit.name;
+  mesh.unit_factor = unit.factor;
+  if (file)
+    mesh.file = *file;
   return file ? std::optional<MeshSource>(mesh) : std::nullopt;
 }
 
@@ -122,10 +137,17 @@ std::optional<MeshSource> as_mesh(const At& at) {
       Kind<MeshSource>{"box", Scenes::all, &read_box},
       Kind<MeshSource>{"cylinder", Scenes::space, &read_cylinder},
       Kind<MeshSource>{"file", Scenes::all, &read_file},
-      Kind<MeshSource>{"outline", Scenes::plane, &read_domain<OutlineMesh>},
-      Kind<MeshSource>{"stl", Scenes::space, &read_domain<StlMesh>},
+      Kind<MeshSource>{"outline", Scenes::plane, &read_outline},
+      Kind<MeshSource>{"stl", Scenes::space, &read_stl},
   };
   return read_one_kind<MeshSource>(at, kinds);
+}
+
+/// The element that a mesher makes; empty: those that are given make any.
+std::string_view made_by(const MeshSource& mesh) {
+  if (std::holds_alternative<OutlineMesh>(mesh))
+    return "tri6";
+  return std::holds_alternative<StlMesh>(mesh) ? "tet10" : "";
 }
 
 } // namespace
@@ -145,6 +167,12 @@ std::optional<Workpiece> as_workpiece(const At& at) {
   table.required("mesh", workpiece.mesh, as_mesh);
   table.optional("place", workpiece.place, as_place);
   table.finish();
+  const std::string_view made = made_by(workpiece.mesh);
+  if (!made.empty() && workpiece.element != made)
+    at.complain(
+        fmt::format("element is \"{}\", but what the program meshes itself is made of \"{}\"",
+                    workpiece.element, made),
+        fmt::format("set element = \"{}\"", made));
   return workpiece;
 }
 

@@ -84,6 +84,15 @@ as_pairs(const At& at, const Number& first, const Number& second);
 /// A file that is there and, unless allowed, in the case's folder or below.
 [[nodiscard]] std::optional<InputFile> as_input_file(const At& at);
 
+/// A unit of length, and how many lengths of the case make one.
+struct LengthUnit {
+  std::string name;    ///< as given ("mm")
+  double factor = 1.0; ///< from numbers in that unit to the case's lengths
+};
+
+/// The unit that the numbers of a file are in, such as "mm" or "in".
+[[nodiscard]] std::optional<LengthUnit> as_length_unit(const At& at);
+
 /// "x = 0", "set:NAME" or "all".
 [[nodiscard]] std::optional<Where> as_where(const At& at);
 

@@ -85,6 +85,16 @@ std::optional<InputFile> as_input_file(const At& at) {
   return std::nullopt;
 }
 
+std::optional<LengthUnit> as_length_unit(const At& at) {
+  const std::optional<std::string> text = as_text(at);
+  const Outcome<double> factor = length_factor(text.value_or(""), at.context.units);
+  if (text && factor)
+    return LengthUnit{*text, *factor};
+  if (text)
+    at.complain_found("a unit of length such as \"mm\", \"m\" or \"in\"");
+  return std::nullopt;
+}
+
 std::optional<Where> as_where(const At& at) {
   const auto* const text = at.node.as<std::string>();
   const std::string_view word = text != nullptr ? trimmed(*text) : std::string_view{};

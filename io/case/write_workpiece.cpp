@@ -44,10 +44,11 @@ std::string mesh_text(const OutlineMesh& mesh, int /*size*/) {
 }
 
 std::string mesh_text(const StlMesh& mesh, int /*size*/) {
-  return TomlTable()
-      .add("stl", toml_text(mesh.file))
-      .add("size", toml_text(mesh.size))
-      .on_one_line();
+  TomlTable table;
+  table.add("stl", toml_text(mesh.file)).add("size", toml_text(mesh.size));
+  if (!mesh.unit.empty())
+    table.add("unit", toml_text(std::string_view(mesh.unit)));
+  return table.add("feature_angle", toml_text(mesh.feature_angle)).on_one_line();
 }
 
 template <class AnyLaw> std::string law_text(const AnyLaw& any) {

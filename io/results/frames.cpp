@@ -6,6 +6,7 @@
 #include "io/results/wear_frame.h"
 #include "mechanics/elements/elements.h"
 #include "mechanics/mesh_check.h"
+#include "mechanics/mesh_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +22,20 @@ using mechanics::Index;
 
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
-/// For each local node of an element kind, the closest integration point.
-std::vector<int> nearest_points(mechanics::ElementKind kind) {
+/// For each local node of an element kind, the integration points whose mean it shows: the closest,
+/// in the middle of an edge of a simplex those towards both its corners.
+std::vector<std::vector<int>> points_of_nodes(mechanics::ElementKind kind) {
+  if (mechanics::is_simplex(kind)) {
+    std::vector<std::vector<int>> points;
+    for (int corner = 0; corner < mechanics::corners_per_element(kind); ++corner)
+      points.push_back({corner});
+    for (const auto& [a, b] : mechanics::element_edges(kind))
+      points.push_back({a, b});
+    return points;
+  }
   return mechanics::visit_element(kind, [](auto element) {
     using Element = decltype(element);
-    std::vector<int> nearest;
+    std::vector<std::vector<int>> nearest;
     for (const auto& node : Element::Shape::corners) {
       int best = 0;
       double closest = std::numeric_limits<double>::infinity();
@@ -39,7 +49,7 @@ std::vector<int> nearest_points(mechanics::ElementKind kind) {
           best = g;
         }
       }
-      nearest.push_back(best);
+      nearest.push_back({best});
     }
     return nearest;
   });
@@ -49,16 +59,19 @@ std::vector<int> nearest_points(mechanics::ElementKind kind) {
 std::vector<double>
 to_nodes(const process::Process& process, int components, std::span<const double> at_points) {
   const mechanics::Mesh& mesh = process.scene().mesh;
-  const std::vector<int> nearest = nearest_points(mesh.kind);
+  const std::vector<std::vector<int>> nearest = points_of_nodes(mesh.kind);
   std::vector<double> sum(mesh.points.size() * idx(components), 0.0);
   std::vector<double> count(mesh.points.size(), 0.0);
   for (Index e = 0; e < mesh.n_elements(); ++e)
     for (std::size_t a = 0; a < nearest.size(); ++a) {
       const std::size_t node = idx(mesh.cell(e)[a]);
-      const std::size_t point = idx(e * process.bulk().points() + nearest[a]);
       count[node] += 1.0;
-      for (std::size_t c = 0; c < idx(components); ++c)
-        sum[node * idx(components) + c] += at_points[point * idx(components) + c];
+      for (const int g : nearest[a]) {
+        const std::size_t point = idx(e * process.bulk().points() + g);
+        for (std::size_t c = 0; c < idx(components); ++c)
+          sum[node * idx(components) + c] +=
+              at_points[point * idx(components) + c] / static_cast<double>(nearest[a].size());
+      }
     }
   for (std::size_t k = 0; k < sum.size(); ++k)
     sum[k] /= std::max(count[k / idx(components)], 1.0);

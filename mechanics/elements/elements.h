@@ -1,6 +1,7 @@
 // The elements the solver knows: shape, integration rule, treatment of volume change.
 //
 // quad8, hex20   displacement elements with the reduced rule (2 per direction), as in the paper.
+// tri6, tet10    likewise with 3 and 4 points (docs/decisions/0008-simplex-elements.md).
 // quad4, hex8    variational mean dilatation: one pressure and one dilatation per element.
 // A new element is one struct here and one line in `visit_element`.
 
@@ -35,6 +36,17 @@ struct ElementHex20 {
   static constexpr bool mean_dilatation = false;
 };
 
+struct ElementTri6 {
+  using Shape = Tri6;
+  using Rule = SimplexRule<2, 3>;
+  static constexpr bool mean_dilatation = false;
+};
+struct ElementTet10 {
+  using Shape = Tet10;
+  using Rule = SimplexRule<3, 4>;
+  static constexpr bool mean_dilatation = false;
+};
+
 /// Calls `visitor` with the element type of `kind`.
 template <class Visitor> decltype(auto) visit_element(ElementKind kind, Visitor&& visitor) {
   switch (kind) {
@@ -47,8 +59,9 @@ template <class Visitor> decltype(auto) visit_element(ElementKind kind, Visitor&
   case ElementKind::hex20:
     return visitor(ElementHex20{});
   case ElementKind::tri6:
+    return visitor(ElementTri6{});
   case ElementKind::tet10:
-    break;
+    return visitor(ElementTet10{});
   }
   throw std::logic_error("element kind without a kernel");
 }

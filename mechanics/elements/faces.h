@@ -1,4 +1,4 @@
-// Faces of elements: the lines and quadrilaterals on which loads and contact act.
+// Faces of elements: the lines, quadrilaterals and triangles on which loads and contact act.
 //
 // A face's area vector a = n dA / dxi points out of the body and grows with the area; its length
 // and derivative carry follower loads and contact into the tangent. In axisymmetry the measure
@@ -27,17 +27,29 @@ template <class Visitor> decltype(auto) visit_face(ElementKind kind, Visitor&& v
   case ElementKind::quad4:
     return visitor(Line2{});
   case ElementKind::quad8:
+  case ElementKind::tri6:
     return visitor(Line3{});
   case ElementKind::hex8:
     return visitor(Quad4{});
   case ElementKind::hex20:
     return visitor(Quad8{});
-  case ElementKind::tri6:
   case ElementKind::tet10:
-    break;
+    return visitor(Tri6{});
   }
   throw std::logic_error("element kind without faces");
 }
+
+/// Rules of a face. `Full` is exact for the products of two shape functions on a flat face and for
+/// a uniform pressure on a curved one; `Lower` has as many points as a stress of one order less has
+/// terms, 2 along a line.
+template <class Shape> struct FaceRules {
+  using Full = GaussRule<Shape::dim, 3>;
+  using Lower = GaussRule<Shape::dim, 2>;
+};
+template <> struct FaceRules<Tri6> {
+  using Full = SimplexRule<2, 6>;
+  using Lower = SimplexRule<2, 3>;
+};
 
 /// Position, area and their derivatives at a point of a face.
 template <class Shape> struct FacePoint {

@@ -1,8 +1,9 @@
-// Shape functions of lines, quadrilaterals and hexahedra on [-1, 1]^d.
+// Shape functions of lines, quadrilaterals and hexahedra on [-1, 1]^d, and of triangles and
+// tetrahedra on the simplex xi_i >= 0, sum xi_i <= 1.
 //
 // A shape is a value type: `dim`, `nodes`, the reference coordinates of the nodes, and
 // `values(xi)` and `gradients(xi)`. Node order is VTK's (mechanics/mesh.h); of a line3: both ends,
-// then the middle. Theory: docs/theory/mechanics.md (M.2).
+// then the middle. Theory: docs/theory/mechanics.md (M.2), (M.30).
 
 #pragma once
 
@@ -180,5 +181,71 @@ private:
   /// (1 + c x) towards a corner, (1 - x^2) along an edge whose middle the node is.
   static constexpr double factor(double c, double x) { return c == 0 ? 1 - x * x : 1 + c * x; }
 };
+
+/// Quadratic triangle (dim = 2) or tetrahedron (dim = 3) in barycentric coordinates: a node at
+/// each of the dim + 1 corners and in the middle of each edge. (M.30)
+///
+/// @tparam edges  the two corners of each edge, in the order of the middle nodes
+template <int dimension, auto edges> struct QuadraticSimplex {
+  static constexpr int dim = dimension;
+  static constexpr int nodes = (dim + 1) * (dim + 2) / 2;
+  static constexpr std::size_t n_corners = dim + 1;
+
+  /// Reference coordinates of all nodes.
+  static constexpr std::array<RefPoint<dim>, nodes> corners = [] {
+    std::array<RefPoint<dim>, nodes> places{};
+    for (std::size_t a = 1; a < n_corners; ++a)
+      places[a][a - 1] = 1.0;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      for (std::size_t d = 0; d < dim; ++d)
+        places[n_corners + e][d] = 0.5 * (places[edges[e][0]][d] + places[edges[e][1]][d]);
+    return places;
+  }();
+
+  static constexpr ShapeValues<nodes> values(const RefPoint<dim>& xi) {
+    const auto lambda = barycentric(xi);
+    ShapeValues<nodes> N{};
+    for (std::size_t a = 0; a < n_corners; ++a)
+      N[a] = lambda[a] * (2 * lambda[a] - 1);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      N[n_corners + e] = 4 * lambda[edges[e][0]] * lambda[edges[e][1]];
+    return N;
+  }
+  static constexpr ShapeGradients<nodes, dim> gradients(const RefPoint<dim>& xi) {
+    const auto lambda = barycentric(xi);
+    ShapeGradients<nodes, dim> dN{};
+    for (std::size_t d = 0; d < dim; ++d) {
+      for (std::size_t a = 0; a < n_corners; ++a)
+        dN[a][d] = (4 * lambda[a] - 1) * slope(a, d);
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        const std::size_t a = edges[e][0];
+        const std::size_t b = edges[e][1];
+        dN[n_corners + e][d] = 4 * (lambda[a] * slope(b, d) + lambda[b] * slope(a, d));
+      }
+    }
+    return dN;
+  }
+
+private:
+  static constexpr std::array<double, n_corners> barycentric(const RefPoint<dim>& xi) {
+    std::array<double, n_corners> lambda{1.0};
+    for (std::size_t d = 0; d < dim; ++d) {
+      lambda[d + 1] = xi[d];
+      lambda[0] -= xi[d];
+    }
+    return lambda;
+  }
+  /// d lambda_a / d xi_d.
+  static constexpr double slope(std::size_t a, std::size_t d) {
+    return a == 0 ? -1.0 : a == d + 1 ? 1.0 : 0.0;
+  }
+};
+
+inline constexpr std::array<std::array<std::size_t, 2>, 3> triangle_edges{{{0, 1}, {1, 2}, {2, 0}}};
+inline constexpr std::array<std::array<std::size_t, 2>, 6> tetrahedron_edges{
+    {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+
+using Tri6 = QuadraticSimplex<2, triangle_edges>;
+using Tet10 = QuadraticSimplex<3, tetrahedron_edges>;
 
 } // namespace billet::mechanics

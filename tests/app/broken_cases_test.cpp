@@ -135,7 +135,6 @@ std::vector<Broken> wrong_words() {
 
 std::vector<Broken> later_versions() {
   return {
-      one("later_tri6", "\"quad8\"", "\"tri6\"", {"\"tri6\" is not available in this version"}),
       one("later_remeshing", "[time]", "[remesh]\nwhen = { quality = 0.2 }\n[time]",
           {"remesh: not available in this version"}, "[remesh]"),
       one("wear_of_less_than_a_stroke", punch_friction,

@@ -154,7 +154,7 @@ TEST_P(WholeTangent, AgreesWithDifferencesOverRateDependentMetal) {
 
 INSTANTIATE_TEST_SUITE_P(EveryElement,
                          WholeTangent,
-                         testing::Combine(testing::Range(0, 6),
+                         testing::Combine(testing::Range(0, 9),
                                           testing::Values(Form::mixed, Form::compatible),
                                           testing::Bool()));
 

@@ -64,7 +64,8 @@ struct Turning {
 TEST(ContactObjectivity, KeepsStressesWhenToolAndBodyTurnTogetherInOneStep) {
   // VALIDATION CON-05 (the paper's Fig. 13): projecting the motion on the normal gives -d(1 - cos).
   constexpr double tolerance = 1e-10;
-  for (const BodyKind& body : {body_kinds()[0], body_kinds()[1], body_kinds()[4], body_kinds()[5]})
+  for (const BodyKind& body : {body_kinds()[0], body_kinds()[1], body_kinds()[4], body_kinds()[5],
+                               body_kinds()[6], body_kinds()[8]})
     for (const double angle : {1.0, 10.0, 45.0, 90.0}) {
       Turning turning(body, angle * degree);
       ContactBench& bench = turning.bench;

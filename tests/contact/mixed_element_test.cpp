@@ -3,6 +3,9 @@
 //
 // On linear faces the program has one rule, 2 points a direction, for both forms (C.12). Eq 15
 // with a stress of the order of the displacement gives the same.
+//
+// On a triangle M_c is of degree 3, beyond the rule of 3 points; with all integrals by that rule
+// eqs 14 and 15 give the program's element (C.25).
 
 #include "mechanics/elements/shapes.h"
 #include "tests/support/contact_bench.h"
@@ -37,6 +40,8 @@ struct Paper {
 std::array<double, 2> stress_line(double xi) { return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi)}; }
 
 template <class Shape> VectorXd stress_shapes(const mechanics::RefPoint<Shape::dim>& xi) {
+  if constexpr (std::is_same_v<Shape, mechanics::Tri6>)
+    return Eigen::Vector3d(1.0 - xi[0] - xi[1], xi[0], xi[1]);
   const auto along = stress_line(xi[0]);
   if constexpr (Shape::dim == 1)
     return Eigen::Vector2d(along[0], along[1]);
@@ -79,7 +84,36 @@ template <class Shape> Paper paper_element() {
   return e;
 }
 
-/// One element of 2 x 1 (x 2) on a floor: a face of unit Jacobian, skewed in its own plane.
+/// Adds the integrals of a face by a rule, `jacobian` its area over that of the reference.
+template <class Shape, class Rule> void add_integrals(Paper& e, double jacobian) {
+  for (int i = 0; i < Rule::points; ++i) {
+    const auto values = Shape::values(Rule::point(i));
+    const VectorXd N = Eigen::Map<const VectorXd>(values.data(), Shape::nodes);
+    const VectorXd P = stress_shapes<Shape>(Rule::point(i));
+    const double w = jacobian * Rule::weight(i);
+    e.M += w * P * N.transpose();
+    e.X += w * P * P.transpose();
+    e.P1 += w * P;
+    e.full += w * N * N.transpose();
+  }
+}
+
+/// Half of the square of 2 x 2; the compatible element by the rule of degree 4, exact.
+template <> Paper paper_element<mechanics::Tri6>() {
+  Paper e{MatrixXd::Zero(3, 6), MatrixXd::Zero(3, 3), VectorXd::Zero(3), MatrixXd::Zero(6, 6)};
+  Paper exact = e;
+  constexpr double jacobian = 4.0;
+  add_integrals<mechanics::Tri6, mechanics::SimplexRule<2, 3>>(e, jacobian);
+  add_integrals<mechanics::Tri6, mechanics::SimplexRule<2, 6>>(exact, jacobian);
+  // What the rule of three points is exact for.
+  EXPECT_LT((e.X - exact.X).norm(), 1e-14);
+  EXPECT_LT((e.P1 - exact.P1).norm(), 1e-14);
+  e.full = exact.full;
+  return e;
+}
+
+/// One element of 2 x 1 (x 2) on a floor: a face of unit Jacobian, skewed in its own plane; of
+/// tetrahedra one face of two.
 ContactBench one_face(mechanics::ElementKind kind, Form form) {
   const bool solid = mechanics::dimension(kind) == 3;
   mechanics::Mesh mesh =
@@ -87,7 +121,8 @@ ContactBench one_face(mechanics::ElementKind kind, Form form) {
   if (solid)
     for (Vec3& p : mesh.points)
       p[0] += 0.3 * p[2];
-  const auto faces = faces_at(mesh, 1, 0.0);
+  auto faces = faces_at(mesh, 1, 0.0);
+  faces.resize(1);
   return ContactBench(std::move(mesh),
                       solid ? mechanics::Analysis::solid : mechanics::Analysis::plane_strain,
                       bench_material(),
@@ -128,10 +163,11 @@ public:
       std::is_same_v<Shape, mechanics::Line2>   ? mechanics::ElementKind::quad4
       : std::is_same_v<Shape, mechanics::Line3> ? mechanics::ElementKind::quad8
       : std::is_same_v<Shape, mechanics::Quad4> ? mechanics::ElementKind::hex8
+      : std::is_same_v<Shape, mechanics::Tri6>  ? mechanics::ElementKind::tet10
                                                 : mechanics::ElementKind::hex20;
 };
-using FaceShapes =
-    testing::Types<mechanics::Line2, mechanics::Line3, mechanics::Quad4, mechanics::Quad8>;
+using FaceShapes = testing::
+    Types<mechanics::Line2, mechanics::Line3, mechanics::Quad4, mechanics::Quad8, mechanics::Tri6>;
 TYPED_TEST_SUITE(MixedElement, FaceShapes);
 
 TYPED_TEST(MixedElement, HasTheStiffnessOfThePointRule) {
@@ -199,6 +235,27 @@ TEST(MixedLine3, HasThePublishedCoefficients) {
   EXPECT_NEAR(kf(0, 1), -1.0 / 15.0, tolerance);
   EXPECT_EQ(rank(k), 2);
   EXPECT_EQ(rank(kf), 3);
+}
+
+TEST(MixedTri6, LetsTheCornersMoveWithoutEnergyAndNothingElse) {
+  // u = 1 at the corners, 0 in the middles vanishes at the three points; so do two more quadratics.
+  VectorXd mode = VectorXd::Zero(6);
+  mode.head(3).setOnes();
+  for (const Form form : {Form::mixed, Form::compatible}) {
+    ContactBench bench = one_face(mechanics::ElementKind::tet10, form);
+    bench.assemble(sunk(bench, 1e-3), 1.0);
+    const MatrixXd k = face_block(bench, 1) / bench.surface.penalty().normal;
+    EXPECT_EQ(rank(k), form == Form::mixed ? 3 : 6);
+    if (form == Form::mixed) {
+      EXPECT_NEAR(mode.dot(k * mode), 0.0, 1e-12);
+    } else {
+      EXPECT_GT(mode.dot(k * mode), 0.1);
+    }
+    // A uniform pressure: nothing at the corners, a third at each middle.
+    const VectorXd force = k * VectorXd::Ones(6);
+    EXPECT_NEAR(force.head(3).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(force[3], 2.0 / 3.0, 1e-12);
+  }
 }
 
 TEST(MixedLine3, LetsTheAlternatingModePassWithoutEnergy) {

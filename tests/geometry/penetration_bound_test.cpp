@@ -15,7 +15,10 @@
 #include <cstdio>
 #include <functional>
 #include <numbers>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace billet::geometry {
 namespace {
@@ -35,6 +38,26 @@ BezierPatch face(bool planar, const Shape& shape) {
   return BezierPatch(at);
 }
 
+/// Half of the square, above its diagonal.
+BezierPatch triangular_face(const Shape& shape) {
+  std::vector<Vec3> at;
+  for (const auto& [x, y] : {std::pair{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {-1, 1}})
+    at.emplace_back(x, y, shape(x, y));
+  return BezierPatch(at);
+}
+
+/// Points of a fine grid over a triangle.
+std::vector<Vec3> grid_of_triangle(std::span<const Vec3> c, int n) {
+  std::vector<Vec3> points;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i + j <= n; ++i) {
+      const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n, w = 1.0 - u - v;
+      points.emplace_back(w * w * c[0] + u * u * c[2] + v * v * c[5] + 2 * u * w * c[1] +
+                          2 * u * v * c[4] + 2 * v * w * c[3]);
+    }
+  return points;
+}
+
 /// Deepest of the points of a fine grid over a face.
 double brute(const RigidSurface& surface, const BezierPatch& patch, int n) {
   const auto control = patch.control();
@@ -42,7 +65,10 @@ double brute(const RigidSurface& surface, const BezierPatch& patch, int n) {
     return std::array{(1 - t) * (1 - t), 2 * t * (1 - t), t * t};
   };
   std::vector<Vec3> points;
-  for (int j = 0; j <= (control.size() == 3 ? 0 : n); ++j)
+  const bool triangle = control.size() == 6;
+  if (triangle)
+    points = grid_of_triangle(control, n);
+  for (int j = 0; !triangle && j <= (control.size() == 3 ? 0 : n); ++j)
     for (int i = 0; i <= n; ++i) {
       const auto u = weights(static_cast<double>(i) / n), v = weights(static_cast<double>(j) / n);
       Vec3 x = Vec3::Zero();
@@ -94,6 +120,12 @@ TEST(PenetrationBound, IsAboveAHundredfoldSamplesAndTight) {
                  tight);
     expect_bound("quad, plane, " + of, *make_plane({0, 0, 0}, {0, 0, 1}), face(false, shape),
                  tight);
+    expect_bound("triangle, plane, " + of, *make_plane({0, 0, 0}, {0, 0, 1}),
+                 triangular_face(shape), tight);
+    expect_bound("triangle, sphere, " + of, *make_sphere({0, 0, -10}, 10.0, false),
+                 triangular_face(shape), tight);
+    expect_bound("triangle, hollow, " + of, *make_sphere({0, 0, 10}, 10.0, true),
+                 triangular_face(shape), tight);
     expect_bound("quad, sphere, " + of, *make_sphere({0, 0, -10}, 10.0, false), face(false, shape),
                  tight);
     expect_bound("quad, hollow, " + of, *make_sphere({0, 0, 10}, 10.0, true), face(false, shape),

@@ -41,8 +41,9 @@ int zero_modes(const ElementCase& element) {
 
 TEST(ElementKernel, ELT_03_has_the_zero_modes_of_its_kind_and_no_others) {
   // Rigid motions, and what 2 points per direction cannot see of a serendipity element: 1 in the
-  // plane, 6 in space, none communicable between elements.
-  constexpr std::array expected{3, 3 + 1, 1, 1, 6, 6 + 6};
+  // plane, 6 in space, none communicable between elements. The points of
+  // simplices see all that is not rigid.
+  constexpr std::array expected{3, 3 + 1, 1, 1, 6, 6 + 6, 3, 1, 6};
   for (std::size_t i = 0; i < every_element.size(); ++i) {
     const int modes = zero_modes(every_element[i]);
     support::show("ELT-03", every_element[i].name() + " zero modes", modes, expected[i]);
@@ -117,7 +118,7 @@ TEST(ElementKernel, MAT_04_turns_its_stress_with_it_in_few_or_many_steps) {
 }
 
 TEST(ElementKernel, ELT_04_is_finite_at_the_axis) {
-  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8}) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6}) {
     const ElementCase element{kind, Analysis::axisymmetric};
     std::vector<double> X = support::distorted_nodes(element, 0.0);
     for (std::size_t i = 0; i < X.size(); i += 2)
@@ -133,13 +134,15 @@ TEST(ElementKernel, ELT_04_is_finite_at_the_axis) {
 TEST(ElementKernel, point_volumes_sum_to_the_volume_of_the_element) {
   constexpr double rounding = 1e-14;
   for (const ElementCase& element : every_element) {
-    // A block of size 2 by 2 (by 2), at radii 2 to 4.
+    // A block of size 2 by 2 (by 2), at radii 2 to 4, or the simplex in its lowest corner.
     const auto X = support::distorted_nodes(element, 0.0);
     const ElementProbe probe(element, elastic_steel, X);
     const double sum = std::accumulate(probe.volumes().begin(), probe.volumes().end(), 0.0);
-    const double exact = element.analysis == Analysis::axisymmetric ? std::numbers::pi * 12.0 * 2.0
-                         : element.planar()                         ? 4.0
-                                                                    : 8.0;
+    const double share = !element.simplex() ? 1.0 : element.planar() ? 1.0 / 2.0 : 1.0 / 6.0;
+    const double mean_radius = element.simplex() ? 2.0 + 2.0 / 3.0 : 3.0;
+    const double turn =
+        element.analysis == Analysis::axisymmetric ? 2.0 * std::numbers::pi * mean_radius : 1.0;
+    const double exact = share * turn * (element.planar() ? 4.0 : 8.0);
     EXPECT_NEAR(sum, exact, rounding * exact) << element.name();
   }
 }
@@ -167,6 +170,8 @@ TEST(ElementKernel, takes_the_pressure_from_the_mean_dilatation_in_linear_elemen
   EXPECT_EQ(pressure_ratio(ElementKind::hex8, now, then, 3), 2.5);
   EXPECT_EQ(pressure_ratio(ElementKind::quad8, now, then, 1), 2.0);
   EXPECT_EQ(pressure_ratio(ElementKind::hex20, now, then, 3), 4.0);
+  EXPECT_EQ(pressure_ratio(ElementKind::tri6, now, then, 1), 2.0);
+  EXPECT_EQ(pressure_ratio(ElementKind::tet10, now, then, 3), 4.0);
 }
 
 } // namespace

@@ -15,8 +15,8 @@ using support::Patch;
 using support::show;
 using support::show_error;
 
-/// Mid-side nodes off-centre by 10 %, inner edges curved.
-Mesh curved(Mesh mesh) {
+/// Mid-side nodes off-centre by 10 %, inner edges curved; `sag` over their length.
+Mesh curved(Mesh mesh, double sag) {
   const std::set<Index> boundary = support::boundary_nodes(mesh);
   const auto corners = static_cast<std::size_t>(corners_per_element(mesh.kind));
   const auto edges = element_edges(mesh.kind);
@@ -33,7 +33,7 @@ Mesh curved(Mesh mesh) {
       Vec3& p = mesh.points[static_cast<std::size_t>(middle)];
       p += 0.1 * along;
       if (!boundary.contains(middle))
-        p += 0.15 * Vec3(-along[1], along[0], 0.0);
+        p += sag * Vec3(-along[1], along[0], 0.0);
     }
   return mesh;
 }
@@ -46,12 +46,16 @@ struct Case {
 std::vector<Case> plane_cases() {
   return {{"quad4", support::plane_patch(ElementKind::quad4)},
           {"quad8", support::plane_patch(ElementKind::quad8)},
-          {"quad8 curved", curved(support::plane_patch(ElementKind::quad8))}};
+          {"quad8 curved", curved(support::plane_patch(ElementKind::quad8), 0.15)},
+          {"tri6", support::plane_patch(ElementKind::tri6)},
+          // A triangle of the patch is twelve times longer than high.
+          {"tri6 curved", curved(support::plane_patch(ElementKind::tri6), 0.01)}};
 }
 
 std::vector<Case> solid_cases() {
   return {{"hex8", support::solid_patch(ElementKind::hex8)},
-          {"hex20", support::solid_patch(ElementKind::hex20)}};
+          {"hex20", support::solid_patch(ElementKind::hex20)},
+          {"tet10", support::solid_patch(ElementKind::tet10)}};
 }
 
 /// Stresses at all points in the limit of small strains: central differences in the size of the
@@ -188,7 +192,7 @@ TEST(Patch, ELT_04_axisymmetric_stretch_is_homogeneous_also_at_the_axis) {
   constexpr double tolerance = 1e-10; // VALIDATION
   const Mat3 F = Vec3(1.1, 0.85, 1.1).asDiagonal();
   const Mat3 reference = support::hencky_stress(1000, 0.3, F);
-  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8})
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6})
     for (const double inner_radius : {0.0, 0.1}) {
       Mesh mesh = support::plane_patch(kind);
       for (Vec3& p : mesh.points)

@@ -44,7 +44,9 @@ inline const std::vector<BodyKind>& body_kinds() {
   static const std::vector<BodyKind> kinds{
       {ElementKind::quad4, Analysis::plane_strain}, {ElementKind::quad8, Analysis::plane_strain},
       {ElementKind::quad4, Analysis::axisymmetric}, {ElementKind::quad8, Analysis::axisymmetric},
-      {ElementKind::hex8, Analysis::solid},         {ElementKind::hex20, Analysis::solid}};
+      {ElementKind::hex8, Analysis::solid},         {ElementKind::hex20, Analysis::solid},
+      {ElementKind::tri6, Analysis::plane_strain},  {ElementKind::tri6, Analysis::axisymmetric},
+      {ElementKind::tet10, Analysis::solid}};
   return kinds;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "geometry/analytic_surfaces.h"
+#include "mechanics/mesh_edges.h"
 #include "mechanics/mesh_generators.h"
 #include "process/run.h"
 
@@ -191,19 +192,8 @@ inline void distort_inside(mechanics::Mesh& mesh, double size, int axis, double 
       for (int d = 0; d < dim; ++d)
         mesh.points[a][d] +=
             size * std::sin(12.9 * static_cast<double>(a) + 78.2 * static_cast<double>(d));
-  constexpr std::array<std::array<int, 2>, 12> edges{{{0, 1},
-                                                      {1, 2},
-                                                      {2, 3},
-                                                      {3, 0},
-                                                      {4, 5},
-                                                      {5, 6},
-                                                      {6, 7},
-                                                      {7, 4},
-                                                      {0, 4},
-                                                      {1, 5},
-                                                      {2, 6},
-                                                      {3, 7}}};
-  const int corners = dim == 3 ? 8 : 4;
+  const auto edges = mechanics::element_edges(mesh.kind);
+  const int corners = mechanics::corners_per_element(mesh.kind);
   const int nodes = mechanics::nodes_per_element(mesh.kind);
   for (Index e = 0; e < mesh.n_elements(); ++e)
     for (int m = 0; corners + m < nodes; ++m) {

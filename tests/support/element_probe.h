@@ -4,6 +4,7 @@
 
 #include "mechanics/element_kernel.h"
 #include "mechanics/elements/elements.h"
+#include "mechanics/mesh_edges.h"
 #include "tests/support/tensors.h"
 
 #include <Eigen/Core>
@@ -21,6 +22,7 @@ struct ElementCase {
 
   [[nodiscard]] int dim() const { return mechanics::dimension(kind); }
   [[nodiscard]] bool planar() const { return dim() == 2; }
+  [[nodiscard]] bool simplex() const { return mechanics::is_simplex(kind); }
   [[nodiscard]] std::string name() const {
     constexpr std::array suffix{"plane strain", "axisymmetric", "solid"};
     return std::string(mechanics::name(kind)) + " " + suffix[static_cast<std::size_t>(analysis)];
@@ -35,16 +37,21 @@ inline constexpr std::array every_element{
     ElementCase{mechanics::ElementKind::quad8, mechanics::Analysis::axisymmetric},
     ElementCase{mechanics::ElementKind::hex8, mechanics::Analysis::solid},
     ElementCase{mechanics::ElementKind::hex20, mechanics::Analysis::solid},
+    ElementCase{mechanics::ElementKind::tri6, mechanics::Analysis::plane_strain},
+    ElementCase{mechanics::ElementKind::tri6, mechanics::Analysis::axisymmetric},
+    ElementCase{mechanics::ElementKind::tet10, mechanics::Analysis::solid},
 };
 
-/// Nodes of an element of size 2, at radii 2 to 4, each moved at random by up to `shift`.
+/// Nodes of an element of size 2, at radii 2 to 4, each moved at random by up to `shift`; a simplex
+/// has its first corner in the lowest corner of the block.
 inline std::vector<double> distorted_nodes(const ElementCase& element, double shift) {
   Random random(7);
   std::vector<double> x;
   mechanics::visit_element(element.kind, [&](auto e) {
     for (const auto& node : decltype(e)::Shape::corners)
       for (std::size_t i = 0; i < node.size(); ++i)
-        x.push_back(node[i] + (i == 0 ? 3.0 : 0.0) + random.number(-shift, shift));
+        x.push_back((element.simplex() ? 2.0 * node[i] - 1.0 : node[i]) + (i == 0 ? 3.0 : 0.0) +
+                    random.number(-shift, shift));
   });
   return x;
 }

@@ -9,6 +9,7 @@
 #include "mechanics/mesh_edges.h"
 #include "mechanics/mesh_generators.h"
 #include "mechanics/newton.h"
+#include "mechanics/simplex_cells.h"
 #include "tests/support/element_probe.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +22,11 @@ namespace billet::support {
 
 using mechanics::Index;
 
+/// A mesh of a kind from quadrilaterals or hexahedra; simplices by cutting each of them.
 inline mechanics::Mesh
 mesh_of(mechanics::ElementKind kind, std::vector<Vec3> points, std::vector<Index> corners) {
+  if (mechanics::is_simplex(kind))
+    corners = mechanics::cut_into_simplices(mechanics::dimension(kind), corners);
   if (mechanics::is_quadratic(kind))
     return mechanics::quadratic_mesh(kind, std::move(points), corners);
   return {.kind = kind, .points = std::move(points), .cells = std::move(corners), .node_sets = {}};

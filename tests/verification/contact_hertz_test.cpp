@@ -142,7 +142,7 @@ TEST_P(HertzContact, HasThePressureOfHertzOnEveryFace) {
 INSTANTIATE_TEST_SUITE_P(
     EveryFace,
     HertzContact,
-    testing::Combine(testing::Values(ElementKind::quad4, ElementKind::quad8),
+    testing::Combine(testing::Values(ElementKind::quad4, ElementKind::quad8, ElementKind::tri6),
                      testing::Values(Analysis::plane_strain, Analysis::axisymmetric),
                      testing::Values(contact::Form::mixed, contact::Form::compatible)));
 

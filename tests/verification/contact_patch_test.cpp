@@ -129,8 +129,8 @@ std::string label(const Patch& patch) {
          (patch.depths_differ ? " depths differ" : "");
 }
 
-constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::hex8,
-                           ElementKind::hex20};
+constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                           ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
 
 TEST(ContactPatch, HasUniformPressureOnAPlane) {
   for (const ElementKind kind : kinds)
@@ -148,7 +148,7 @@ TEST(ContactPatch, HasUniformPressureOnAnInclinedPlaneWithoutSupports) {
 }
 
 TEST(ContactPatch, HasUniformPressureOnAFacettedPlane) {
-  for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex20})
+  for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
     for (const double tilt : {0.0, std::numbers::pi / 6.0}) {
       const Patch patch{kind, contact::Form::mixed, tilt, true, tilt > 0.0};
       EXPECT_LT(pressure_error(patch, label(patch)), tolerance) << label(patch);

@@ -63,6 +63,8 @@ TEST(Billet, AgreesWithTwoCodesOnQuad8) { check_billet(ElementKind::quad8); }
 
 TEST(Billet, AgreesWithTwoCodesOnQuad4) { check_billet(ElementKind::quad4); }
 
+TEST(Billet, AgreesWithTwoCodesOnTri6) { check_billet(ElementKind::tri6); }
+
 /// A quarter of the billet in space, 30 %.
 void check_solid(ElementKind kind, int n, double tolerance) {
   Upsetting u;
@@ -86,6 +88,7 @@ TEST(Billet, AgreesInSpace) {
   // at 30 % with the full rule 96.1, 95.1, 93.3 kN for 3, 4, 5 cells along the radius.
   check_solid(ElementKind::hex8, 5, 0.04);
   check_solid(ElementKind::hex20, 4, 0.075);
+  check_solid(ElementKind::tet10, 5, 0.02);
 }
 
 double force_at_twenty(const contact::Friction& law, contact::Form form) {

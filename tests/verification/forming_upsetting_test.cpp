@@ -105,7 +105,7 @@ constexpr double exact_to = 1e-6;
 TEST(HomogeneousUpsetting, HasTheExactForceInThePlaneKinds) {
   const double disk = 100.0 * std::numbers::pi;
   for (const auto form : {contact::Form::mixed, contact::Form::compatible})
-    for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8})
+    for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6})
       for (const int n : {1, 3, 6}) {
         const std::string name = std::string(mechanics::name(kind)) + " " + std::to_string(n) +
                                  (form == contact::Form::mixed ? " mixed" : " compatible");
@@ -114,7 +114,7 @@ TEST(HomogeneousUpsetting, HasTheExactForceInThePlaneKinds) {
 }
 
 TEST(HomogeneousUpsetting, HasTheExactForceInTheSolidKinds) {
-  for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex20})
+  for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
     for (const int n : {1, 3}) {
       const std::string name = std::string(mechanics::name(kind)) + " " + std::to_string(n);
       check({name, box(kind, n, n, false), Analysis::solid, 100.0}, exact_to);
@@ -123,11 +123,11 @@ TEST(HomogeneousUpsetting, HasTheExactForceInTheSolidKinds) {
 
 TEST(HomogeneousUpsetting, HasTheExactForceOnDistortedMeshes) {
   const double disk = 100.0 * std::numbers::pi;
-  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8})
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6})
     check({std::string(mechanics::name(kind)) + " distorted", box(kind, 4, 4, true),
            Analysis::axisymmetric, disk},
           exact_to);
-  for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex20})
+  for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
     check({std::string(mechanics::name(kind)) + " distorted", box(kind, 3, 4, true),
            Analysis::solid, 100.0},
           exact_to);

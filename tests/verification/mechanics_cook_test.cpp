@@ -1,6 +1,7 @@
 // Cook's membrane at finite strain, compressible and nearly incompressible: VALIDATION ELT-06.
 
 #include "mechanics/loads.h"
+#include "mechanics/mesh_edges.h"
 #include "tests/support/figures.h"
 #include "tests/support/problems.h"
 
@@ -15,17 +16,22 @@ namespace {
 using mechanics::Analysis;
 using mechanics::ElementKind;
 
-/// 48 wide, 44 high at the left, 16 at the right, n x n cells, load 100 on the right edge.
+/// 48 wide, 44 high at the left, 16 at the right, n x n cells, load 100 on the right edge. In space
+/// one layer of unit thickness between rigid walls.
 Scene membrane(ElementKind kind, int n, double poisson) {
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
+  const bool solid = mechanics::dimension(kind) == 3;
+  scene.analysis = solid ? Analysis::solid : Analysis::plane_strain;
   scene.mesh = mechanics::box_mesh({.kind = kind, .cells = {n, n, 1}});
+  for (const char* wall : {"z-min", "z-max"})
+    if (solid)
+      support::support(scene, wall, 2);
   support::support(scene, "x-min", 0);
   support::support(scene, "x-min", 1);
   const auto right = support::faces_where(scene.mesh, [](const Vec3& p) { return p[0] == 1.0; });
   for (Vec3& p : scene.mesh.points) {
     const double x = 48.0 * p[0];
-    p = Vec3(x, 44.0 / 48.0 * x + p[1] * (44.0 - 28.0 / 48.0 * x), 0.0);
+    p = Vec3(x, 44.0 / 48.0 * x + p[1] * (44.0 - 28.0 / 48.0 * x), p[2]);
   }
   scene.material = {{240.565, poisson}, mechanics::Elastic{}};
   scene.loads.push_back(DeadForces{
@@ -35,15 +41,54 @@ Scene membrane(ElementKind kind, int n, double poisson) {
   return scene;
 }
 
+/// By how much the mean stress at the points differs from the mean at the nodes around, root mean
+/// square over that of the mean stress itself: large where it alternates.
+double roughness(const Process& process) {
+  const mechanics::Mesh& mesh = process.scene().mesh;
+  const auto stresses = process.bulk().stresses(process.positions());
+  const int points = process.bulk().points();
+  std::vector<double> at_nodes(mesh.points.size(), 0.0);
+  std::vector<double> count(mesh.points.size(), 0.0);
+  const auto of_element = [&](Index e) {
+    double mean = 0.0;
+    for (int g = 0; g < points; ++g)
+      mean += stresses[static_cast<std::size_t>(e * points + g)].trace() / 3.0 / points;
+    return mean;
+  };
+  const auto corners = static_cast<std::size_t>(mechanics::corners_per_element(mesh.kind));
+  for (Index e = 0; e < mesh.n_elements(); ++e)
+    for (const Index node : mesh.cell(e).first(corners)) {
+      at_nodes[static_cast<std::size_t>(node)] += of_element(e);
+      count[static_cast<std::size_t>(node)] += 1.0;
+    }
+  double difference = 0.0, size = 0.0;
+  for (Index e = 0; e < mesh.n_elements(); ++e) {
+    double around = 0.0;
+    for (const Index node : mesh.cell(e).first(corners))
+      around += at_nodes[static_cast<std::size_t>(node)] / count[static_cast<std::size_t>(node)];
+    around /= static_cast<double>(corners);
+    for (int g = 0; g < points; ++g) {
+      const double own = stresses[static_cast<std::size_t>(e * points + g)].trace() / 3.0;
+      difference += (own - around) * (own - around);
+      size += own * own;
+    }
+  }
+  return std::sqrt(difference / size);
+}
+
 /// Vertical displacement of the top right corner.
 double corner_rise(ElementKind kind, int n, double poisson) {
   Process process(membrane(kind, n, poisson));
   support::Recorder recorder;
   support::run_to_end(process, recorder);
+  support::show(
+      "ELT-06",
+      fmt::format("{} nu {} n {} roughness of the mean stress", mechanics::name(kind), poisson, n),
+      roughness(process), 0.0);
   const auto corner = support::nodes_where(process.scene().mesh, [](const Vec3& p) {
     return p[0] == 48.0 && std::abs(p[1] - 60.0) < 1e-9;
   });
-  EXPECT_EQ(corner.size(), 1U);
+  EXPECT_GE(corner.size(), 1U);
   return support::displacement(process, corner.at(0))[1];
 }
 
@@ -84,6 +129,20 @@ TEST(Cook, ELT_06_quad4_with_mean_dilatation_does_not_lock) {
     EXPECT_NEAR(v32, reference.converged, reference.estimate_tolerance * reference.converged);
     EXPECT_LT(std::abs(v32 - reference.converged), std::abs(v16 - reference.converged));
   }
+}
+
+TEST(Cook, ELT_06_simplices_do_not_lock) {
+  for (const ElementKind kind : {ElementKind::tri6, ElementKind::tet10})
+    for (const Reference& reference : references) {
+      double last = 0.0;
+      for (const int n : {4, 8, 16}) {
+        last = corner_rise(kind, n, reference.poisson);
+        support::show("ELT-06",
+                      fmt::format("{} nu {} n {} v", mechanics::name(kind), reference.poisson, n),
+                      last, reference.converged);
+      }
+      EXPECT_NEAR(last, reference.converged, reference.estimate_tolerance * reference.converged);
+    }
 }
 
 TEST(Cook, ELT_06_small_strain_plane_strain_limit_is_linear_in_the_load) {

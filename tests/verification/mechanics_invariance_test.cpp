@@ -32,6 +32,10 @@ std::vector<std::size_t> mirrored_order(ElementKind kind) {
     return {1, 0, 3, 2};
   case ElementKind::quad8:
     return {1, 0, 3, 2, 4, 7, 6, 5};
+  case ElementKind::tri6:
+    return {1, 0, 2, 3, 5, 4};
+  case ElementKind::tet10:
+    return {1, 0, 2, 3, 4, 6, 5, 8, 7, 9};
   case ElementKind::hex8:
     return {1, 0, 3, 2, 5, 4, 7, 6};
   default:
@@ -137,8 +141,8 @@ Index n_points(ElementKind kind) {
 }
 
 constexpr double tolerance = 1e-9; // VALIDATION NUM-05
-constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::hex8,
-                           ElementKind::hex20};
+constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                           ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
 
 void check_same(ElementKind kind, const std::string& what, const Telling& telling) {
   const Index n = n_points(kind);

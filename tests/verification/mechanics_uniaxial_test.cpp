@@ -46,8 +46,8 @@ double nominal_stress(const Process& process) {
   return force / (solid ? 1.0 : std::numbers::pi);
 }
 
-constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::hex8,
-                           ElementKind::hex20};
+constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                           ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
 
 // Column B_F_over_A0 of mat01_uniaxial_linear_hardening.csv.
 TEST(Uniaxial, MAT_01_one_element_gives_the_closed_form_for_any_number_of_increments) {

@@ -81,7 +81,8 @@ TEST(Units, NUM_04_results_do_not_depend_on_the_units) {
   constexpr double tolerance = 1e-9; // VALIDATION
   const std::array systems{Units{"mm, N, MPa", 1.0, 1.0}, Units{"m, N, Pa", 1e-3, 1e6},
                            Units{"um, uN, MPa", 1e3, 1.0}};
-  for (const auto kind : {mechanics::ElementKind::quad8, mechanics::ElementKind::quad4}) {
+  for (const auto kind : {mechanics::ElementKind::quad8, mechanics::ElementKind::quad4,
+                          mechanics::ElementKind::tri6}) {
     const Result reference = pressed(systems[0], kind);
     for (const Units& units : systems) {
       const Result result = pressed(units, kind);
@@ -100,7 +101,8 @@ TEST(Units, NUM_04_results_do_not_depend_on_the_units) {
 
 TEST(Upsetting, the_work_of_the_dies_is_accounted_for) {
   constexpr double tolerance = 0.005; // of trapezoidal sums
-  for (const auto kind : {mechanics::ElementKind::quad8, mechanics::ElementKind::quad4}) {
+  for (const auto kind : {mechanics::ElementKind::quad8, mechanics::ElementKind::quad4,
+                          mechanics::ElementKind::tri6}) {
     Process process(billet({"mm", 1.0, 1.0}, kind, 60));
     support::Recorder recorder;
     support::run_to_end(process, recorder);

@@ -59,8 +59,8 @@ TEST(Newton, ConvergesQuadraticallyWithStickSlipAndFlow) {
   // ELT-07. An inexact tangent gives 1.
   constexpr double order = 1.8;
   constexpr double balance = 5e-3;
-  for (const ElementKind kind :
-       {ElementKind::quad4, ElementKind::quad8, ElementKind::hex8, ElementKind::hex20}) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                                 ElementKind::hex8, ElementKind::hex20, ElementKind::tet10}) {
     const FinishedRun done = run(indentation(kind, 40));
     ASSERT_EQ(done.status, RunStatus::done);
     const Statuses count = statuses(*done.process);

@@ -55,7 +55,6 @@ const std::vector<Mistake>& mistakes() {
       {plane, "[workpiece]", "[workpiec]", "workpiece: missing, it must be given", -1},
       {plane, "\"quad8\"", "\"quad9\"", "workpiece.element: found \"quad9\", allowed is \"quad8\""},
       {plane, "\"quad8\"", "\"hex20\"", "workpiece.element: found \"hex20\", allowed is \"quad8\""},
-      {plane, "\"quad8\"", "\"tri6\"", "\"tri6\" is not available in this version"},
       {space, "material = \"lead\"", "material = \"lead\"\nelement = \"quad8\"",
        "found \"quad8\", allowed is \"hex20\"", 1},
       {plane, "material = \"steel\"", "material = \"stell\"", "did you mean 'steel'?"},

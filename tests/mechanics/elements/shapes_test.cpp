@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -24,7 +25,7 @@ protected:
   }
 };
 
-using AllShapes = testing::Types<Line2, Line3, Quad4, Quad8, Hex8, Hex20>;
+using AllShapes = testing::Types<Line2, Line3, Quad4, Quad8, Hex8, Hex20, Tri6, Tet10>;
 TYPED_TEST_SUITE(Shapes, AllShapes);
 
 constexpr double rounding = 1e-14;
@@ -105,11 +106,63 @@ TEST(Quadrature, gauss_rules_are_exact_to_degree_2n_minus_1_and_no_further) {
   EXPECT_GT(std::abs(moment<GaussRule<2, 3>>(6, 0) - exact_moment(6, 0)), 0.01);
 }
 
+/// Integral of a product of powers of the coordinates over the reference simplex.
+double exact_simplex_moment(const std::vector<int>& powers) {
+  double product = 1.0;
+  int sum = static_cast<int>(powers.size());
+  for (const int p : powers) {
+    product *= std::tgamma(p + 1.0);
+    sum += p;
+  }
+  return product / std::tgamma(sum + 1.0);
+}
+
+template <class Rule> double simplex_moment(const std::vector<int>& powers) {
+  double sum = 0.0;
+  for (int i = 0; i < Rule::points; ++i) {
+    double term = Rule::weight(i);
+    for (std::size_t d = 0; d < powers.size(); ++d)
+      term *= std::pow(Rule::point(i)[d], powers[d]);
+    sum += term;
+  }
+  return sum;
+}
+
+/// Largest error of a rule over all monomials of a degree.
+template <class Rule> double simplex_error(std::size_t dim, int degree) {
+  double worst = 0.0;
+  for (int p = 0; p <= degree; ++p)
+    for (int q = 0; q <= degree - p; ++q) {
+      std::vector<int> powers{p, q};
+      if (dim == 3)
+        powers.push_back(degree - p - q);
+      else if (p + q != degree)
+        continue;
+      worst =
+          std::max(worst, std::abs(simplex_moment<Rule>(powers) - exact_simplex_moment(powers)));
+    }
+  return worst;
+}
+
+template <class Rule> void check_simplex_rule(std::size_t dim, int degree) {
+  for (int k = 0; k <= degree; ++k)
+    EXPECT_LE(simplex_error<Rule>(dim, k), rounding) << dim << " " << k;
+  EXPECT_GT(simplex_error<Rule>(dim, degree + 1), 1e-5) << dim;
+}
+
+TEST(Quadrature, simplex_rules_are_exact_to_their_degree_and_no_further) {
+  check_simplex_rule<SimplexRule<2, 3>>(2, 2);
+  check_simplex_rule<SimplexRule<2, 6>>(2, 4);
+  check_simplex_rule<SimplexRule<3, 4>>(3, 2);
+}
+
 TEST(Elements, have_as_many_points_as_their_rule) {
   EXPECT_EQ(points_per_element(ElementKind::quad4), 4);
   EXPECT_EQ(points_per_element(ElementKind::quad8), 4);
   EXPECT_EQ(points_per_element(ElementKind::hex8), 8);
   EXPECT_EQ(points_per_element(ElementKind::hex20), 8);
+  EXPECT_EQ(points_per_element(ElementKind::tri6), 3);
+  EXPECT_EQ(points_per_element(ElementKind::tet10), 4);
 }
 
 /// Positions of a face's nodes, flat.
@@ -155,11 +208,12 @@ TEST(Faces, the_derivative_of_the_measure_is_exact) {
   check_measure<Line3>(Analysis::axisymmetric);
   check_measure<Quad4>(Analysis::solid);
   check_measure<Quad8>(Analysis::solid);
+  check_measure<Tri6>(Analysis::solid);
 }
 
 TEST(Faces, area_vectors_point_out_of_the_body) {
-  for (const ElementKind kind :
-       {ElementKind::quad4, ElementKind::quad8, ElementKind::hex8, ElementKind::hex20}) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                                 ElementKind::hex8, ElementKind::hex20, ElementKind::tet10}) {
     const Mesh mesh = box_mesh({.kind = kind, .low = {-1, -1, -1}});
     const int dim = mesh.dimension();
     for (const Face& face : boundary_faces(mesh)) {
