@@ -2,7 +2,8 @@
 //
 // Node numbering within a cell is VTK's (quad: corners counter-clockwise, then mid-sides in the
 // order of the sides 0-1, 1-2, ...; hexahedron: bottom 0-3, top 4-7, then mid-edges of the bottom
-// 8-11, of the top 12-15, vertical 16-19).
+// 8-11, of the top 12-15, vertical 16-19; triangle and tetrahedron: corners, then mid-sides of 0-1,
+// 1-2, 2-0 and, in space, 0-3, 1-3, 2-3).
 
 #pragma once
 
@@ -30,9 +31,9 @@ enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet10 };
 /// "quad4", ...
 [[nodiscard]] std::string_view name(ElementKind kind);
 
-/// A face of a cell: its nodes in the order of a line2/line3/quad4/quad8 with outward orientation
-/// (in the plane the body lies on the left of the direction of travel; in space the nodes turn
-/// counter-clockwise seen from outside). Corners first, then mid-sides.
+/// A face of a cell: its nodes in the order of a line2/line3/quad4/quad8/tri6 with outward
+/// orientation (in the plane the body lies on the left of the direction of travel; in space the
+/// nodes turn counter-clockwise seen from outside). Corners first, then mid-sides.
 struct Face {
   Index element;            ///< the cell it belongs to
   std::vector<Index> nodes; ///< global node numbers

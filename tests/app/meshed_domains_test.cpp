@@ -1,0 +1,160 @@
+// Triangles and tetrahedra from case file to results: cut from boxes and cylinders, and meshed by
+// the program from an outline and from an STL.
+
+#include "tests/app/tables.h"
+#include "tests/support/case_texts.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+namespace billet::test {
+
+namespace {
+
+const std::string box_mesh = "mesh     = { box = [[0, 0], [5, 7.5]], cells = [2, 3] }";
+
+/// Half a specimen with a rounded edge.
+const std::string rounded = R"(closed = true
+start = [0, 0]
+[[segment]]
+to = [5, 0]
+[[segment]]
+to = [5, 6.5]
+[[segment]]
+to = [4, 7.5]
+radius = 1
+[[segment]]
+to = [0, 7.5]
+)";
+
+std::string outlined() {
+  return edited(upsetting, {{"\"quad8\"", "\"tri6\""},
+                            {box_mesh, "mesh     = { outline = \"part.toml\", size = 1.5 }"},
+                            {"where = \"y = 0\"", "where = \"set:segment-1\""}});
+}
+
+/// A cube from 0 to 5 by 5 by 15 as ASCII STL.
+std::string block_stl() {
+  const std::array<std::array<int, 3>, 12> triangles{{{0, 2, 1},
+                                                      {1, 2, 3},
+                                                      {4, 5, 6},
+                                                      {5, 7, 6},
+                                                      {0, 1, 4},
+                                                      {1, 5, 4},
+                                                      {2, 6, 3},
+                                                      {3, 6, 7},
+                                                      {0, 4, 2},
+                                                      {2, 4, 6},
+                                                      {1, 3, 5},
+                                                      {3, 7, 5}}};
+  std::string text = "solid block\n";
+  for (const auto& triangle : triangles) {
+    text += " facet normal 0 0 0\n  outer loop\n";
+    for (const int corner : triangle)
+      text += "   vertex " + std::to_string(corner % 2 * 5) + " " +
+              std::to_string(corner / 2 % 2 * 5) + " " + std::to_string(corner / 4 * 15) + "\n";
+    text += "  endloop\n endfacet\n";
+  }
+  return text + "endsolid block\n";
+}
+
+class MeshedDomains : public testing::Test {
+protected:
+  void SetUp() override {
+    write_text(folder_.path() / "part.toml", rounded);
+    write_text(folder_.path() / "block.stl", block_stl());
+    write_text(folder_.path() / "punch.stl", square_stl(20, 15, false));
+    write_text(folder_.path() / "die.stl", square_stl(20, 0, true));
+  }
+  [[nodiscard]] Outcome run(const std::string& text, const std::vector<std::string>& more) const {
+    write_text(folder_.path() / "case.toml", text);
+    std::vector<std::string> words{"run", "case.toml"};
+    words.insert(words.end(), more.begin(), more.end());
+    return billet(words, folder_.path());
+  }
+  [[nodiscard]] Outcome check(const std::string& text) const {
+    write_text(folder_.path() / "case.toml", text);
+    return billet({"check", "case.toml"}, folder_.path());
+  }
+  /// The first frame of the workpiece.
+  [[nodiscard]] std::string first_frame(const std::string& results) const {
+    std::vector<std::filesystem::path> frames;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(folder_.path() / results))
+      if (entry.path().extension() == ".vtu")
+        frames.push_back(entry.path());
+    EXPECT_FALSE(frames.empty());
+    return whole_file(*std::min_element(frames.begin(), frames.end()));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeshedDomains, ACaseRunsOnTrianglesAndTetrahedra) {
+  for (const auto& [text, element] : {std::pair{upsetting, "tri6"}, {upsetting_3d, "tet10"}}) {
+    const std::string set = std::string("workpiece.element=\"") + element + "\"";
+    const Outcome outcome = run(text, {"--quiet", "-o", element, "--set", set});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_FALSE(first_frame(element).empty());
+  }
+}
+
+TEST_F(MeshedDomains, AnOutlineIsMeshedAndItsSegmentsHoldIt) {
+  const Outcome outcome = run(outlined(), {"-o", "out"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(outcome.prints("part.toml: meshed with") || outcome.says("part.toml: meshed with"));
+  const Outcome looked = check(outlined());
+  EXPECT_EQ(looked.status, 0) << looked.err;
+  EXPECT_TRUE(looked.prints("tri6 elements"));
+}
+
+TEST_F(MeshedDomains, AnOutlineGivesTheSameMeshInEveryRun) {
+  EXPECT_EQ(run(outlined(), {"--quiet", "-o", "first"}).status, 0);
+  EXPECT_EQ(run(outlined(), {"--quiet", "-o", "second"}).status, 0);
+  EXPECT_EQ(first_frame("first"), first_frame("second"));
+}
+
+TEST_F(MeshedDomains, ABodyIsMeshedTheSameInEveryRun) {
+  const std::string text =
+      edited(upsetting_3d,
+             {{"\"hex8\"", "\"tet10\""},
+              {"mesh     = { cylinder = { radius = 5, height = 15 }, cells = [2, 3], sector = 90 }",
+               "mesh     = { stl = \"block.stl\", size = 4, unit = \"mm\" }"}});
+  const Outcome looked = check(text);
+  EXPECT_EQ(looked.status, 0) << looked.err;
+  EXPECT_TRUE(looked.prints("block.stl: meshed with") || looked.says("block.stl: meshed with"));
+  EXPECT_EQ(run(text, {"--quiet", "-o", "first"}).status, 0);
+  EXPECT_EQ(run(text, {"--quiet", "-o", "second"}).status, 0);
+  EXPECT_EQ(first_frame("first"), first_frame("second"));
+}
+
+TEST_F(MeshedDomains, WhatCannotBeMeshedIsSaidWithFileAndRemedy) {
+  const Outcome element = check(edited(outlined(), {{"\"tri6\"", "\"quad8\""}}));
+  EXPECT_EQ(element.status, 2);
+  EXPECT_TRUE(element.says("case.toml:")) << element.err;
+  EXPECT_TRUE(element.says("set element = \"tri6\"")) << element.err;
+
+  write_text(folder_.path() / "part.toml", edited(rounded, {{"closed = true\n", ""}}));
+  const Outcome open = check(outlined());
+  EXPECT_EQ(open.status, 2);
+  EXPECT_TRUE(open.says("part.toml")) << open.err;
+  EXPECT_TRUE(open.says("closed = true")) << open.err;
+
+  write_text(folder_.path() / "part.toml", rounded);
+  const Outcome size = check(edited(outlined(), {{"size = 1.5", "size = 1e-4"}}));
+  EXPECT_NE(size.status, 0);
+  EXPECT_TRUE(size.says("part.toml") && size.says("larger size")) << size.err;
+
+  const Outcome missing = check(edited(outlined(), {{", size = 1.5", ""}}));
+  EXPECT_TRUE(missing.says("workpiece.mesh.size: missing")) << missing.err;
+}
+
+} // namespace
+
+} // namespace billet::test
