@@ -113,7 +113,7 @@ std::string Process::penetration_failure(int rounds) const {
   if (penetration_.at_points <= limit)
     return deep + fmt::format(", more than max_penetration = {:.4g}, though no contact point is "
                               "deeper than {:.2g}: the tool passes between them, and no pressure "
-                              "keeps it out. A finer mesh there lessens it, on quad8 and hex20 "
+                              "keeps it out. A finer mesh there lessens it, on quadratic elements "
                               "form = \"compatible\" may; else allow more",
                               limit, penetration_.at_points);
   return deep +

@@ -90,8 +90,27 @@ std::vector<double> three_components(std::span<const double> v, int dimension) {
   return out;
 }
 
+/// Puts the mean stress at the points of simplices to its mean over their element: within one it
+/// alternates where plastic flow is held on many sides (docs/decisions/0008-simplex-elements.md).
+void level_mean_stress(const process::Process& process, std::vector<Mat3>& stresses) {
+  if (!mechanics::is_simplex(process.scene().mesh.kind))
+    return;
+  const auto n = idx(process.bulk().points());
+  for (std::size_t first = 0; first < stresses.size(); first += n) {
+    double sum = 0.0;
+    double volume = 0.0;
+    for (std::size_t k = first; k < first + n; ++k) {
+      sum += process.bulk().volumes()[k] * stresses[k].trace() / 3.0;
+      volume += process.bulk().volumes()[k];
+    }
+    for (std::size_t k = first; k < first + n; ++k)
+      stresses[k].diagonal().array() += sum / volume - stresses[k].trace() / 3.0;
+  }
+}
+
 void add_stress(const process::Process& process, const FrameSettings& s, WorkpieceFrame& frame) {
-  const std::vector<Mat3> stresses = process.bulk().stresses(process.positions());
+  std::vector<Mat3> stresses = process.bulk().stresses(process.positions());
+  level_mean_stress(process, stresses);
   std::vector<double> mises;
   std::vector<double> tensor;
   std::vector<double> mean;

@@ -342,7 +342,7 @@ std::string RunWriter::warning() const {
     return {};
   return fmt::format(
       "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
-      "{:.1f} % of the element beneath; a finer mesh there (for quad8 and hex20 also "
+      "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
       "contact.form = \"compatible\") lessens it",
       largest_penetration_, content_->units.length, 100.0 * largest_share_);
 }
