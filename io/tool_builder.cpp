@@ -3,6 +3,7 @@
 #include "geometry/analytic_surfaces.h"
 #include "geometry/base/error.h"
 #include "geometry/profile.h"
+#include "geometry/revolved_profile.h"
 #include "geometry/smooth_triangle_surface.h"
 #include "geometry/triangle_surface.h"
 #include "io/profile.h"
@@ -63,6 +64,11 @@ struct SurfaceMaker {
   }
   geometry::SurfacePtr operator()(const TorusSurface& s) const {
     return geometry::make_torus(s.centre, s.axis, s.major, s.minor, s.inside);
+  }
+  geometry::SurfacePtr operator()(const RevolutionSurface& s) const {
+    return geometry::make_revolved_profile(s.point, s.axis,
+                                           s.profile ? read_profile(s.profile->path)
+                                                     : geometry::polygon(s.points, s.closed));
   }
   geometry::SurfacePtr operator()(const ProfileSurface& s) const {
     return geometry::make_profile(read_profile(s.file.path));

@@ -71,6 +71,18 @@ struct TorusSurface {
   bool operator==(const TorusSurface&) const = default;
 };
 
+/// A profile turned about an axis: (height along the axis from `point`, radius); the tool lies on
+/// the left of the direction of travel.
+struct RevolutionSurface {
+  Vec3 point = Vec3::Zero();        ///< where the height is zero [mm]
+  Vec3 axis = Vec3::UnitZ();        ///< not zero, of any length
+  std::optional<InputFile> profile; ///< lines and arcs; absent: `points`
+  std::vector<Vec2> points;         ///< straight lines, shape (n >= 2), neighbours differ [mm]
+  bool closed = false;              ///< of `points`: a line leads from the last to the first
+
+  bool operator==(const RevolutionSurface&) const = default;
+};
+
 /// A file of lines and arcs in the plane; the tool lies on the left of the direction of travel.
 struct ProfileSurface {
   InputFile file;
@@ -104,6 +116,7 @@ using ToolSurface = std::variant<PlaneSurface,
                                  SphereSurface,
                                  ConeSurface,
                                  TorusSurface,
+                                 RevolutionSurface,
                                  ProfileSurface,
                                  PointsSurface,
                                  StlSurface>;

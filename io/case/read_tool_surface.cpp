@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace billet::io {
 
@@ -81,15 +84,31 @@ std::optional<ToolSurface> read_profile(TableReader& /*table*/, const At& at) {
   return file ? std::optional<ToolSurface>(ProfileSurface{*file}) : std::nullopt;
 }
 
-std::optional<std::vector<Vec3>> as_points(const At& at) {
+/// A point of a chain.
+template <class Vec> std::optional<Vec> as_point(const At& at);
+
+template <> std::optional<Vec3> as_point<Vec3>(const At& at) { return as_vector(at, any_length); }
+
+/// (height, radius) of a turned chain.
+template <> std::optional<Vec2> as_point<Vec2>(const At& at) {
+  const List* const list = as_list(at, 2, "a list of 2 numbers, height along the axis and radius");
+  if (list == nullptr)
+    return std::nullopt;
+  const std::optional<double> h = as_number(at.item((*list)[0], 0), any_length);
+  const std::optional<double> r =
+      as_number(at.item((*list)[1], 1), Number{quantity::length, not_negative});
+  return h && r ? std::optional(Vec2(*h, *r)) : std::nullopt;
+}
+
+template <class Vec> std::optional<std::vector<Vec>> as_points(const At& at) {
   const List* const list = at.node.as<List>();
   if (list == nullptr || list->size() < 2) {
     at.complain_found("a list of at least two points [[x, y], ...]");
     return std::nullopt;
   }
-  std::vector<Vec3> points;
+  std::vector<Vec> points;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::optional<Vec3> point = as_vector(at.item((*list)[i], i), any_length);
+    const std::optional<Vec> point = as_point<Vec>(at.item((*list)[i], i));
     if (!point)
       return std::nullopt;
     if (!points.empty() && *point == points.back()) {
@@ -101,16 +120,42 @@ std::optional<std::vector<Vec3>> as_points(const At& at) {
   return points;
 }
 
+/// `points`, and `closed` beside them; false if they could not be read.
+template <class Vec>
+bool read_chain(TableReader& table, const At& at, std::vector<Vec>& chain, bool& closed) {
+  table.optional("closed", closed, as_flag);
+  std::optional<std::vector<Vec>> points = as_points<Vec>(at);
+  if (!points)
+    return false;
+  if (closed && (points->size() < 3 || points->front() == points->back()))
+    at.complain("a closed chain needs three points or more, and the last is not the first again");
+  chain = std::move(*points);
+  return true;
+}
+
 std::optional<ToolSurface> read_points(TableReader& table, const At& at) {
   PointsSurface surface;
-  table.optional("closed", surface.closed, as_flag);
-  const std::optional<std::vector<Vec3>> points = as_points(at);
-  if (!points)
-    return std::nullopt;
-  surface.points = *points;
-  if (surface.closed && (points->size() < 3 || points->front() == points->back()))
-    at.complain("a closed chain needs three points or more, and the last is not the first again");
-  return surface;
+  return read_chain(table, at, surface.points, surface.closed) ? std::optional<ToolSurface>(surface)
+                                                               : std::nullopt;
+}
+
+std::optional<ToolSurface> read_revolution(TableReader& /*table*/, const At& at) {
+  TableReader inner(at);
+  RevolutionSurface surface;
+  inner.required("point", surface.point, as_vector, any_length);
+  inner.required("axis", surface.axis, as_direction);
+  const std::optional<At> profile = inner.find("profile"), points = inner.find("points");
+  bool good = false;
+  if (profile && points)
+    points->complain("there is 'profile' already, allowed is one of them");
+  else if (profile)
+    good = (surface.profile = as_input_file(*profile)).has_value();
+  else if (points)
+    good = read_chain(inner, *points, surface.points, surface.closed);
+  else if (inner.is_table())
+    at.complain("allowed is exactly one of the keys profile, points");
+  inner.finish();
+  return good ? std::optional<ToolSurface>(surface) : std::nullopt;
 }
 
 std::optional<ToolSurface> read_stl(TableReader& table, const At& at) {
@@ -139,6 +184,7 @@ std::optional<ToolSurface> as_tool_surface(const At& at) {
       Kind<ToolSurface>{"sphere", Scenes::space, &read_round<SphereSurface>},
       Kind<ToolSurface>{"cone", Scenes::space, &read_cone},
       Kind<ToolSurface>{"torus", Scenes::space, &read_torus},
+      Kind<ToolSurface>{"revolution", Scenes::space, &read_revolution},
       Kind<ToolSurface>{"profile", Scenes::plane, &read_profile},
       Kind<ToolSurface>{"points", Scenes::plane, &read_points},
       Kind<ToolSurface>{"stl", Scenes::space, &read_stl},

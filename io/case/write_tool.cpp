@@ -60,6 +60,20 @@ std::string surface_text(const TorusSurface& surface, int size) {
   return with_inside("torus", inner, surface.inside);
 }
 
+std::string surface_text(const RevolutionSurface& surface, int size) {
+  TomlTable inner;
+  inner.add("point", toml_text(surface.point, size)).add("axis", toml_text(surface.axis, size));
+  if (surface.profile) {
+    inner.add("profile", toml_text(*surface.profile));
+  } else {
+    std::vector<std::string> points;
+    for (const Vec2& point : surface.points)
+      points.push_back(toml_text(std::vector<double>{point.x(), point.y()}));
+    inner.add("points", toml_list(points)).add("closed", toml_text(surface.closed));
+  }
+  return TomlTable().add("revolution", inner.on_one_line()).on_one_line();
+}
+
 std::string surface_text(const ProfileSurface& surface, int /*size*/) {
   return TomlTable().add("profile", toml_text(surface.file)).on_one_line();
 }
