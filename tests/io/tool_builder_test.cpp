@@ -1,3 +1,4 @@
+#include "geometry/base/error.h"
 #include "geometry/triangle_mesh.h"
 #include "io/stl.h"
 #include "io/tool_builder.h"
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -66,6 +68,36 @@ TEST_F(ToolBuilder, FacetsThatTurnMoreThanTheFeatureAngleStay) {
   EXPECT_NEAR(gap(), 0.038, 1e-3);
   ASSERT_EQ(notes_.size(), 2U);
   EXPECT_NE(notes_[1].find("nothing to smooth"), std::string::npos) << notes_[1];
+}
+
+TEST_F(ToolBuilder, APointsChainAndAProfileFileAreTurned) {
+  const std::filesystem::path path = folder_.path() / "roll.toml";
+  RevolutionSurface turned;
+  turned.points = {{30, 10}, {-30, 10}};
+  tool_.surface = turned;
+  EXPECT_NEAR(gap(), 0.0, 1e-12);
+  std::ofstream(path) << "start = [30, 9]\n[[segment]]\nto = [-30, 9]\n";
+  turned.points.clear();
+  turned.profile = InputFile{"roll.toml", path};
+  tool_.surface = turned;
+  EXPECT_NEAR(gap(), 1.0, 1e-12);
+}
+
+TEST_F(ToolBuilder, AProfileBeyondTheAxisIsRefusedWithTheNameOfTheTool) {
+  const std::filesystem::path path = folder_.path() / "roll.toml";
+  std::ofstream(path) << "points = [[30, 9], [-30, -9]]\n";
+  RevolutionSurface turned;
+  turned.profile = InputFile{"roll.toml", path};
+  tool_.surface = turned;
+  try {
+    (void)gap();
+    ADD_FAILURE() << "nothing was wrong";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("tool 'roll': segment 1 of the profile is beyond the axis, at radius -9"),
+              std::string::npos)
+        << text;
+  }
 }
 
 /// What a press that strikes is built to.

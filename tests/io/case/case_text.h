@@ -144,6 +144,10 @@ name = "d"
 surface = { torus = { centre = [0, 0, 0], axis = [0, 0, 1], major = 20, minor = 5, inside = true } }
 place = { rotate = { axis = [0, 1, 0], degrees = "0.5 rad" } }
 
+[[tool]]
+name = "e"
+surface = { revolution = { point = [0, 0, 40], axis = [0, 1, 0], points = [[9, 5], [0, "4 mm"], [-9, 5]] } }
+
 [time]
 end = 1
 )";

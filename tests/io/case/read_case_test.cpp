@@ -65,6 +65,11 @@ TEST(ReadCase, reads_the_shapes_of_space) {
   EXPECT_EQ(std::get<ConeSurface>(content.tools[2].surface).half_angle, 30.0);
   EXPECT_TRUE(std::get<TorusSurface>(content.tools[3].surface).inside);
   EXPECT_NEAR(content.tools[3].place.rotate->degrees, 90 / std::numbers::pi, 1e-13);
+  const auto& turned = std::get<RevolutionSurface>(content.tools[4].surface);
+  EXPECT_EQ(turned.point, Vec3(0, 0, 40));
+  EXPECT_EQ(turned.axis, Vec3(0, 1, 0));
+  EXPECT_EQ(turned.points.at(1), Vec2(0, 4));
+  EXPECT_FALSE(turned.closed || turned.profile);
   EXPECT_TRUE(std::holds_alternative<FrictionlessFriction>(content.tools[0].friction.law));
 }
 
@@ -155,6 +160,20 @@ TEST(ReadCase, finds_files_beside_the_case) {
   EXPECT_EQ(stl.unit_factor, 25.4);
   EXPECT_EQ(stl.feature_angle, 30.0);
   EXPECT_FALSE(stl.smooth);
+}
+
+TEST(ReadCase, finds_the_profile_of_a_turned_tool) {
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
+  write_file(folder / "roll.toml", "points = [[9, 5], [0, 4], [-9, 5]]");
+  write_file(folder / "case.toml", replaced(space_case, "points = [[9, 5], [0, \"4 mm\"], [-9, 5]]",
+                                            "profile = \"roll.toml\""));
+  const Case content = read_case(folder / "case.toml");
+  const auto& turned = std::get<RevolutionSurface>(content.tools[4].surface);
+  EXPECT_EQ(turned.profile->given, "roll.toml");
+  EXPECT_TRUE(turned.points.empty());
+  write_file(folder / "again.toml", resolved_toml(content));
+  EXPECT_EQ(read_case(folder / "again.toml"), content);
 }
 
 TEST(ReadCase, leaves_the_folder_of_the_case_only_when_asked) {
