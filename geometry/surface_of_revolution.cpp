@@ -120,15 +120,20 @@ revolved_display(const Axis& axis, const std::vector<Vec2>& line, bool planar, b
   const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
     mesh.triangles.push_back(inside ? std::array{a, b, c} : std::array{a, c, b});
   };
+  // A ring of radius zero is one point, its first, and half of each quadrilateral there has no
+  // area.
+  const auto corner = [&](std::int32_t ring, std::int32_t j) {
+    const bool pole = line[static_cast<std::size_t>(ring)].y() == 0.0;
+    return ring * pieces_round + (pole ? 0 : j % pieces_round);
+  };
   for (std::int32_t i = 1; i < static_cast<std::int32_t>(line.size()); ++i)
     for (std::int32_t j = 0; j < pieces_round; ++j) {
-      const std::int32_t next = (j + 1) % pieces_round;
-      const std::int32_t a = (i - 1) * pieces_round, b = i * pieces_round;
-      // A ring of radius zero is one point: half of each quadrilateral has no area.
-      if (line[static_cast<std::size_t>(i - 1)].y() > 0.0)
-        add(a + j, a + next, b + next);
-      if (line[static_cast<std::size_t>(i)].y() > 0.0)
-        add(a + j, b + next, b + j);
+      const std::int32_t a = corner(i - 1, j), a_next = corner(i - 1, j + 1);
+      const std::int32_t b = corner(i, j), b_next = corner(i, j + 1);
+      if (a != a_next)
+        add(a, a_next, b_next);
+      if (b != b_next)
+        add(a, b_next, b);
     }
   return mesh;
 }

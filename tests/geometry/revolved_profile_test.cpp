@@ -1,5 +1,6 @@
 #include "geometry/analytic_surfaces.h"
 #include "geometry/base/error.h"
+#include "geometry/facet_body.h"
 #include "geometry/revolved_profile.h"
 #include "tests/geometry/surface_checks.h"
 
@@ -255,6 +256,11 @@ TEST(RevolvedProfile, DrawnTrianglesLieNearTheSurfaceAndFaceOutwards) {
     }
   }
   EXPECT_FALSE(turned(groove())->display({}, true).lines.empty());
+}
+
+TEST(RevolvedProfile, TheDrawingOfASolidThatTheAxisClosesIsClosed) {
+  for (const auto& [name, profile] : examples())
+    EXPECT_EQ(closed(turned(profile)->display({}, false)), name != "groove") << name;
 }
 
 TEST(RevolvedProfile, GapsScaleWithTheUnitOfLength) {
