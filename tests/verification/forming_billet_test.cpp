@@ -88,7 +88,9 @@ TEST(Billet, AgreesInSpace) {
   // at 30 % with the full rule 96.1, 95.1, 93.3 kN for 3, 4, 5 cells along the radius.
   check_solid(ElementKind::hex8, 5, 0.04);
   check_solid(ElementKind::hex20, 4, 0.075);
-  check_solid(ElementKind::tet10, 5, 0.02);
+  // 2.3 % too much at 15 %, 0.5 % at 30 %; tetrahedra without pattern (1834 of an STL) -0.4, -0.7
+  // %.
+  check_solid(ElementKind::tet10, 4, 0.03);
 }
 
 double force_at_twenty(const contact::Friction& law, contact::Form form) {
