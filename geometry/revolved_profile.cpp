@@ -134,7 +134,7 @@ DisplayMesh RevolvedProfile::display(const Box& /*window*/, bool planar) const {
   return revolved_display(axis_, line, planar, false);
 }
 
-// (G.37)
+// (G.39)
 void RevolvedProfile::do_project(std::span<const Vec3> points,
                                  double reach,
                                  std::span<Projection> out) const {

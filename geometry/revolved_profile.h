@@ -3,7 +3,7 @@
 // The profile (geometry/profile.h) lies in the meridian half-plane: its x is the height h along the
 // axis from `point`, its y the radius r. The tool lies on the LEFT of the direction of travel, so
 // an open profile run against the axis (h falling) is a solid roll, one run along it a bore, and a
-// closed one a ring of that section. Gap, normal and its derivative are exact (G.37).
+// closed one a ring of that section. Gap, normal and its derivative are exact (G.39).
 //   Joints and rims are those of the profile: beyond the end of an open profile, and behind its
 //   tangent, there is no tool.
 //   An end on the axis (r = 0) is no rim: the profile goes on as its mirror image, so that a ball,
@@ -27,7 +27,7 @@ namespace billet::geometry {
 /// and points beyond the axis, or on it elsewhere than at the ends of an open profile.
 [[nodiscard]] std::vector<std::string> turning_flaws(const Profile& profile);
 
-/// Surface of revolution of a profile (h, r). (G.37)
+/// Surface of revolution of a profile (h, r). (G.39)
 ///
 /// @throws Error(Fault::geometry) with empty place if `turning_flaws` finds any
 [[nodiscard]] SurfacePtr
