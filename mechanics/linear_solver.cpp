@@ -49,7 +49,7 @@ constexpr double exact = 1e-10;
 /// Iterations with the symmetric part: more cost more than MUMPS' LU does beyond Cholesky.
 constexpr int most_iterations = 24;
 
-/// The symmetric part that fails is tried again after 2, 4, ... 32 systems.
+/// The symmetric part that fails is tried again with the next system, then after 2, 6, ... 30.
 constexpr int most_failures = 5;
 
 } // namespace
@@ -260,7 +260,7 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
   if (!symmetric && fast && wait_-- <= 0) {
     auto outcome = solve_with_symmetric_part(matrix, rhs, x, tolerance);
     failures_ = outcome ? 0 : std::min(failures_ + 1, most_failures);
-    wait_ = outcome ? 0 : 1 << failures_;
+    wait_ = outcome ? 0 : (1 << failures_) - 2;
     if (outcome)
       return outcome;
   }
