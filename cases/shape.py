@@ -27,6 +27,22 @@ def array(element):
     return struct.unpack(f"<{len(data) // 8}{'d' if element.get('type') == 'Float64' else 'q'}", data)
 
 
+def frames(results):
+    """(time, path) of each frame of the workpiece."""
+    for item in xml.parse(next(results.glob("*.pvd"))).getroot().iter("DataSet"):
+        if item.get("name") == "workpiece":
+            yield float(item.get("timestep")), results / item.get("file")
+
+
+def nodes(path):
+    """Points, displacements and velocities of a frame of the workpiece."""
+    root = xml.parse(path).getroot()
+    arrays = [root.find(".//Points/DataArray")] + [root.find(f".//PointData/DataArray[@Name='{name}']")
+                                                   for name in ("displacement", "velocity")]
+    flat = [array(each) for each in arrays]
+    return [list(zip(v[0::3], v[1::3], v[2::3])) for v in flat]
+
+
 def surface(path):
     """Points of the contact faces and the pairs of nodes that are next to each other on one."""
     root = xml.parse(path).getroot()

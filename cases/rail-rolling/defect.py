@@ -15,7 +15,6 @@ import json
 import math
 import pathlib
 import sys
-import xml.etree.ElementTree as xml
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -29,20 +28,9 @@ MOUTH = 0.1 # mm
 TINY = 1e-6
 
 
-def frames(results):
-    """(time, path) of each frame of the workpiece."""
-    for item in xml.parse(next(results.glob("*.pvd"))).getroot().iter("DataSet"):
-        if item.get("name") == "workpiece":
-            yield float(item.get("timestep")), results / item.get("file")
-
-
 def read(path):
     """Points now, points at the start, velocities."""
-    root = xml.parse(path).getroot()
-    arrays = [root.find(".//Points/DataArray")] + [root.find(f".//PointData/DataArray[@Name='{name}']")
-                                                   for name in ("displacement", "velocity")]
-    flat = [shape.array(each) for each in arrays]
-    points, moved, velocities = [list(zip(v[0::3], v[1::3], v[2::3])) for v in flat]
+    points, moved, velocities = shape.nodes(path)
     return points, [tuple(a - b for a, b in zip(p, u)) for p, u in zip(points, moved)], velocities
 
 
@@ -139,7 +127,7 @@ def bend(points, stations, axis):
 
 def main():
     results = pathlib.Path(sys.argv[1])
-    all_frames = list(frames(results))
+    all_frames = list(shape.frames(results))
     first, last = read(all_frames[0][1]), read(all_frames[-1][1])
     stations = middle_third(first[1])
     lines = {name: outline(frame[0], first[1], stations) for name, frame in (("before", first), ("after", last))}

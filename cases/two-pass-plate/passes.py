@@ -11,7 +11,6 @@ leaves. Mean force and torque are in history.csv.
 import json
 import pathlib
 import sys
-import xml.etree.ElementTree as xml
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
@@ -21,24 +20,8 @@ SURFACE_SPEED = 10.0 # mm/s
 PASSES = {"first": (3.0, 7.0), "second": (11.0, 16.0)} # s: an instant in the steady part; after the pass
 
 
-def frames(results):
-    """(time, path) of each frame of the workpiece."""
-    for item in xml.parse(next(results.glob("*.pvd"))).getroot().iter("DataSet"):
-        if item.get("name") == "workpiece":
-            yield float(item.get("timestep")), results / item.get("file")
-
-
-def read(path):
-    """Points, displacements and velocities."""
-    root = xml.parse(path).getroot()
-    arrays = [root.find(".//Points/DataArray")] + [root.find(f".//PointData/DataArray[@Name='{name}']")
-                                                   for name in ("displacement", "velocity")]
-    flat = [shape.array(each) for each in arrays]
-    return [list(zip(v[0::3], v[1::3], v[2::3])) for v in flat]
-
-
 def nearest(results, time):
-    return read(min(frames(results), key=lambda frame: abs(frame[0] - time))[1])
+    return shape.nodes(min(shape.frames(results), key=lambda frame: abs(frame[0] - time))[1])
 
 
 def mean(values):
