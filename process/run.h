@@ -196,13 +196,13 @@ private:
   void press_harder(double gain);
   /// Which contact points kept changing in the last try, for the log; empty: none.
   [[nodiscard]] std::string restless_points() const;
-  /// Takes a softer penalty where iterations are many and penetrations needlessly small, and back.
-  /// Of tools that begin to act now though the workpiece lies inside them, for a failure's reason.
+  /// Tools that begin to act now though the workpiece lies inside them, for a failure's reason.
   [[nodiscard]] std::string overlaps_at_start(const Stage& stage) const;
   enum class Progress { easy, laboured, none };
+  /// Takes a softer penalty where iterations are many and penetrations needlessly small, and back.
   void adapt_penalty(Progress progress);
-  void take_times();
   void begin_with_stiffness(double factor);
+  void take_times();
   [[nodiscard]] std::string penetration_failure(int rounds) const;
   void certify(double dt);
   /// Linear systems solved for the try now made.

@@ -1,6 +1,6 @@
 #include "mechanics/domain_meshes.h"
-#include "mechanics/mesh_check.h"
 #include "tests/geometry/sample_meshes.h"
+#include "tests/support/total_measure.h"
 
 #include <gtest/gtest.h>
 
@@ -10,17 +10,6 @@
 
 namespace billet::mechanics {
 namespace {
-
-double total_measure(const Mesh& mesh) {
-  double sum = 0.0;
-  for (Index e = 0; e < mesh.n_elements(); ++e) {
-    std::vector<Vec3> nodes;
-    for (const Index a : mesh.cell(e))
-      nodes.push_back(mesh.points[static_cast<std::size_t>(a)]);
-    sum += element_measure(mesh.kind, nodes);
-  }
-  return sum;
-}
 
 // A quarter of a disc of radius 5 with a hole of radius 1.
 geometry::Profile quarter_ring() {
@@ -34,7 +23,7 @@ TEST(DomainMeshes, TrianglesFollowTheArcsAndAreSound) {
     const auto qualities = element_qualities(mesh, mesh.points);
     EXPECT_GT(*std::min_element(qualities.begin(), qualities.end()), 0.2);
     const double exact = std::numbers::pi / 4.0 * 24.0;
-    EXPECT_NEAR(total_measure(mesh), exact, 2e-4 * exact);
+    EXPECT_NEAR(support::total_measure(mesh), exact, 2e-4 * exact);
     for (const Face& face : boundary_faces(mesh))
       for (const Index node : face.nodes) {
         const Vec3& p = mesh.points[static_cast<std::size_t>(node)];
@@ -61,7 +50,7 @@ TEST(DomainMeshes, SegmentsAreNodeSets) {
 TEST(DomainMeshes, TetrahedraFillTheBody) {
   const Mesh mesh = tetrahedron_mesh(geometry::mesh_solid(geometry::cube(), 0.4));
   EXPECT_TRUE(check_mesh(mesh, "", false).empty());
-  EXPECT_NEAR(total_measure(mesh), 1.0, 1e-12);
+  EXPECT_NEAR(support::total_measure(mesh), 1.0, 1e-12);
 }
 
 } // namespace

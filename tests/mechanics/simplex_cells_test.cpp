@@ -1,7 +1,7 @@
-#include "mechanics/mesh_check.h"
 #include "mechanics/mesh_generators.h"
 #include "mechanics/simplex_cells.h"
 #include "tests/support/patch.h"
+#include "tests/support/total_measure.h"
 
 #include <gtest/gtest.h>
 
@@ -11,17 +11,6 @@
 
 namespace billet::mechanics {
 namespace {
-
-double total_measure(const Mesh& mesh) {
-  double sum = 0.0;
-  for (Index e = 0; e < mesh.n_elements(); ++e) {
-    std::vector<Vec3> nodes;
-    for (const Index a : mesh.cell(e))
-      nodes.push_back(mesh.points[static_cast<std::size_t>(a)]);
-    sum += element_measure(mesh.kind, nodes);
-  }
-  return sum;
-}
 
 TEST(SimplexCells, fill_the_cells_and_match_whatever_the_order) {
   for (const ElementKind kind : {ElementKind::tri6, ElementKind::tet10}) {
@@ -41,7 +30,7 @@ TEST(SimplexCells, fill_the_cells_and_match_whatever_the_order) {
       // Hexahedra with warped sides may not be cut in any way.
       EXPECT_TRUE(solid || check_mesh(mesh, "", false).empty());
       EXPECT_EQ(mesh.n_elements(), blocks.n_elements() * (solid ? 6 : 2));
-      EXPECT_NEAR(total_measure(mesh), solid ? 1.0 : 0.24 * 0.12, 1e-14);
+      EXPECT_NEAR(support::total_measure(mesh), solid ? 1.0 : 0.24 * 0.12, 1e-14);
       // Sides that do not match would count as boundary.
       EXPECT_EQ(boundary_faces(mesh).size(), outside);
     }

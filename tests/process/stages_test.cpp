@@ -24,6 +24,17 @@ Scene bar(ElementKind kind, double reduction, const contact::Friction& friction)
   return scene;
 }
 
+/// A square block of 10 mm in plane strain, pressed from above.
+Scene block(double reduction) {
+  Upsetting u;
+  u.analysis = Analysis::plane_strain;
+  u.mesh = mechanics::box_mesh(
+      {ElementKind::quad8, Vec3::Zero(), Vec3(10, 10, 0), {4, 4, 1}, {1, 1, 1}});
+  u.height = 10.0;
+  u.reduction = reduction;
+  return upsetting_scene(std::move(u));
+}
+
 TEST(Unloading, RecoversTheElasticStrainOfABar) {
   // Kirchhoff stress tau leaves the logarithmic strain tau / E behind: h -> h exp(tau / E). The
   // engineer's F h / (A E) agrees to the strain, 1e-3.
@@ -65,13 +76,7 @@ TEST(Unloading, LeavesABilletInEquilibriumWithoutTools) {
 
 TEST(Stages, LetToolsComeAndGo) {
   // A block is pressed from above, then, without the die, from the side.
-  Upsetting u;
-  u.analysis = Analysis::plane_strain;
-  u.mesh = mechanics::box_mesh(
-      {ElementKind::quad8, Vec3::Zero(), Vec3(10, 10, 0), {4, 4, 1}, {1, 1, 1}});
-  u.height = 10.0;
-  u.reduction = 0.1;
-  Scene scene = upsetting_scene(std::move(u));
+  Scene scene = block(0.1);
   contact::Tool side = moving_tool("side", geometry::make_plane({12, 0, 0}, {-1, 0, 0}), {0, 0, 0});
   side.motion.velocity.reset();
   side.motion.displacement =
@@ -92,13 +97,7 @@ TEST(Stages, LetToolsComeAndGo) {
 }
 
 TEST(Stages, NameAToolThatLiesInTheWorkpieceWhenItsStageBegins) {
-  Upsetting u;
-  u.analysis = Analysis::plane_strain;
-  u.mesh = mechanics::box_mesh(
-      {ElementKind::quad8, Vec3::Zero(), Vec3(10, 10, 0), {4, 4, 1}, {1, 1, 1}});
-  u.height = 10.0;
-  u.reduction = 0.02;
-  Scene scene = upsetting_scene(std::move(u));
+  Scene scene = block(0.02);
   scene.tools.push_back(
       moving_tool("side", geometry::make_plane({7, 0, 0}, {-1, 0, 0}), {0, 0, 0}));
   scene.touch = {1, 0};

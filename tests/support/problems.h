@@ -90,6 +90,25 @@ inline Vec3 displacement(const process::Process& process, Index node) {
   return u;
 }
 
+/// A bar of one element of unit length whose end follows a displacement: axis y in the plane
+/// (axisymmetric), z in space.
+inline process::Scene unit_bar(mechanics::ElementKind kind,
+                               const mechanics::Material& material,
+                               TimeFunction displacement) {
+  process::Scene scene;
+  const bool solid = mechanics::dimension(kind) == 3;
+  scene.analysis = solid ? mechanics::Analysis::solid : mechanics::Analysis::axisymmetric;
+  scene.mesh = mechanics::box_mesh({.kind = kind});
+  support(scene, "x-min", 0);
+  support(scene, "y-min", 1);
+  if (solid)
+    support(scene, "z-min", 2);
+  support(scene, solid ? "z-max" : "y-max", solid ? 2 : 1, std::move(displacement));
+  scene.material = material;
+  scene.tolerance = 1e-10;
+  return scene;
+}
+
 /// Equal increments of a single stage.
 inline void one_stage(process::Scene& scene, double end, int increments) {
   scene.stages.push_back({"stage", end, std::vector<char>(scene.tools.size(), 1), false});

@@ -20,22 +20,6 @@ using mechanics::Perzyna;
 
 constexpr mechanics::Elasticity elasticity{200e3, 0.3};
 
-/// A bar of one element of unit length whose end follows `displacement`; axis y or z.
-Scene bar(ElementKind kind, const Material& material, TimeFunction displacement) {
-  Scene scene;
-  const bool solid = mechanics::dimension(kind) == 3;
-  scene.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
-  scene.mesh = mechanics::box_mesh({.kind = kind});
-  support::support(scene, "x-min", 0);
-  support::support(scene, "y-min", 1);
-  if (solid)
-    support::support(scene, "z-min", 2);
-  support::support(scene, solid ? "z-max" : "y-max", solid ? 2 : 1, std::move(displacement));
-  scene.material = material;
-  scene.tolerance = 1e-10;
-  return scene;
-}
-
 /// Strained at a constant true rate: a step in the table for each of the equal increments.
 Scene at_constant_rate(ElementKind kind,
                        const Material& material,
@@ -45,7 +29,7 @@ Scene at_constant_rate(ElementKind kind,
   std::vector<std::pair<double, double>> table;
   for (int i = 0; i <= increments; ++i)
     table.emplace_back(strain / rate * i / increments, std::exp(strain * i / increments) - 1.0);
-  Scene scene = bar(kind, material, TimeFunction(table));
+  Scene scene = support::unit_bar(kind, material, TimeFunction(table));
   support::one_stage(scene, strain / rate, increments);
   // A landing at each point of the table, and no step cut in two for the rounding of a sum.
   for (const auto& [time, displacement] : table)
@@ -95,8 +79,8 @@ TEST(Rate, MAT_06b_a_bar_held_at_its_length_relaxes_as_backward_euler_does) {
   const NortonHoff norton{1000.0 / std::pow(std::numbers::sqrt3, 1.2), 0.2, 0.0, 0.0, 0.0};
   for (const ElementKind kind : kinds) {
     constexpr double loaded = 1e-9; // too short a time to creep
-    Scene scene = bar(kind, {{E, 0.3}, norton},
-                      TimeFunction({{0.0, 0.0}, {loaded, std::exp(300.0 / E) - 1.0}}));
+    Scene scene = support::unit_bar(
+        kind, {{E, 0.3}, norton}, TimeFunction({{0.0, 0.0}, {loaded, std::exp(300.0 / E) - 1.0}}));
     scene.stages.push_back({"load", loaded, {}, false});
     scene.stages.push_back({"hold", loaded + 100.0, {}, false});
     scene.increments.first = scene.increments.max = 1.0;

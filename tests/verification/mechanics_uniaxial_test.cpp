@@ -17,20 +17,10 @@ namespace {
 using mechanics::Analysis;
 using mechanics::ElementKind;
 
-/// A bar of one element, axis y in the plane (axisymmetric) and z in space, unit length.
+/// A bar pulled to a logarithmic strain.
 Scene bar(ElementKind kind, const mechanics::Material& material, double strain, int increments) {
-  Scene scene;
-  const bool solid = mechanics::dimension(kind) == 3;
-  scene.analysis = solid ? Analysis::solid : Analysis::axisymmetric;
-  scene.mesh = mechanics::box_mesh({.kind = kind});
-  support::support(scene, "x-min", 0);
-  support::support(scene, "y-min", 1);
-  if (solid)
-    support::support(scene, "z-min", 2);
-  support::support(scene, solid ? "z-max" : "y-max", solid ? 2 : 1,
-                   TimeFunction({{0.0, 0.0}, {1.0, std::exp(strain) - 1.0}}));
-  scene.material = material;
-  scene.tolerance = 1e-10;
+  Scene scene =
+      support::unit_bar(kind, material, TimeFunction({{0.0, 0.0}, {1.0, std::exp(strain) - 1.0}}));
   support::one_stage(scene, 1.0, increments);
   return scene;
 }
