@@ -2,6 +2,7 @@
 
 #include "geometry/base/stopwatch.h"
 #include "mechanics/mesh_check.h"
+#include "process/increment_control.h"
 #include "process/passage_guard.h"
 
 #include <fmt/format.h>
@@ -307,12 +308,9 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     return RunStatus::not_converged;
   }
   const IncrementLimits limit = limits(length);
-  const double smallest = *limit.min;
-  const double largest = *limit.max;
-  double dt = *limit.first;
+  IncrementControl control({*limit.first, *limit.min, *limit.max});
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
-  constexpr int easy_iterations = 5;
   const std::string overlapping = overlaps_at_start(stage);
   std::vector<std::string> tried;
   int failures = 0;
@@ -322,10 +320,11 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       energy_used_up_ = &stage == &scene_.stages.back();
       if (energy_used_up_)
         break;
-      dt = length;
+      control.set_next(length);
     }
     const double landing = next_landing(stage.end);
-    const double step = step_towards(landing - time_, std::min(dt, longest_for_blows()));
+    const double step =
+        step_towards(landing - time_, std::min(control.next(), longest_for_blows()));
     const bool lands = step == landing - time_;
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
@@ -338,7 +337,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
                          try_increment(step, mechanics::Approach::softly, why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
-        dt = *sooner;
+        control.set_next(*sooner);
         continue;
       }
       accept(step);
@@ -347,12 +346,9 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       for (const std::string& line : tried)
         events_.push_back("  cut back from " + line);
       notify(observers, report(step, failures));
-      adapt_penalty(failures > 0 || last_iterations_ > easy_iterations ? Progress::laboured
-                                                                       : Progress::easy);
-      if (last_iterations_ <= easy_iterations)
-        dt = std::min(std::max(dt, step) * 1.5, largest);
-      else if (last_iterations_ > 9)
-        dt = std::max(0.7 * step, smallest);
+      const bool easy = failures == 0 && last_iterations_ <= IncrementControl::easy_iterations;
+      adapt_penalty(easy ? Progress::easy : Progress::laboured);
+      control.accepted(step, last_iterations_);
       failures = refusals = 0;
       tried.clear();
       for (const Observer* observer : observers)
@@ -369,8 +365,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     if (failures >= tries_with_last_step)
       last_step_.clear();
     refusals += refused_as_too_deep_ ? 1 : 0;
-    dt = 0.5 * step;
-    if (dt < smallest || refusals == most_refusals) {
+    control.failed(step);
+    if (control.exhausted() || refusals == most_refusals) {
       if (time_ == start)
         why += overlapping;
       const PostMortem post = post_mortem(step, why, tried);

@@ -1,0 +1,46 @@
+#include "process/increment_control.h"
+
+#include <algorithm>
+
+namespace billet::process {
+
+namespace {
+
+constexpr int laboured_iterations = 9; ///< beyond them the increment may be too long
+constexpr double easy_growth = 1.5;
+constexpr double careful_growth = 1.15;
+constexpr double shrinking = 0.7;
+constexpr double below_failure = 0.9; ///< of the length that failed
+constexpr double rise_of_ceiling = 1.1;
+
+} // namespace
+
+void IncrementControl::accepted(double step, int iterations) {
+  const double wanted = next_;
+  const bool whole = step >= wanted; // else it tells little about the length wanted
+  if (iterations <= easy_iterations) {
+    next_ = std::max(wanted, step) * easy_growth;
+  } else if (iterations <= laboured_iterations) {
+    next_ = whole ? step * careful_growth : wanted;
+  } else {
+    const bool longer = last_step_ > 0.0 && step > last_step_;
+    const bool pays = last_step_ == 0.0 || iterations * last_step_ < last_iterations_ * step ||
+                      step == last_step_;
+    next_ = longer == pays ? step * careful_growth : step * shrinking;
+  }
+  if (ceiling_ > 0.0) {
+    next_ = std::min(next_, ceiling_);
+    ceiling_ = ceiling_ < limits_.max ? ceiling_ * rise_of_ceiling : 0.0;
+  }
+  next_ = std::clamp(next_, std::min(limits_.min, step), limits_.max);
+  last_step_ = step;
+  last_iterations_ = iterations;
+}
+
+void IncrementControl::failed(double step) {
+  next_ = 0.5 * step;
+  ceiling_ = below_failure * step;
+  last_step_ = 0.0;
+}
+
+} // namespace billet::process

@@ -1,0 +1,54 @@
+// How long the next increment may be.
+//
+// Increments grow while they are easy and shrink when they fail. Between the two lies what many
+// iterations mean: often that the increment is long, but contact that changes as the part rolls
+// past takes its iterations whatever the length, and shrinking would only add increments. So what
+// counts is the cost, iterations per time: an increment that laboured is shortened only as long as
+// that saves iterations.
+//
+// Theory: docs/theory/process.md (P.1).
+
+#pragma once
+
+namespace billet::process {
+
+class IncrementControl {
+public:
+  /// Lengths of increments [s].
+  struct Limits {
+    double first;
+    double min;
+    double max;
+  };
+
+  explicit IncrementControl(const Limits& limits) : limits_(limits), next_(limits.first) {}
+
+  /// Wanted length of the next increment [s].
+  [[nodiscard]] double next() const { return next_; }
+  /// Whether an increment of that length is too short to be tried.
+  [[nodiscard]] bool exhausted() const { return next_ < limits_.min; }
+
+  /// An increment of this length has been accepted.
+  ///
+  /// @param step        its length, maybe shorter than wanted: something had to be met [s]
+  /// @param iterations  that it took
+  void accepted(double step, int iterations);
+
+  /// An increment of this length has failed.
+  void failed(double step);
+
+  /// The next one has this length, whatever has been before [s].
+  void set_next(double length) { next_ = length; }
+
+  /// Iterations up to which an increment counts as easy.
+  static constexpr int easy_iterations = 5;
+
+private:
+  Limits limits_;
+  double next_;
+  double ceiling_ = 0.0;    ///< not beyond it for now: a longer one has failed; 0: none [s]
+  double last_step_ = 0.0;  ///< of the increment before [s]; 0: none
+  int last_iterations_ = 0; ///< of it
+};
+
+} // namespace billet::process

@@ -1,0 +1,98 @@
+#include "process/increment_control.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace billet::process {
+namespace {
+
+constexpr IncrementControl::Limits limits{0.01, 1e-7, 1.0};
+
+/// Whole increments through a span of time; `iterations(step)` or a failure (< 0) for each.
+template <class Iterations> int increments(double span, const Iterations& iterations) {
+  IncrementControl control(limits);
+  int count = 0;
+  for (double time = 0.0; time < span && count < 100000; ++count) {
+    const double step = control.next();
+    const int taken = iterations(step);
+    if (taken < 0) {
+      control.failed(step);
+      EXPECT_FALSE(control.exhausted());
+    } else {
+      control.accepted(step, taken);
+      time += step;
+    }
+  }
+  return count;
+}
+
+TEST(IncrementControl, EasyIncrementsGrowToTheLongest) {
+  IncrementControl control(limits);
+  double before = control.next();
+  for (int i = 0; i < 12; ++i) {
+    control.accepted(before, 3);
+    EXPECT_DOUBLE_EQ(std::min(1.5 * before, limits.max), control.next());
+    before = control.next();
+  }
+  EXPECT_EQ(limits.max, control.next());
+}
+
+TEST(IncrementControl, AStepShortenedForALandingDoesNotShortenTheNext) {
+  IncrementControl control(limits);
+  control.accepted(0.001, 3);
+  EXPECT_GT(control.next(), limits.first);
+  IncrementControl laboured(limits);
+  laboured.accepted(0.001, 7);
+  EXPECT_DOUBLE_EQ(limits.first, laboured.next());
+}
+
+TEST(IncrementControl, IterationsThatDoNotDependOnTheLengthDoNotHoldItShort) {
+  for (const int iterations : {7, 9, 12, 20}) {
+    IncrementControl control(limits);
+    for (int i = 0; i < 60; ++i)
+      control.accepted(control.next(), iterations);
+    EXPECT_GT(control.next(), 0.5 * limits.max) << iterations << " iterations";
+  }
+}
+
+TEST(IncrementControl, ShortensWhereThatSavesIterations) {
+  // Iterations grow with the square of the length: 10 of them at 0.003.
+  const auto iterations = [](double step) {
+    return static_cast<int>(3.0 + 7.0 * std::pow(step / 0.003, 2));
+  };
+  IncrementControl control(limits);
+  double longest = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const double step = control.next();
+    control.accepted(step, iterations(step));
+    if (i > 15)
+      longest = std::max(longest, step);
+  }
+  EXPECT_LT(longest, 0.006); // the cost is least at 0.002
+  EXPECT_GT(longest, 0.001);
+}
+
+TEST(IncrementControl, FailuresAreNotAskedForAgainAtOnce) {
+  // Whatever is longer than 0.05 fails: a try in a few is wasted, not every other one.
+  int failures = 0;
+  const int tries = increments(5.0, [&](double step) {
+    failures += step > 0.05 ? 1 : 0;
+    return step > 0.05 ? -1 : 4;
+  });
+  EXPECT_LT(failures, tries / 3) << failures << " of " << tries;
+}
+
+TEST(IncrementControl, EndsAtTheShortest) {
+  IncrementControl control(limits);
+  int tries = 0;
+  while (!control.exhausted() && tries < 100) {
+    control.failed(control.next());
+    ++tries;
+  }
+  EXPECT_EQ(17, tries); // 0.01 / 2^17 < 1e-7
+}
+
+} // namespace
+} // namespace billet::process
