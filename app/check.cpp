@@ -122,11 +122,31 @@ std::string describe(const process::Scene& scene, const io::Case& content) {
   return text;
 }
 
+void print_remeshing(const process::RemeshSettings& remesh,
+                     const process::Process& process,
+                     const io::UnitSystem& units) {
+  std::string when =
+      fmt::format("an element is worse than {:.2g} or increments fail", remesh.quality);
+  if (remesh.strain)
+    when += fmt::format(", plastic strain has grown by {:.3g}", *remesh.strain);
+  if (remesh.interval)
+    when += fmt::format(", every {:.4g} {}", *remesh.interval, units.time);
+  if (remesh.penetration)
+    when +=
+        fmt::format(", a face lies {:.3g} {} deep in a tool", *remesh.penetration, units.length);
+  const geometry::RemeshSizes sizes = process.remesh_sizes();
+  fmt::print("remeshing with tri6 when {}; sides of {:.4g} to {:.4g} {}\n", when, sizes.min,
+             sizes.max, units.length);
+}
+
 void print_activity(const process::Scene& scene,
                     const process::Process& process,
                     const io::Case& content) {
-  fmt::print("active: {} unknowns a node, {}, {}wear, no remeshing\n", scene.mesh.dimension(),
-             describe(scene, content), process.wear() != nullptr ? "" : "no ");
+  fmt::print("active: {} unknowns a node, {}, {}wear, {}remeshing\n", scene.mesh.dimension(),
+             describe(scene, content), process.wear() != nullptr ? "" : "no ",
+             scene.remesh ? "" : "no ");
+  if (scene.remesh)
+    print_remeshing(*scene.remesh, process, content.units);
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const contact::Tool& tool = scene.tools[t];
     fmt::print(

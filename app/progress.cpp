@@ -97,6 +97,20 @@ void Progress::failed(const process::Process&, const process::PostMortem& post) 
                   post.dt, post.reason));
 }
 
+void Progress::remeshed(const process::Process&, const process::RemeshReport& r) {
+  const std::string line = fmt::format(
+      "remeshing {} ({}): {} -> {} elements, quality {:.2g} -> {:.2g}, volume {:+.1e}, plastic "
+      "work "
+      "{:+.1e}, residual {:.1e}, force {:+.1e}, {:.2g} s",
+      r.number, r.cause, r.elements[0], r.elements[1], r.quality.before, r.quality.after,
+      r.volume.after / r.volume.before - 1.0,
+      r.plastic_work.before > 0.0 ? r.plastic_work.after / r.plastic_work.before - 1.0 : 0.0,
+      r.residual, r.force_jump(), r.seconds);
+  log(line + "\n");
+  if (!quiet_)
+    tell((terminal_ ? "\r\033[K" : "") + line + "\n");
+}
+
 void Progress::finished(const process::Process&) {
   if (terminal_ && !quiet_)
     tell("\n");

@@ -20,6 +20,7 @@ public:
   void incremented(const process::Process& process,
                    const process::IncrementReport& report) override;
   void failed(const process::Process& process, const process::PostMortem& post) override;
+  void remeshed(const process::Process& process, const process::RemeshReport& report) override;
   void finished(const process::Process& process) override;
   [[nodiscard]] bool stop_requested() const override;
 

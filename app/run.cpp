@@ -97,6 +97,8 @@ void print_profile(const process::Process& process) {
   line("solve", t.solve);
   line("certificate", t.certificate);
   line("output", t.output);
+  if (process.scene().remesh)
+    line("remeshing", t.remeshing);
   line("rest", t.rest());
   line("total", t.total);
   const mechanics::SolverWork& work = process.solver_work();
@@ -134,7 +136,7 @@ int run_case(const Arguments& arguments) {
                        {BILLET_VERSION, mechanics::blas_core(), threads, std::move(warnings)});
   progress.write_to(folder / "run.log");
   const process::RunStatus status = process.run({&writer, &progress});
-  if (const std::string warning = writer.warning(); !warning.empty())
+  for (const std::string& warning : writer.warnings())
     progress.say(warning);
   writer.write_summary(process, {ending(status), exit_status(status)});
   print_summary(process, content, status, folder);

@@ -186,6 +186,15 @@ void ContactSurface::positions(std::span<const double> x, std::span<Vec3> out) c
   for_each_point(*this, x, [&](const auto& at, std::size_t k) { out[k] = at.position; });
 }
 
+std::vector<double> ContactSurface::line_coordinates() const {
+  return visit_contact_face(kind_, form_, [](auto, auto rule) {
+    std::vector<double> coordinates;
+    for (int i = 0; i < decltype(rule)::points; ++i)
+      coordinates.push_back(decltype(rule)::point(i)[0]);
+    return coordinates;
+  });
+}
+
 void ContactSurface::areas(std::span<const double> x, std::span<double> out) const {
   for_each_point(*this, x, [&](const auto& at, std::size_t k) { out[k] = at.measure; });
 }

@@ -85,6 +85,8 @@ public:
 
   /// Positions of all points, shape (n_points) [mm].
   void positions(std::span<const double> x, std::span<Vec3> out) const;
+  /// Coordinates of a face's points on its line, in [-1, 1], shape (points()); in the plane only.
+  [[nodiscard]] std::vector<double> line_coordinates() const;
   /// Areas that the points stand for, shape (n_points) [mm^2].
   void areas(std::span<const double> x, std::span<double> out) const;
   /// How the traction at a point is shared by the nodes of its face.

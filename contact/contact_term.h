@@ -18,6 +18,7 @@
 #include "mechanics/bulk.h"
 #include "mechanics/force_term.h"
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -67,6 +68,12 @@ struct DriveScale {
   double stiffness = 0.0; ///< that holds a tool nothing else holds; far below the body's [N/mm]
 };
 
+/// Where a point of a new mesh's contact surface lies on the old one: between two of its points.
+struct PointSource {
+  std::array<std::size_t, 2> points; ///< of the old surface, on the same boundary
+  double share;                      ///< of the second one, in [0, 1] [-]
+};
+
 /// A free degree of freedom of a tool, an unknown after those of the nodes.
 struct DriveUnknown {
   std::size_t tool;
@@ -90,6 +97,12 @@ public:
   void start(std::span<const double> x, double time);
   /// Likewise for a tool that has been moved between increments; its history must be none.
   void start(std::size_t tool, std::span<const double> x, double time);
+
+  /// Goes on where a term on an earlier mesh of the same part stood: its sums, its penalty, which
+  /// tools act. After `start`.
+  ///
+  /// @param sources  for each of this term's points the two of the other's that it lies between
+  void go_on_from(const ContactTerm& before, std::span<const PointSource> sources);
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
                                                        mechanics::System& system) override;
@@ -217,6 +230,10 @@ private:
   [[nodiscard]] bool follows(const DriveUnknown& drive, double time) const {
     return acts(drive.tool, time) && (drive.turns || held_[drive.tool] == 0);
   }
+  /// History of a point that lies between two points of an earlier surface.
+  [[nodiscard]] PointHistory between(const ToolState& before,
+                                     const PointSource& source,
+                                     const geometry::Projection& foot) const;
   void add_loads(const mechanics::Trial& trial, mechanics::System& system) const;
   void add_borders(const mechanics::Trial& trial, mechanics::System& system) const;
   template <class Shape, class Rule>

@@ -1,6 +1,7 @@
 #include "contact/wear.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace billet::contact {
 
@@ -54,6 +55,22 @@ Wear::Wear(const ContactSurface& surface, std::span<const Tool> tools, const Box
     maps_[t].emplace(*tool.surface, surface.analysis(), in_frame(body, tool.motion.pose(0.0)));
     if (tool.wear->workpiece)
       workpiece_[t] = WorkpieceWear{std::vector<double>(surface.n_points(), 0.0), 0.0};
+  }
+}
+
+void Wear::change_surface(const ContactSurface& surface, std::span<const PointSource> sources) {
+  surface_ = &surface;
+  for (std::vector<ClosedPoint>& closed : last_)
+    closed.clear(); // what the points of the old mesh did cannot be told of those of the new one
+  for (std::optional<WorkpieceWear>& worn : workpiece_) {
+    if (!worn)
+      continue;
+    std::vector<double> depth;
+    depth.reserve(sources.size());
+    for (const PointSource& source : sources)
+      depth.push_back((1.0 - source.share) * worn->depth[source.points[0]] +
+                      source.share * worn->depth[source.points[1]]);
+    worn->depth = std::move(depth);
   }
 }
 

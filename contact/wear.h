@@ -36,6 +36,11 @@ public:
   /// Whether any tool has a law of wear.
   [[nodiscard]] static bool wanted(std::span<const Tool> tools);
 
+  /// Goes on with the contact surface of a new mesh of the same part.
+  ///
+  /// @param sources  where its points lie on the surface before, shape (n_points)
+  void change_surface(const ContactSurface& surface, std::span<const PointSource> sources);
+
   /// Takes the last committed increment of contact in. (W.2)-(W.4), (W.10)
   ///
   /// @param x  positions at its end, shape (n_dofs + n_extra) [mm]

@@ -337,6 +337,45 @@ void add_stages(const Case& content, process::Scene& scene) {
   }
 }
 
+/// What cannot be carried from mesh to mesh.
+void require_remeshable(const Case& content,
+                        const process::Scene& scene,
+                        const std::string& place) {
+  const auto refuse = [&](const std::string& what, const std::string& remedy) {
+    throw Error(Fault::case_file, place, "remesh: " + what + " not available in this version",
+                remedy);
+  };
+  if (content.analysis == Analysis::solid)
+    refuse("parts in space are", "leave [remesh] out");
+  if (content.remesh->element && *content.remesh->element != "tri6")
+    refuse(fmt::format("element = \"{}\" is", *content.remesh->element), "element = \"tri6\"");
+  for (const Load& load : content.loads)
+    if (!std::holds_alternative<PressureLoad>(load.kind))
+      refuse("tractions and body forces are", "use pressure, or leave [remesh] out");
+  for (const contact::Tool& tool : scene.tools)
+    if (tool.motion.force && tool.motion.force->blow)
+      refuse(fmt::format("tool '{}', a press that strikes, is", tool.name), "leave [remesh] out");
+  for (const std::string& name : content.remesh->keep)
+    if (!scene.mesh.node_sets.contains(name))
+      throw Error(Fault::case_file, place,
+                  fmt::format("remesh.keep: the mesh has no set named '{}'", name));
+}
+
+process::RemeshSettings remesh_settings(const Remesh& remesh) {
+  process::RemeshSettings settings;
+  if (remesh.quality)
+    settings.quality = *remesh.quality;
+  settings.strain = remesh.strain;
+  settings.interval = remesh.interval;
+  settings.penetration = remesh.penetration;
+  settings.size = remesh.size_default;
+  settings.size_min = remesh.size_min;
+  settings.size_max = remesh.size_max;
+  settings.size_contact = remesh.size_contact;
+  settings.keep = remesh.keep;
+  return settings;
+}
+
 void add_times(const TimeFunction& function, std::vector<double>& times) {
   if (function.points().size() > 1)
     for (const auto& [t, v] : function.points())
@@ -455,6 +494,10 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
   scene.increments = {content.time.increments.first, content.time.increments.min,
                       content.time.increments.max};
   scene.landing_times = landing_times(content, scene);
+  if (content.remesh) {
+    require_remeshable(content, scene, place);
+    scene.remesh = remesh_settings(*content.remesh);
+  }
   scene.tolerance = content.solver.tolerance;
   scene.solver.choice = static_cast<mechanics::SolverChoice>(content.solver.linear);
   return built;

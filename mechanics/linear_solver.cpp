@@ -54,6 +54,20 @@ constexpr int most_failures = 5;
 
 } // namespace
 
+SolverWork SolverWork::after(const SolverWork& earlier) const {
+  SolverWork sum = *this;
+  sum.analysis += earlier.analysis;
+  sum.factorization += earlier.factorization;
+  sum.substitution += earlier.substitution;
+  sum.flops += earlier.flops;
+  sum.factorizations += earlier.factorizations;
+  sum.substitutions += earlier.substitutions;
+  sum.reused += earlier.reused;
+  sum.nearly_symmetric += earlier.nearly_symmetric;
+  sum.systems += earlier.systems;
+  return sum;
+}
+
 std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
   const Index n = pattern.n_nodes();
   std::vector<idx_t> start{0};

@@ -50,6 +50,9 @@ struct SolverWork {
   std::string_view last_method;   ///< of the last factorization
   double last_flops = 0.0;        ///< of the last factorization
   double last_factor_bytes = 0.0; ///< of the last factorization's factors
+
+  /// The same with the work of an earlier solver, on another pattern.
+  [[nodiscard]] SolverWork after(const SolverWork& earlier) const;
 };
 
 /// Work of a factorization.

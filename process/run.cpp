@@ -229,7 +229,7 @@ void Process::account_contact(double dt) {
 void Process::update_energy() {
   energy_.elastic = bulk_->elastic_energy(x_);
   energy_.plastic = bulk_->plastic_work();
-  energy_.external = support_work_ - tool_energy_;
+  energy_.external = support_work_ - tool_energy_ + load_work_;
   for (const auto& load : loads_)
     energy_.external += load->work();
   for (const auto& load : fading_)
@@ -313,6 +313,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
   const std::string overlapping = overlaps_at_start(stage);
   std::vector<std::string> tried;
+  std::string unmeshed; // why the last remeshing was not possible
   int failures = 0;
   int refusals = 0;
   while (time_ < stage.end) {
@@ -354,6 +355,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       for (const Observer* observer : observers)
         if (observer->stop_requested())
           return RunStatus::stopped;
+      if (const std::string cause = remeshing_due(); !cause.empty() && time_ < stage.end)
+        unmeshed = remesh(cause, observers);
       continue;
     }
     ++failures;
@@ -366,9 +369,20 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       last_step_.clear();
     refusals += refused_as_too_deep_ ? 1 : 0;
     control.failed(step);
+    constexpr int tries_of_a_mesh = 3;
+    if ((failures >= tries_of_a_mesh || refusals == most_refusals) && may_remesh()) {
+      unmeshed = remesh("failed increments", observers);
+      if (unmeshed.empty()) {
+        failures = refusals = 0;
+        control.set_next(tries_of_a_mesh * step);
+        continue;
+      }
+    }
     if (control.exhausted() || refusals == most_refusals) {
       if (time_ == start)
         why += overlapping;
+      if (!unmeshed.empty())
+        why += "; the part could not be meshed anew: " + unmeshed;
       const PostMortem post = post_mortem(step, why, tried);
       for (Observer* observer : observers)
         observer->failed(*this, post);
@@ -380,14 +394,21 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
 
 void Process::take_times() {
   const mechanics::SolverWork& work = newton_->solver_work();
-  times_.elements = bulk_->times().elements;
-  times_.search = contact_ ? contact_->times().search : 0.0;
-  times_.contact = contact_ ? contact_->times().elements : 0.0;
-  times_.assembly = newton_->times().assembly - times_.elements - times_.search - times_.contact;
-  times_.analysis = work.analysis;
-  times_.factorization = work.factorization;
-  times_.solve =
-      newton_->times().solve - work.factorization - (work.analysis - analysis_before_run_);
+  const double search = contact_ ? contact_->times().search : 0.0;
+  const double contact = contact_ ? contact_->times().elements : 0.0;
+  // Those of contact go on from mesh to mesh.
+  const double searched = search - earlier_times_.search;
+  const double touched = contact - earlier_times_.contact;
+  const double elements = bulk_->times().elements;
+  times_.search = search;
+  times_.contact = contact;
+  times_.elements = earlier_times_.elements + elements;
+  times_.assembly =
+      earlier_times_.assembly + newton_->times().assembly - elements - searched - touched;
+  times_.analysis = earlier_times_.analysis + work.analysis;
+  times_.factorization = earlier_times_.factorization + work.factorization;
+  times_.solve = earlier_times_.solve + newton_->times().solve - work.factorization -
+                 (work.analysis - analysis_before_run_);
 }
 
 RunStatus Process::run(const std::vector<Observer*>& observers) {

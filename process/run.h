@@ -2,18 +2,20 @@
 //
 // An increment moves the tools, solves for equilibrium with contact found anew in every iteration,
 // and is accepted or cut back; the step grows on easy increments. Observers look at each accepted
-// increment and change nothing. Theory: docs/theory/process.md (P.1)-(P.6).
+// increment and change nothing. Theory: docs/theory/process.md (P.1)-(P.17).
 
 #pragma once
 
 #include "contact/contact_term.h"
 #include "contact/process_window.h"
 #include "contact/wear.h"
+#include "geometry/domain_remesher.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
 #include "process/scene.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,6 +23,9 @@
 #include <vector>
 
 namespace billet::process {
+
+struct PartBoundary;
+struct RemeshedPart;
 
 /// Energies of the run so far [N mm].
 struct EnergyBalance {
@@ -67,6 +72,39 @@ struct PostMortem {
   std::vector<mechanics::IterationRecord> records; ///< of the last try
 };
 
+/// What a remeshing did: its page of the ledger.
+struct RemeshReport {
+  int number = 0;    ///< from 1
+  double time = 0.0; ///< [s]
+  int increment = 0; ///< after which it came
+  std::string cause;
+  /// Of the old mesh and of the new one.
+  struct Pair {
+    double before = 0.0;
+    double after = 0.0;
+
+    /// |after - before| over before [-]; 0 where both are.
+    [[nodiscard]] double change() const;
+  };
+  std::array<Index, 2> elements{}; ///< before and after
+  std::array<Index, 2> nodes{};    ///< likewise
+  Pair quality;                    ///< scaled Jacobian of the worst element [-]
+  Pair volume;                     ///< [mm^3]
+  Pair plastic_work;               ///< of the field of plastic strain [N mm]
+  Pair mean_strain;                ///< plastic, over the volume [-]
+  Pair largest_strain;             ///< plastic [-]
+  std::vector<Pair> forces;        ///< on each tool [N]
+  double residual = 0.0;           ///< of the state carried over, relative [-]
+  bool balanced = false;           ///< equilibrium was restored before time went on
+  int returned = 0;                ///< points put back onto the yield surface
+  double seconds = 0.0;            ///< it took [s]
+
+  /// Largest change of a tool's force over the largest force [-].
+  [[nodiscard]] double force_jump() const;
+  /// What goes beyond the budget, one line each; empty: nothing.
+  [[nodiscard]] std::vector<std::string> complaints() const;
+};
+
 class Process;
 
 /// Looks at a run.
@@ -76,6 +114,9 @@ public:
   virtual void started(const Process&) {}
   virtual void incremented(const Process&, const IncrementReport&) {}
   virtual void failed(const Process&, const PostMortem&) {}
+  /// The mesh is about to be replaced.
+  virtual void remeshing(const Process&) {}
+  virtual void remeshed(const Process&, const RemeshReport&) {}
   virtual void finished(const Process&) {}
   /// True ends the run after this increment (a signal).
   [[nodiscard]] virtual bool stop_requested() const { return false; }
@@ -95,11 +136,12 @@ struct PhaseTimes {
   double solve = 0.0;         ///< substitutions, iterations around them, constraints
   double certificate = 0.0;   ///< bound of penetration
   double output = 0.0;        ///< observers
+  double remeshing = 0.0;     ///< new meshes, transfer, equilibrium on them
 
   /// What is left: preparing the scene, guesses, commits [s].
   [[nodiscard]] double rest() const {
     return total - search - contact - elements - assembly - analysis - factorization - solve -
-           certificate - output;
+           certificate - output - remeshing;
   }
 };
 
@@ -153,7 +195,15 @@ public:
   [[nodiscard]] const EnergyBalance& energy() const { return energy_; }
   [[nodiscard]] const PhaseTimes& times() const { return times_; }
   /// Factorizations and substitutions of the run.
-  [[nodiscard]] const mechanics::SolverWork& solver_work() const { return newton_->solver_work(); }
+  [[nodiscard]] mechanics::SolverWork solver_work() const {
+    return newton_->solver_work().after(earlier_work_);
+  }
+  /// Where the material at the nodes was at the start, shape (n_dofs) [mm].
+  [[nodiscard]] std::span<const double> origins() const { return x0_; }
+  /// Remeshings of the run, in their order.
+  [[nodiscard]] std::span<const RemeshReport> remeshings() const { return remeshings_; }
+  /// Sizes that the part would be meshed with now; the scene has settings for that.
+  [[nodiscard]] geometry::RemeshSizes remesh_sizes() const;
   [[nodiscard]] int increments() const { return increment_; }
   [[nodiscard]] int iterations() const { return iterations_; }
   [[nodiscard]] int cutbacks() const { return cutbacks_; }
@@ -219,6 +269,21 @@ private:
   [[nodiscard]] RunStatus
   run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers);
   [[nodiscard]] double next_landing(double stage_end) const;
+  /// Notes what remeshing needs to know of the first mesh.
+  void start_remeshing();
+  /// Why the part should be meshed anew now; empty: it need not.
+  [[nodiscard]] std::string remeshing_due() const;
+  /// Whether a mesh can be exchanged now, and has been used since it was made.
+  [[nodiscard]] bool may_remesh() const;
+  /// Meshes the part anew and carries everything over. (P.14)-(P.17)
+  /// @return why it could not be done; empty: it was. Then nothing has changed
+  [[nodiscard]] std::string remesh(const std::string& cause,
+                                   const std::vector<Observer*>& observers);
+  void exchange_mesh(const PartBoundary& boundary, RemeshedPart part, RemeshReport& report);
+  /// The tool that touches each contact face; -1: none.
+  [[nodiscard]] std::vector<int> touching_tools() const;
+  /// Solves for equilibrium on the new mesh without moving on. (P.17)
+  void restore_balance(RemeshReport& report);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
 
   Scene scene_;
@@ -247,12 +312,22 @@ private:
   std::unique_ptr<contact::Wear> wear_;
   EnergyBalance energy_;
   double support_work_ = 0.0;
+  double load_work_ = 0.0;   ///< of loads on earlier meshes
   double tool_energy_ = 0.0; ///< of penalties, gone with tools that left
   double grounding_stiffness_ = 0.0;
   double time_ = 0.0;
   bool energy_used_up_ = false;
   std::vector<std::string> events_; ///< of the last increment
   std::string penalty_event_;       ///< a change of the penalty since then
+  std::vector<RemeshReport> remeshings_;
+  double side_ = 0.0;                  ///< of the elements of the first mesh [mm]
+  double mesh_quality_ = 1.0;          ///< of the present mesh when it was new [-]
+  double mesh_time_ = 0.0;             ///< at which the present mesh was made [s]
+  int mesh_increment_ = 0;             ///< likewise
+  std::vector<double> mesh_strain_;    ///< plastic, at the points, likewise [-]
+  double refused_quality_ = 1.0;       ///< at which the part could not be meshed anew [-]
+  mechanics::SolverWork earlier_work_; ///< on earlier meshes
+  PhaseTimes earlier_times_;           ///< likewise
   PhaseTimes times_;
   double analysis_before_run_ = 0.0; ///< time of it outside the iteration [s]
   double started_ = 0.0;

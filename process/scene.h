@@ -56,6 +56,19 @@ struct IncrementLimits {
   std::optional<double> max;   ///< [s]
 };
 
+/// When the part is meshed anew, and how finely. What is absent follows from the mesh at the start.
+struct RemeshSettings {
+  double quality = 0.2;               ///< as soon as an element is worse [-]
+  std::optional<double> strain;       ///< ... the plastic strain at a point has grown by this [-]
+  std::optional<double> interval;     ///< ... this much time has passed [s]
+  std::optional<double> penetration;  ///< ... a face lies deeper in a tool [mm]
+  std::optional<double> size;         ///< sides of the new mesh [mm]
+  std::optional<double> size_min;     ///< [mm]
+  std::optional<double> size_max;     ///< [mm]
+  std::optional<double> size_contact; ///< where a tool touches [mm]
+  std::vector<std::string> keep;      ///< node sets whose nodes stay corners
+};
+
 struct Scene {
   std::string title;
   mechanics::Analysis analysis = mechanics::Analysis::plane_strain;
@@ -69,7 +82,8 @@ struct Scene {
   contact::ContactSettings contact;
   std::vector<Stage> stages; ///< at least one
   IncrementLimits increments;
-  std::vector<double> landing_times; ///< times an increment must end at, sorted [s]
+  std::vector<double> landing_times;    ///< times an increment must end at, sorted [s]
+  std::optional<RemeshSettings> remesh; ///< none: the mesh of the start serves to the end
   double tolerance = 1e-6;
   mechanics::SolverSettings solver;
 };

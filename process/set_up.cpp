@@ -27,6 +27,8 @@ Process::Process(Scene scene)
   velocity_.assign(x0_.size(), 0.0);
   reactions_.assign(x0_.size(), 0.0);
   make_terms();
+  if (scene_.remesh)
+    start_remeshing();
   start_stage(scene_.stages.front()); // only its tools have to lie right at the start
   if (surface_)
     bring_to_touch(scene_, *surface_, x_);

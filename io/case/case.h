@@ -131,11 +131,12 @@ struct SolverSettings {
   bool operator==(const SolverSettings&) const = default;
 };
 
-/// When and how fine to mesh anew. (Not available in this version.)
+/// When and how fine to mesh anew.
 struct Remesh {
   std::optional<double> quality;      ///< below this element quality [-]
   std::optional<double> interval;     ///< after this much time [s]
   std::optional<double> penetration;  ///< above this penetration between points [mm]
+  std::optional<double> strain;       ///< after this much plastic strain at a point [-]
   std::optional<double> size_default; ///< element sizes [mm]
   std::optional<double> size_min;     ///< [mm]
   std::optional<double> size_max;     ///< [mm]

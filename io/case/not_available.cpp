@@ -22,7 +22,6 @@ struct NotAvailable {
 constexpr std::array features{
     NotAvailable{"solver.accuracy", "draft"},
     NotAvailable{"solver.accuracy", "fine"},
-    NotAvailable{"remesh"},
     NotAvailable{"output.checkpoint_every"},
 };
 

@@ -35,12 +35,13 @@ std::optional<Increments> as_increments(const At& at) {
 }
 
 void read_remesh_when(TableReader& table, Remesh& remesh) {
-  std::optional<TableReader> when = table.require_table("when");
+  std::optional<TableReader> when = table.find_table("when");
   if (!when)
     return;
   when->optional("quality", remesh.quality, as_number, fraction_number);
   when->optional("interval", remesh.interval, as_number, positive_time);
   when->optional("penetration", remesh.penetration, as_number, positive_length);
+  when->optional("strain", remesh.strain, as_number, positive_number);
   when->finish();
 }
 
@@ -53,6 +54,15 @@ void read_remesh_size(TableReader& table, Remesh& remesh) {
   size->optional("max", remesh.size_max, as_number, positive_length);
   size->optional("contact", remesh.size_contact, as_number, positive_length);
   size->finish();
+  const auto check = [&](std::string_view key, const std::optional<double>& low,
+                         const std::optional<double>& high, std::string_view above) {
+    if (low && high && *low > *high)
+      size->find(key)->complain_found(fmt::format("no more than {} = {}", above, *high));
+  };
+  check("min", remesh.size_min, remesh.size_max, "max");
+  check("min", remesh.size_min, remesh.size_default, "default");
+  check("min", remesh.size_min, remesh.size_contact, "contact");
+  check("default", remesh.size_default, remesh.size_max, "max");
 }
 
 /// "set:NAME" without "set:".

@@ -101,6 +101,7 @@ std::string remesh_text(const Remesh& remesh) {
   add_if(when, "quality", remesh.quality);
   add_if(when, "interval", remesh.interval);
   add_if(when, "penetration", remesh.penetration);
+  add_if(when, "strain", remesh.strain);
   TomlTable size;
   add_if(size, "default", remesh.size_default);
   add_if(size, "min", remesh.size_min);

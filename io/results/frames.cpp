@@ -240,9 +240,10 @@ WorkpieceFrame workpiece_frame(const process::Process& process,
   frame.points = points;
   frame.cells = mesh.cells;
   frame.notes = notes_of(settings);
+  const std::vector<Vec3> origins = points_of(process.origins(), mesh.dimension());
   std::vector<double> displacement;
   for (std::size_t a = 0; a < points.size(); ++a) {
-    const Vec3 u = points[a] - mesh.points[a];
+    const Vec3 u = points[a] - origins[a];
     displacement.insert(displacement.end(), u.data(), u.data() + 3);
   }
   frame.point_fields.push_back({"displacement", 3, std::move(displacement), settings.units.length});

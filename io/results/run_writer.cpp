@@ -70,7 +70,7 @@ std::vector<double> history_row(const process::Process& process,
                           r.energy.elastic,
                           r.max_plastic_strain,
                           r.min_quality,
-                          0.0,
+                          static_cast<double>(process.remeshings().size()),
                           r.wall_time};
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     const contact::ToolLoad& load = process.contact()->loads()[t];
@@ -165,6 +165,58 @@ ordered_json blows_json(const process::Process& process) {
   return blows;
 }
 
+/// A cell of a table, quoted: causes are free text.
+std::string quoted(std::string text) {
+  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
+    text.insert(at, 1, '"');
+  return '"' + text + '"';
+}
+
+std::string ledger_header(const process::Scene& scene) {
+  std::string line = "remeshing,increment,time,cause,elements_before,elements_after,nodes_before,"
+                     "nodes_after,quality_before,quality_after,volume_before,volume_after,"
+                     "plastic_work_before,plastic_work_after,mean_plastic_strain_before,"
+                     "mean_plastic_strain_after,max_plastic_strain_before,"
+                     "max_plastic_strain_after,residual,balanced,force_jump,returned,seconds";
+  for (const contact::Tool& tool : scene.tools)
+    line += fmt::format(",{0}.force_before,{0}.force_after", tool.name);
+  return line + "\n";
+}
+
+std::string ledger_row(const process::RemeshReport& r) {
+  const auto pair = [](const process::RemeshReport::Pair& p) {
+    return fmt::format(",{:.17g},{:.17g}", p.before, p.after);
+  };
+  std::string line =
+      fmt::format("{},{},{:.17g},{},{},{},{},{}", r.number, r.increment, r.time, quoted(r.cause),
+                  r.elements[0], r.elements[1], r.nodes[0], r.nodes[1]);
+  line += pair(r.quality) + pair(r.volume) + pair(r.plastic_work) + pair(r.mean_strain) +
+          pair(r.largest_strain);
+  line += fmt::format(",{:.17g},{:d},{:.17g},{},{:.6g}", r.residual, r.balanced, r.force_jump(),
+                      r.returned, r.seconds);
+  for (const process::RemeshReport::Pair& force : r.forces)
+    line += pair(force);
+  return line + "\n";
+}
+
+ordered_json remeshings_json(const process::Process& process) {
+  double volume = 0.0;
+  double work = 0.0;
+  double force = 0.0;
+  double unbalanced = 0.0;
+  for (const process::RemeshReport& r : process.remeshings()) {
+    volume = std::max(volume, r.volume.change());
+    work = std::max(work, r.plastic_work.change());
+    force = std::max(force, r.force_jump());
+    unbalanced += r.balanced ? 0.0 : 1.0;
+  }
+  return {{"number", process.remeshings().size()},
+          {"largest_change_of_volume", volume},
+          {"largest_change_of_plastic_work", work},
+          {"largest_force_jump", force},
+          {"without_equilibrium", unbalanced}};
+}
+
 ordered_json timings_json(const process::PhaseTimes& t) {
   return {{"total", t.total},
           {"search", t.search},
@@ -176,6 +228,7 @@ ordered_json timings_json(const process::PhaseTimes& t) {
           {"solve", t.solve},
           {"certificate", t.certificate},
           {"output", t.output},
+          {"remeshing", t.remeshing},
           {"rest", t.rest()}};
 }
 
@@ -215,7 +268,10 @@ bool is_frame(const std::filesystem::path& file) {
 /// that are not ours stay.
 void remove_earlier_run(const std::filesystem::path& folder, const std::string& name) {
   namespace fs = std::filesystem;
-  std::vector<fs::path> old{folder / (name + ".pvd"), folder / "summary.json", folder / "run.log",
+  std::vector<fs::path> old{folder / (name + ".pvd"),
+                            folder / "summary.json",
+                            folder / "run.log",
+                            folder / "remesh.csv",
                             folder / "failure" / "last_good.vtu",
                             folder / "failure" / "post_mortem.txt"};
   for (const auto& entry : fs::directory_iterator(folder / "frames"))
@@ -247,6 +303,10 @@ RunWriter::RunWriter(std::filesystem::path folder,
 }
 
 void RunWriter::started(const process::Process& process) {
+  if (process.scene().remesh) {
+    ledger_ = ledger_header(process.scene());
+    write_file(folder_ / "remesh.csv", ledger_);
+  }
   history_.emplace(folder_ / "history.csv", history_columns(process.scene()));
   iterations_.emplace(folder_ / "iterations.csv",
                       std::vector<std::string>{"increment", "time", "iteration", "residual",
@@ -275,6 +335,9 @@ void RunWriter::incremented(const process::Process& process,
                                            static_cast<double>(record.contact_changes)});
   largest_penetration_ = std::max(largest_penetration_, report.max_penetration);
   largest_share_ = std::max(largest_share_, report.penetration_share);
+  constexpr double bad = 0.1; // below it elements hardly deform as they should
+  if (!worn_ && !process.scene().remesh && report.min_quality < bad)
+    worn_ = report;
   last_ = report;
   if (frame_due(report.time))
     write_frame(process);
@@ -326,9 +389,24 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
   for (const mechanics::IterationRecord& r : post.records)
     text += fmt::format("  {:3d} {:.3e} {:.3e} {:.3f} {}\n", r.iteration, r.residual, r.correction,
                         r.step, r.solver);
-  text += "what may help: a finer mesh there, less deformation of one mesh "
-          "(remeshing is not available in this version), a check of the tools' motion\n";
+  text +=
+      process.scene().remesh
+          ? "what may help: smaller elements there (remesh.size), a check of the tools' motion\n"
+          : "what may help: a finer mesh there, a [remesh] section, a check of the tools' motion\n";
   write_file(folder_ / "failure" / "post_mortem.txt", text);
+}
+
+void RunWriter::remeshing(const process::Process& process) {
+  if (process.time() > last_frame_)
+    write_frame(process);
+}
+
+void RunWriter::remeshed(const process::Process& process, const process::RemeshReport& report) {
+  ledger_ += ledger_row(report);
+  write_file(folder_ / "remesh.csv", ledger_);
+  for (std::string& line : report.complaints())
+    complaints_.push_back(std::move(line));
+  write_frame(process);
 }
 
 void RunWriter::finished(const process::Process& process) {
@@ -336,15 +414,22 @@ void RunWriter::finished(const process::Process& process) {
     write_frame(process);
 }
 
-std::string RunWriter::warning() const {
+std::vector<std::string> RunWriter::warnings() const {
+  std::vector<std::string> lines;
   constexpr double tolerated = 0.02; // of the element beneath
-  if (largest_share_ <= tolerated)
-    return {};
-  return fmt::format(
-      "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
-      "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
-      "contact.form = \"compatible\") lessens it",
-      largest_penetration_, content_->units.length, 100.0 * largest_share_);
+  if (largest_share_ > tolerated)
+    lines.push_back(fmt::format(
+        "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
+        "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
+        "contact.form = \"compatible\") lessens it",
+        largest_penetration_, content_->units.length, 100.0 * largest_share_));
+  if (worn_)
+    lines.push_back(fmt::format(
+        "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "
+        "what they say with them; a [remesh] section would have replaced the mesh",
+        worn_->time, content_->units.time, worn_->min_quality, last_->min_quality));
+  lines.insert(lines.end(), complaints_.begin(), complaints_.end());
+  return lines;
 }
 
 void RunWriter::write_summary(const process::Process& process, const RunEnd& end) {
@@ -385,13 +470,15 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
     summary["blows"] = blows_json(process);
     summary["ended_by"] = process.energy_used_up() ? "energy used up" : "end of time";
   }
+  if (process.scene().remesh)
+    summary["remeshings"] = remeshings_json(process);
   summary["grounded_rigid_motions"] = process.grounded_motions();
   summary["tools"] = tools_json(process);
   if (!process.scene().tools.empty())
     summary["process_window"] = window_json(process.window().total());
   std::vector<std::string> warnings = facts_.warnings;
-  if (std::string quality = warning(); !quality.empty())
-    warnings.push_back(std::move(quality));
+  for (std::string& line : this->warnings())
+    warnings.push_back(std::move(line));
   summary["warnings"] = warnings;
   if (post_)
     summary["failure"] = {{"time", post_->time}, {"reason", post_->reason}};

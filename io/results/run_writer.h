@@ -1,8 +1,9 @@
 // Writes the results of a run as it goes: frames for ParaView, tables, the summary.
 //
 // DIR/<case>.pvd, DIR/frames/, DIR/history.csv, DIR/iterations.csv, DIR/summary.json,
-// DIR/case.resolved.toml; DIR/failure/ when an increment cannot be solved. Every file is written
-// under a temporary name and renamed, the tables grow by whole rows.
+// DIR/case.resolved.toml; DIR/remesh.csv with a row a remeshing; DIR/failure/ when an increment
+// cannot be solved. Every file is written under a temporary name and renamed, the tables grow by
+// whole rows.
 
 #pragma once
 
@@ -43,13 +44,15 @@ public:
   void incremented(const process::Process& process,
                    const process::IncrementReport& report) override;
   void failed(const process::Process& process, const process::PostMortem& post) override;
+  void remeshing(const process::Process& process) override;
+  void remeshed(const process::Process& process, const process::RemeshReport& report) override;
   void finished(const process::Process& process) override;
 
   /// Writes summary.json; last of all.
   void write_summary(const process::Process& process, const RunEnd& end);
 
   /// What a person should know about the quality of the result; empty: nothing.
-  [[nodiscard]] std::string warning() const;
+  [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
   void write_frame(const process::Process& process);
@@ -68,8 +71,12 @@ private:
   double last_frame_ = 0.0;
   std::optional<process::IncrementReport> last_;
   std::optional<process::PostMortem> post_;
+  std::string ledger_;                  ///< what remesh.csv holds
+  std::vector<std::string> complaints_; ///< about remeshings
   double largest_penetration_ = 0.0;
   double largest_share_ = 0.0;
+  std::optional<process::IncrementReport>
+      worn_; ///< the first with a bad mesh that nothing replaces
 };
 
 } // namespace billet::io

@@ -322,8 +322,12 @@ const std::vector<Mistake>& mistakes() {
       {plane, "[0.25, 1.75]", "[1.75, 0.25]", "allowed are increasing times"},
       {plane, "\"displacement\"", "\"displacment\"", "did you mean 'displacement'?"},
       {plane, "[\"displacement\", \"stress\"]", "\"every\"", "allowed is \"default\", \"all\""},
-      {plane, "[output]", "[remesh]\nwhen = { quality = 0.1 }\nsize = { default = 1 }\n[output]",
-       "remesh: not available in this version"},
+      {plane, "[output]", "[remesh]\nsize = { default = 1, max = 0.5 }\n[output]",
+       "remesh.size.default: found 1, allowed is no more than max = 0.5", 1},
+      {plane, "[output]", "[remesh]\nsize = { min = 2, contact = 1 }\n[output]",
+       "remesh.size.min: found 2, allowed is no more than contact = 1", 1},
+      {plane, "[output]", "[remesh]\nwhen = { strain = 0 }\n[output]", "remesh.when.strain", 1},
+      {plane, "[output]", "[remesh]\nkeep = [\"rim\"]\n[output]", "allowed is \"set:NAME\"", 1},
       {plane, "[output]", "[remesh]\nwhen = { quality = 2 }\n[output]", "remesh.when.quality", 1},
   };
   return all;

@@ -1,0 +1,382 @@
+#include "process/part_boundary.h"
+
+#include "mechanics/domain_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <variant>
+
+namespace billet::process {
+
+namespace {
+
+using geometry::BoundaryPlace;
+using geometry::SideLoop;
+using mechanics::Face;
+
+std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
+/// Which nodes are in each of several lists.
+std::vector<std::vector<char>> flags(const std::vector<const std::vector<Index>*>& lists,
+                                     std::size_t n) {
+  std::vector<std::vector<char>> result;
+  for (const std::vector<Index>* list : lists) {
+    result.emplace_back(n, char{0});
+    for (const Index node : *list)
+      result.back()[idx(node)] = 1;
+  }
+  return result;
+}
+
+/// What each node carries.
+struct NodeFlags {
+  std::vector<std::vector<char>> supports;
+  std::vector<std::vector<char>> sets;
+};
+
+NodeFlags node_flags(const Scene& scene) {
+  std::vector<const std::vector<Index>*> supports;
+  for (const Support& support : scene.supports)
+    supports.push_back(&support.nodes);
+  std::vector<const std::vector<Index>*> sets;
+  for (const auto& [name, nodes] : scene.mesh.node_sets)
+    sets.push_back(&nodes);
+  return {flags(supports, scene.mesh.points.size()), flags(sets, scene.mesh.points.size())};
+}
+
+std::vector<char> on_all(const std::vector<std::vector<char>>& flags, const Face& face) {
+  std::vector<char> result;
+  for (const std::vector<char>& each : flags)
+    result.push_back(static_cast<char>(std::all_of(face.nodes.begin(), face.nodes.end(),
+                                                   [&](Index a) { return each[idx(a)] != 0; })));
+  return result;
+}
+
+bool same_nodes(const Face& a, const Face& b) { return a.nodes == b.nodes; }
+
+/// Walks faces of the boundary of a scene and puts them into chains.
+class Chains {
+public:
+  Chains(const Scene& scene, std::span<const double> x, std::span<const int> touching)
+      : scene_(scene), x_(x), nodes_(node_flags(scene)),
+        faces_(mechanics::boundary_faces(scene.mesh)) {
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      by_start_[faces_[f].nodes[0]] = f;
+    for (std::size_t f = 0; f < scene.contact_faces.size(); ++f)
+      touching_[scene.contact_faces[f].nodes] = touching[f];
+  }
+
+  [[nodiscard]] PartBoundary boundary(const std::vector<char>& kept) {
+    PartBoundary result;
+    std::map<Attachment, std::int32_t> numbers;
+    while (!by_start_.empty()) {
+      SideLoop loop;
+      std::vector<Index> corners;
+      for (auto next = by_start_.begin(); next != by_start_.end();) {
+        const Face& face = faces_[next->second];
+        by_start_.erase(next);
+        const Attachment attached = attachment(face);
+        const auto [part, is_new] =
+            numbers.try_emplace(attached, static_cast<std::int32_t>(numbers.size()));
+        if (is_new)
+          result.attachments.push_back(attached);
+        result.sides[{face.nodes[0], face.nodes[1]}] = {
+            static_cast<std::int32_t>(result.loops.size()),
+            static_cast<std::int32_t>(corners.size())};
+        corners.push_back(face.nodes[0]);
+        loop.corners.push_back(place(face.nodes[0]));
+        loop.middles.push_back(middle(face));
+        loop.part.push_back(part->second);
+        loop.hold.push_back(static_cast<char>(held(face, attached)));
+        next = by_start_.find(face.nodes[1]);
+      }
+      for (const Index node : corners)
+        loop.keep.push_back(static_cast<char>(kept[idx(node)] != 0));
+      keep_lone_corners(corners, result.attachments, loop);
+      result.loops.push_back(std::move(loop));
+      result.corners.push_back(std::move(corners));
+    }
+    return result;
+  }
+
+private:
+  [[nodiscard]] Vec2 place(Index node) const { return {x_[idx(2 * node)], x_[idx(2 * node + 1)]}; }
+
+  [[nodiscard]] Vec2 middle(const Face& face) const {
+    return face.nodes.size() > 2 ? place(face.nodes[2])
+                                 : Vec2(0.5 * (place(face.nodes[0]) + place(face.nodes[1])));
+  }
+
+  [[nodiscard]] Attachment attachment(const Face& face) const {
+    Attachment result{on_all(nodes_.supports, face), {}, on_all(nodes_.sets, face)};
+    for (const LoadSpec& load : scene_.loads) {
+      const auto* pressure = std::get_if<PressureOn>(&load);
+      result.loads.push_back(static_cast<char>(
+          pressure != nullptr && std::any_of(pressure->faces.begin(), pressure->faces.end(),
+                                             [&](const Face& f) { return same_nodes(f, face); })));
+    }
+    const auto touched = touching_.find(face.nodes);
+    result.contact = touched != touching_.end();
+    if (result.contact)
+      result.tool = touched->second;
+    return result;
+  }
+
+  /// Nodes of tools, supports and the axis stay on their lines.
+  [[nodiscard]] bool held(const Face& face, const Attachment& attached) const {
+    return attached.tool >= 0 ||
+           std::any_of(attached.supports.begin(), attached.supports.end(),
+                       [](char flag) { return flag != 0; }) ||
+           (scene_.analysis == mechanics::Analysis::axisymmetric &&
+            std::all_of(face.nodes.begin(), face.nodes.end(),
+                        [&](Index a) { return x_[idx(2 * a)] == 0.0; }));
+  }
+
+  /// Keeps nodes that carry what neither side beside them does.
+  void keep_lone_corners(const std::vector<Index>& corners,
+                         const std::vector<Attachment>& attachments,
+                         SideLoop& loop) const {
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Attachment& after = attachments[idx(loop.part[i])];
+      const Attachment& before = attachments[idx(loop.part[(i + n - 1) % n])];
+      const auto lone = [&](const std::vector<std::vector<char>>& flags, const std::vector<char>& a,
+                            const std::vector<char>& b) {
+        for (std::size_t s = 0; s < flags.size(); ++s)
+          if (flags[s][idx(corners[i])] != 0 && a[s] == 0 && b[s] == 0)
+            return true;
+        return false;
+      };
+      if (lone(nodes_.supports, before.supports, after.supports) ||
+          lone(nodes_.sets, before.sets, after.sets))
+        loop.keep[i] = 1;
+    }
+  }
+
+  const Scene& scene_;
+  std::span<const double> x_;
+  NodeFlags nodes_;
+  std::vector<Face> faces_;
+  std::map<Index, std::size_t> by_start_;
+  std::map<std::vector<Index>, int> touching_;
+};
+
+/// Nodes gathered for a list, without double ones.
+struct NodeList {
+  std::set<Index> nodes;
+
+  [[nodiscard]] std::vector<Index> sorted() const { return {nodes.begin(), nodes.end()}; }
+};
+
+/// The node lists of a scene on its new mesh.
+class NodeLists {
+public:
+  NodeLists(const std::vector<const std::vector<Index>*>& old, Index n_old, Index n_new)
+      : old_(old), lists_(old.size()) {
+    for (std::size_t s = 0; s < old.size(); ++s)
+      if (static_cast<Index>(old[s]->size()) == n_old) // the whole part
+        for (Index node = 0; node < n_new; ++node)
+          lists_[s].nodes.insert(node);
+  }
+
+  void add(const std::vector<char>& flags, const Face& face) {
+    for (std::size_t s = 0; s < lists_.size(); ++s)
+      if (flags[s] != 0)
+        lists_[s].nodes.insert(face.nodes.begin(), face.nodes.end());
+  }
+
+  /// The new node that stands for a kept corner is in the lists that this one was in.
+  void add_corner(Index old_node, Index node) {
+    for (std::size_t s = 0; s < lists_.size(); ++s)
+      if (std::find(old_[s]->begin(), old_[s]->end(), old_node) != old_[s]->end())
+        lists_[s].nodes.insert(node);
+  }
+
+  [[nodiscard]] std::vector<Index> operator[](std::size_t s) const { return lists_[s].sorted(); }
+
+private:
+  std::vector<const std::vector<Index>*> old_;
+  std::vector<NodeList> lists_;
+};
+
+/// The corner of the old boundary in a place; -1: it lies within a side.
+Index corner_at(const PartBoundary& boundary, const BoundaryPlace& place) {
+  const std::vector<Index>& corners = boundary.corners[idx(place.loop)];
+  if (place.xi == 0.0)
+    return corners[idx(place.side)];
+  if (place.xi == 1.0)
+    return corners[(idx(place.side) + 1) % corners.size()];
+  return -1;
+}
+
+/// Lengths of the sides of a loop, summed up; one entry more than sides.
+std::vector<double> side_ends(const SideLoop& loop) {
+  std::vector<double> ends{0.0};
+  const std::size_t n = loop.corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    ends.push_back(ends.back() + (loop.middles[i] - loop.corners[i]).norm() +
+                   (loop.corners[(i + 1) % n] - loop.middles[i]).norm());
+  return ends;
+}
+
+/// A contact point on the way around a loop.
+struct Stop {
+  double way;
+  std::size_t point;
+};
+
+/// The old contact points in turn around every loop.
+class Stops {
+public:
+  Stops(const PartBoundary& boundary,
+        std::span<const Face> faces,
+        std::span<const double> coordinates)
+      : stops_(boundary.loops.size()) {
+    for (const SideLoop& loop : boundary.loops)
+      ends_.push_back(side_ends(loop));
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const SideNumber at = boundary.sides.at({faces[f].nodes[0], faces[f].nodes[1]});
+      for (std::size_t i = 0; i < coordinates.size(); ++i)
+        stops_[idx(at.loop)].push_back(
+            {way({at.loop, at.side, 0.5 * (1.0 + coordinates[i])}), f * coordinates.size() + i});
+    }
+    for (std::vector<Stop>& stops : stops_)
+      std::sort(stops.begin(), stops.end(),
+                [](const Stop& a, const Stop& b) { return a.way < b.way; });
+  }
+
+  [[nodiscard]] double way(const BoundaryPlace& at) const {
+    const std::vector<double>& ends = ends_[idx(at.loop)];
+    return ends[idx(at.side)] + at.xi * (ends[idx(at.side) + 1] - ends[idx(at.side)]);
+  }
+
+  [[nodiscard]] double round(std::int32_t loop) const { return ends_[idx(loop)].back(); }
+
+  [[nodiscard]] contact::PointSource between(std::int32_t loop, double way) const {
+    const std::vector<Stop>& stops = stops_[idx(loop)];
+    if (stops.empty()) // a loop that had no contact face has none now
+      return {{0, 0}, 0.0};
+    const double total = round(loop);
+    const double at = std::fmod(way + total, total);
+    const auto after = std::upper_bound(stops.begin(), stops.end(), at,
+                                        [](double w, const Stop& stop) { return w < stop.way; });
+    const Stop& next = after == stops.end() ? stops.front() : *after;
+    const Stop& last = after == stops.begin() ? stops.back() : *std::prev(after);
+    const double span = std::fmod(next.way - last.way + total, total);
+    const double gone = std::fmod(at - last.way + total, total);
+    return {{last.point, next.point}, span > 0.0 ? std::clamp(gone / span, 0.0, 1.0) : 0.0};
+  }
+
+private:
+  std::vector<std::vector<double>> ends_;
+  std::vector<std::vector<Stop>> stops_;
+};
+
+/// Way of a point of a side that is given by the ways of its ends and its middle.
+double way_within(double start, double middle, double end, double coordinate) {
+  const double even = 0.5 * (start + end) - middle;
+  return middle + 0.5 * (end - start) * coordinate + even * coordinate * coordinate;
+}
+
+} // namespace
+
+PartBoundary part_boundary(const Scene& scene,
+                           std::span<const double> x,
+                           std::span<const int> touching,
+                           std::span<const std::string> keep) {
+  std::vector<char> kept(scene.mesh.points.size(), 0);
+  for (const std::string& name : keep)
+    for (const Index node : scene.mesh.node_sets.at(name))
+      kept[idx(node)] = 1;
+  return Chains(scene, x, touching).boundary(kept);
+}
+
+RemeshedPart
+remesh_part(const Scene& scene, const PartBoundary& boundary, const geometry::RemeshSizes& sizes) {
+  const auto measure = scene.analysis == mechanics::Analysis::axisymmetric
+                           ? geometry::Measure::revolved
+                           : geometry::Measure::area;
+  const geometry::RemeshedDomain domain = geometry::remesh_domain(boundary.loops, sizes, measure);
+  RemeshedPart part;
+  part.mesh = mechanics::triangle_mesh(domain.mesh);
+  part.mesh.node_sets.clear(); // the segments are ours
+  part.old_measure = domain.old_measure;
+  part.measure = domain.measure;
+
+  std::map<std::pair<Index, Index>, std::size_t> side_of;
+  for (std::size_t s = 0; s < domain.mesh.boundary.size(); ++s)
+    side_of[{domain.mesh.boundary[s].corners[0], domain.mesh.boundary[s].corners[1]}] = s;
+
+  std::vector<const std::vector<Index>*> old_supports;
+  for (const Support& support : scene.supports)
+    old_supports.push_back(&support.nodes);
+  std::vector<const std::vector<Index>*> old_sets;
+  for (const auto& [name, nodes] : scene.mesh.node_sets)
+    old_sets.push_back(&nodes);
+  NodeLists supports(old_supports, scene.mesh.n_points(), part.mesh.n_points());
+  NodeLists sets(old_sets, scene.mesh.n_points(), part.mesh.n_points());
+  part.loads = scene.loads;
+  for (LoadSpec& load : part.loads)
+    if (auto* pressure = std::get_if<PressureOn>(&load))
+      pressure->faces.clear();
+
+  const auto place_after = [&](std::size_t s) -> BoundaryPlace {
+    // Sides of a loop follow each other; the last one ends where the first one begins.
+    const std::size_t next = s + 1;
+    const std::int32_t loop = domain.corner_places[s].loop;
+    if (next < domain.corner_places.size() && domain.corner_places[next].loop == loop)
+      return domain.corner_places[next];
+    std::size_t first = s;
+    while (first > 0 && domain.corner_places[first - 1].loop == loop)
+      --first;
+    return domain.corner_places[first];
+  };
+  for (const Face& face : mechanics::boundary_faces(part.mesh)) {
+    const std::size_t s = side_of.at({face.nodes[0], face.nodes[1]});
+    const Attachment& attached = boundary.attachments[idx(domain.mesh.boundary[s].segment)];
+    supports.add(attached.supports, face);
+    sets.add(attached.sets, face);
+    for (std::size_t l = 0; l < part.loads.size(); ++l)
+      if (attached.loads[l] != 0)
+        std::get<PressureOn>(part.loads[l]).faces.push_back(face);
+    if (attached.contact) {
+      part.contact_faces.push_back(face);
+      part.places.push_back({domain.corner_places[s], domain.middle_places[s], place_after(s)});
+    }
+    if (const Index corner = corner_at(boundary, domain.corner_places[s]); corner >= 0) {
+      supports.add_corner(corner, face.nodes[0]);
+      sets.add_corner(corner, face.nodes[0]);
+    }
+  }
+  for (std::size_t s = 0; s < scene.supports.size(); ++s)
+    part.supports.push_back(
+        {supports[s], scene.supports[s].component, scene.supports[s].displacement});
+  std::size_t s = 0;
+  for (const auto& [name, nodes] : scene.mesh.node_sets)
+    part.mesh.node_sets[name] = sets[s++];
+  return part;
+}
+
+std::vector<contact::PointSource>
+point_sources(const PartBoundary& boundary,
+              std::span<const Face> old_faces,
+              std::span<const double> old_coordinates,
+              std::span<const std::array<BoundaryPlace, 3>> places,
+              std::span<const double> coordinates) {
+  const Stops stops(boundary, old_faces, old_coordinates);
+  std::vector<contact::PointSource> sources;
+  for (const auto& [start, middle, end] : places) {
+    const double total = stops.round(start.loop);
+    const double from = stops.way(start);
+    const auto beyond = [&](double way) { return way < from ? way + total : way; };
+    const double half = beyond(stops.way(middle));
+    const double to = stops.way(end) <= from ? stops.way(end) + total : stops.way(end);
+    for (const double coordinate : coordinates)
+      sources.push_back(stops.between(start.loop, way_within(from, half, to, coordinate)));
+  }
+  return sources;
+}
+
+} // namespace billet::process

@@ -1,0 +1,85 @@
+// The boundary of a plane part as chains of sides, with all that hangs on it: supports, loads,
+// named sets, contact faces, tools that touch. It is what survives when the part is meshed anew.
+//
+// Sides that carry the same things form a part of the boundary; where the part changes, a corner
+// stays. A node that alone carries something is a corner as well.
+//
+// Units   those of the case. Theory: docs/theory/process.md (P.14).
+
+#pragma once
+
+#include "geometry/domain_remesher.h"
+#include "process/scene.h"
+
+#include <array>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace billet::process {
+
+/// What hangs on a side, each as flags in the order of the scene.
+struct Attachment {
+  std::vector<char> supports; ///< both its ends are held by the support
+  std::vector<char> loads;    ///< the pressure acts on it
+  std::vector<char> sets;     ///< its nodes are in the set
+  bool contact = false;       ///< a candidate face
+  int tool = -1;              ///< that touches it; -1: none
+
+  auto operator<=>(const Attachment&) const = default;
+};
+
+/// A side of the boundary.
+struct SideNumber {
+  std::int32_t loop;
+  std::int32_t side;
+};
+
+/// The boundary of a part where it is now.
+struct PartBoundary {
+  std::vector<geometry::SideLoop> loops;
+  std::vector<std::vector<Index>> corners; ///< node numbers, of each loop
+  std::vector<Attachment> attachments;     ///< of each part of the boundary
+  /// Side of each face, by its first two nodes.
+  std::map<std::pair<Index, Index>, SideNumber> sides;
+};
+
+/// @param x         positions of the nodes, shape (n_points, 2) [mm]
+/// @param touching  the tool that touches each of the scene's contact faces; -1: none
+/// @param keep      names of node sets whose nodes stay corners
+[[nodiscard]] PartBoundary part_boundary(const Scene& scene,
+                                         std::span<const double> x,
+                                         std::span<const int> touching,
+                                         std::span<const std::string> keep);
+
+/// What the scene has on a new mesh of the part.
+struct RemeshedPart {
+  mechanics::Mesh mesh; ///< tri6
+  std::vector<Support> supports;
+  std::vector<LoadSpec> loads;
+  std::vector<mechanics::Face> contact_faces;
+  /// Where each contact face begins, has its middle and ends on the old boundary.
+  std::vector<std::array<geometry::BoundaryPlace, 3>> places;
+  double old_measure; ///< area, or its integral times x [mm^2, mm^3]
+  double measure;     ///< likewise, of the new mesh
+};
+
+/// @throws Error(Fault::geometry) if the boundary cannot be meshed
+[[nodiscard]] RemeshedPart
+remesh_part(const Scene& scene, const PartBoundary& boundary, const geometry::RemeshSizes& sizes);
+
+/// For every contact point of a new surface the two of the old one that it lies between.
+///
+/// @param old_faces        the old scene's contact faces
+/// @param old_coordinates  of the points on an old face, in [-1, 1]
+/// @param places           of the new faces
+/// @param coordinates      of the points on a new face
+[[nodiscard]] std::vector<contact::PointSource>
+point_sources(const PartBoundary& boundary,
+              std::span<const mechanics::Face> old_faces,
+              std::span<const double> old_coordinates,
+              std::span<const std::array<geometry::BoundaryPlace, 3>> places,
+              std::span<const double> coordinates);
+
+} // namespace billet::process
