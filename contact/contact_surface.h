@@ -54,6 +54,12 @@ struct Footprint {
   std::size_t n_corners = 0;
 };
 
+/// Where a point of a new mesh's contact surface lies on the old one: between two of its points.
+struct PointSource {
+  std::array<std::size_t, 2> points; ///< of the old surface, on the same boundary
+  double share;                      ///< of the second one, in [0, 1] [-]
+};
+
 /// Faces and points; constant during a mesh's life.
 class ContactSurface {
 public:

@@ -18,7 +18,6 @@
 #include "mechanics/bulk.h"
 #include "mechanics/force_term.h"
 
-#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -68,12 +67,6 @@ struct DriveScale {
   double stiffness = 0.0; ///< that holds a tool nothing else holds; far below the body's [N/mm]
 };
 
-/// Where a point of a new mesh's contact surface lies on the old one: between two of its points.
-struct PointSource {
-  std::array<std::size_t, 2> points; ///< of the old surface, on the same boundary
-  double share;                      ///< of the second one, in [0, 1] [-]
-};
-
 /// A free degree of freedom of a tool, an unknown after those of the nodes.
 struct DriveUnknown {
   std::size_t tool;
@@ -98,6 +91,15 @@ public:
   /// Likewise for a tool that has been moved between increments; its history must be none.
   void start(std::size_t tool, std::span<const double> x, double time);
 
+  /// Whether a point is closed on a tool in the committed state.
+  [[nodiscard]] bool closed_on(std::size_t tool, std::size_t point) const {
+    return states_[tool].history[point].closed();
+  }
+  /// Committed pressure of a point on a tool that no multiplier bears; 0: it is open [MPa].
+  [[nodiscard]] double pressed(std::size_t tool, std::size_t point) const {
+    const PointHistory& history = states_[tool].history[point];
+    return history.closed() ? history.pressure - history.multiplier : 0.0;
+  }
   /// Goes on where a term on an earlier mesh of the same part stood: its sums, its penalty, which
   /// tools act. After `start`.
   ///

@@ -59,10 +59,11 @@ struct RemeshedPart {
   std::vector<Support> supports;
   std::vector<LoadSpec> loads;
   std::vector<mechanics::Face> contact_faces;
+  std::vector<int> tools; ///< that touch the contact faces; -1: none
   /// Where each contact face begins, has its middle and ends on the old boundary.
   std::vector<std::array<geometry::BoundaryPlace, 3>> places;
-  double old_measure; ///< area, or its integral times x [mm^2, mm^3]
-  double measure;     ///< likewise, of the new mesh
+  double old_measure = 0.0; ///< area, or its integral times x [mm^2, mm^3]
+  double measure = 0.0;     ///< likewise, of the new mesh
 };
 
 /// @throws Error(Fault::geometry) if the boundary cannot be meshed

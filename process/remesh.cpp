@@ -28,6 +28,10 @@ constexpr double volume_budget = 1e-4;
 constexpr double force_budget = 1e-2;
 constexpr double work_budget = 5e-3;
 
+/// Without a limit of the case: a face that lies deeper in a tool, relative to the element beneath,
+/// and twice as deep as when the mesh was new, is too coarse for it.
+constexpr double deep = 0.1;
+
 /// A mesh has to have lost this share of its first quality before it is replaced.
 constexpr double worn_share = 0.7;
 
@@ -155,7 +159,8 @@ std::string Process::remeshing_due() const {
   constexpr double rounding = 1e-9;
   if (settings.interval && time_ - mesh_time_ >= *settings.interval * (1.0 - rounding))
     return "interval";
-  if (settings.penetration && penetration_.bound > *settings.penetration)
+  if (settings.penetration ? penetration_.bound > *settings.penetration
+                           : penetration_.share > std::max(deep, 2.0 * mesh_share_))
     return fmt::format("penetration {:.3g}", penetration_.bound);
   if (settings.strain) {
     double grown = 0.0;
@@ -286,7 +291,7 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
   scene_.mesh = std::move(part.mesh);
   scene_.supports = std::move(part.supports);
   scene_.loads = std::move(part.loads);
-  scene_.contact_faces = std::move(part.contact_faces);
+  scene_.contact_faces = part.contact_faces;
   pattern_ = mechanics::block_pattern(scene_.mesh);
   x0_ = std::move(origins);
   x_ = std::move(x);
@@ -299,6 +304,8 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
   reactions_.assign(x0_.size(), 0.0);
   make_terms();
   analysis_before_run_ = newton_->solver_work().analysis;
+  if (contact_)
+    settle_on_tools(boundary, part, old_faces, *old_surface, *old_contact);
   bulk_->adopt(std::move(state.states), std::move(state.temperatures), plastic_work);
   plastic_rate_ = std::move(state.plastic_rate);
   if (contact_) {
@@ -329,6 +336,65 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
   report.returned = state.returned;
   for (const double force : forces)
     report.forces.push_back({force, force});
+}
+
+void Process::settle_on_tools(const PartBoundary& boundary,
+                              const RemeshedPart& part,
+                              std::span<const mechanics::Face> old_faces,
+                              const contact::ContactSurface& old_surface,
+                              const contact::ContactTerm& old_contact) {
+  // A face's mean is what its nodes bear: a spike at one old point must not press a whole side in.
+  constexpr int samples = 9;
+  std::vector<double> coordinates;
+  for (int i = 0; i < samples; ++i)
+    coordinates.push_back((2.0 * i + 1.0) / samples - 1.0);
+  const std::vector<contact::PointSource> sources =
+      point_sources(boundary, old_faces, old_surface.line_coordinates(), part.places, coordinates);
+  std::vector<double> sum(scene_.mesh.points.size(), 0.0); // of pressures of the faces at a node
+  std::vector<int> count(sum.size(), 0);
+  for (std::size_t f = 0; f < part.contact_faces.size(); ++f) {
+    if (part.tools[f] < 0)
+      continue;
+    double mean = 0.0;
+    for (std::size_t i = f * samples; i < (f + 1) * samples; ++i)
+      for (const int side : {0, 1})
+        mean += (side == 0 ? 1.0 - sources[i].share : sources[i].share) / samples *
+                old_contact.pressed(idx(part.tools[f]), sources[i].points[side]);
+    for (const Index node : part.contact_faces[f].nodes) {
+      sum[idx(node)] += mean;
+      ++count[idx(node)];
+    }
+  }
+  const double stiffness = surface_->penalty().normal * old_contact.next_stiffening();
+  std::vector<char> held(x0_.size(), 0);
+  for (const Support& support : scene_.supports)
+    for (const Index node : support.nodes)
+      held[idx(2 * node + support.component)] = 1;
+  for (std::size_t f = 0; f < part.contact_faces.size(); ++f) {
+    if (part.tools[f] < 0)
+      continue;
+    const auto tool = idx(part.tools[f]);
+    const geometry::Pose pose = old_contact.pose(tool, time_, x_);
+    constexpr std::array<std::size_t, 3> nearest{0, samples - 1, samples / 2}; // to the nodes
+    for (std::size_t a = 0; a < nearest.size(); ++a) {
+      const contact::PointSource& source = sources[f * samples + nearest[a]];
+      if (!old_contact.closed_on(tool, source.points[source.share < 0.5 ? 0 : 1]))
+        continue; // the free end of a face that touches with the other one
+      const Index node = part.contact_faces[f].nodes[a];
+      const Vec3 at = pose.to_tool(scene_.mesh.points[idx(node)]);
+      geometry::Projection foot;
+      scene_.tools[tool].surface->project(std::span(&at, 1), surface_->depth(static_cast<Index>(f)),
+                                          std::span(&foot, 1));
+      if (!foot.found())
+        continue;
+      const double depth = sum[idx(node)] / count[idx(node)] / stiffness;
+      const Vec3 way = pose.rotation * (-(foot.gap + depth) * foot.normal);
+      for (Index c = 0; c < 2; ++c)
+        if (held[idx(2 * node + c)] == 0)
+          x_[idx(2 * node + c)] = scene_.mesh.points[idx(node)][c] += way[c];
+    }
+  }
+  trial_x_ = x_;
 }
 
 void Process::restore_balance(RemeshReport& report) {

@@ -210,6 +210,8 @@ void Process::accept(double dt) {
   time_ += dt;
   ++increment_;
   iterations_ += last_iterations_;
+  if (increment_ == mesh_increment_ + 1)
+    mesh_share_ = penetration_.share;
   update_energy();
   account_contact(dt);
 }

@@ -282,6 +282,13 @@ private:
   void exchange_mesh(const PartBoundary& boundary, RemeshedPart part, RemeshReport& report);
   /// The tool that touches each contact face; -1: none.
   [[nodiscard]] std::vector<int> touching_tools() const;
+  /// Puts the nodes of faces that a tool touches as deep into it as the pressure asks for: curves
+  /// through the old nodes wave about that by more than it is. (P.16)
+  void settle_on_tools(const PartBoundary& boundary,
+                       const RemeshedPart& part,
+                       std::span<const mechanics::Face> old_faces,
+                       const contact::ContactSurface& old_surface,
+                       const contact::ContactTerm& old_contact);
   /// Solves for equilibrium on the new mesh without moving on. (P.17)
   void restore_balance(RemeshReport& report);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
@@ -325,6 +332,7 @@ private:
   double mesh_time_ = 0.0;             ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;             ///< likewise
   std::vector<double> mesh_strain_;    ///< plastic, at the points, likewise [-]
+  double mesh_share_ = 0.0;            ///< penetration_.share of its first increment [-]
   double refused_quality_ = 1.0;       ///< at which the part could not be meshed anew [-]
   mechanics::SolverWork earlier_work_; ///< on earlier meshes
   PhaseTimes earlier_times_;           ///< likewise
