@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -49,23 +50,45 @@ Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPa
     : mesh_(&mesh), pattern_(&pattern), analysis_(analysis), material_(std::move(material)),
       kernel_(element_kernel(mesh.kind, analysis)),
       scatter_(pattern, mesh.cells, nodes_per_element(mesh.kind)) {
-  const int dim = mesh.dimension();
-  std::vector<double> x;
-  for (const Vec3& p : mesh.points)
-    x.insert(x.end(), p.data(), p.data() + dim);
-  std::vector<double> local(idx(nodes_per_element(mesh.kind) * dim));
   points_ = points_per_element(mesh.kind);
-  volumes_.resize(idx(mesh.n_elements() * points_));
-  for (Index e = 0; e < mesh.n_elements(); ++e) {
-    gather(x, mesh.cell(e), dim, local.data());
-    point_volumes(mesh.kind, analysis, local.data(),
-                  std::span(volumes_).subspan(idx(e * points_), idx(points_)));
-  }
+  volumes_ = mesh_volumes();
   states_.resize(volumes_.size());
   trial_states_ = states_;
   if (material_.heating > 0.0)
     temperatures_.assign(volumes_.size(), material_.temperature);
   increments_.resize(idx(mesh.n_elements()));
+}
+
+std::vector<double> Bulk::mesh_volumes() const {
+  const int dim = mesh_->dimension();
+  std::vector<double> x;
+  for (const Vec3& p : mesh_->points)
+    x.insert(x.end(), p.data(), p.data() + dim);
+  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
+  std::vector<double> volumes(idx(mesh_->n_elements() * points_));
+  for (Index e = 0; e < mesh_->n_elements(); ++e) {
+    gather(x, mesh_->cell(e), dim, local.data());
+    point_volumes(mesh_->kind, analysis_, local.data(),
+                  std::span(volumes).subspan(idx(e * points_), idx(points_)));
+  }
+  return volumes;
+}
+
+void Bulk::adopt(std::vector<PointState> states,
+                 std::vector<double> temperatures,
+                 double plastic_work) {
+  assert(states.size() == volumes_.size());
+  assert(temperatures.empty() || temperatures.size() == volumes_.size());
+  volumes_ = mesh_volumes();
+  for (std::size_t k = 0; k < volumes_.size(); ++k)
+    volumes_[k] /= std::sqrt(states[k].b_e.determinant());
+  states_ = std::move(states);
+  trial_states_ = states_;
+  if (!temperatures.empty())
+    temperatures_ = std::move(temperatures);
+  else if (material_.heating > 0.0)
+    temperatures_.assign(volumes_.size(), material_.temperature);
+  plastic_work_ = plastic_work;
 }
 
 ElementStatus Bulk::run_element(Index element, const Trial& trial, Scratch& scratch) {

@@ -25,6 +25,14 @@ public:
   [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override;
   void commit(const Trial& trial) override;
 
+  /// Starts from given states where the nodes of the mesh are: as reference volumes those that the
+  /// elastic ratios of volume sqrt(det b_e) ask for. (M.40)
+  ///
+  /// @param states        shape (n_elements, points)
+  /// @param temperatures  likewise [degC]; empty: the material's
+  /// @param plastic_work  done so far [N mm]
+  void adopt(std::vector<PointState> states, std::vector<double> temperatures, double plastic_work);
+
   [[nodiscard]] const Material& material() const { return material_; }
   [[nodiscard]] Analysis analysis() const { return analysis_; }
   /// Points an element.
@@ -76,6 +84,8 @@ public:
 
 private:
   struct Scratch;
+  /// Volumes of the points where the nodes of the mesh are, shape (n_elements, points) [mm^3].
+  [[nodiscard]] std::vector<double> mesh_volumes() const;
   /// Forces and tangent of an element, in the scratch.
   ElementStatus run_element(Index element, const Trial& trial, Scratch& scratch);
   void add_element(Index element, System& system, const Scratch& scratch) const;
