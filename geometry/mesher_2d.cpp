@@ -1,6 +1,7 @@
 #include "geometry/mesher_2d.h"
 
 #include "geometry/base/error.h"
+#include "geometry/plane_smoother.h"
 #include "geometry/profile_piece.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -39,8 +40,6 @@ constexpr double most_turn = std::numbers::pi / 8.0;
 /// An angle bound of 1 / (2 sin a) with a = 20.7 degrees: the best with which refinement is known
 /// to end. CGAL asks for its square, times 1/4.
 constexpr double shape_bound = 0.125;
-
-constexpr int smoothing_sweeps = 10;
 
 /// A chord of the outline: what the refinement takes for the boundary.
 struct Chord {
@@ -187,51 +186,6 @@ void require_sound(const Profile& outline, double size) {
                 "is missing");
 }
 
-/// Smallest angle of a triangle [rad].
-double smallest_angle(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const auto angle = [](const Vec2& u, const Vec2& v) { return std::atan2(cross(u, v), u.dot(v)); };
-  return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
-}
-
-/// Moves inner corners one after the other to the mean of their neighbours, where the smallest
-/// angle around them grows by it.
-class Smoother {
-public:
-  explicit Smoother(PlaneMesh& mesh) : mesh_(mesh), around_(mesh.points.size()) {
-    for (const auto& triangle : mesh.triangles)
-      for (std::size_t i = 0; i < 3; ++i)
-        around_[at(triangle[i])].push_back({triangle[(i + 1) % 3], triangle[(i + 2) % 3]});
-    for (const BoundarySide& side : mesh.boundary)
-      around_[at(side.corners[0])].clear();
-  }
-
-  void sweep() {
-    for (std::size_t i = 0; i < around_.size(); ++i) {
-      if (around_[i].empty())
-        continue;
-      Vec2 mean = Vec2::Zero();
-      for (const auto& [b, c] : around_[i]) // each neighbour twice
-        mean += mesh_.points[at(b)] + mesh_.points[at(c)];
-      mean /= 2.0 * static_cast<double>(around_[i].size());
-      if (least_around(i, mean) > least_around(i, mesh_.points[i]))
-        mesh_.points[i] = mean;
-    }
-  }
-
-private:
-  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-  [[nodiscard]] double least_around(std::size_t i, const Vec2& place) const {
-    double least = std::numbers::pi;
-    for (const auto& [b, c] : around_[i])
-      least = std::min(least, smallest_angle(place, mesh_.points[at(b)], mesh_.points[at(c)]));
-    return least;
-  }
-
-  PlaneMesh& mesh_;
-  std::vector<std::vector<std::array<std::int32_t, 2>>> around_; ///< sides opposite; none: boundary
-};
-
 } // namespace
 
 PlaneMesh mesh_outline(const Profile& outline, double size) {
@@ -248,9 +202,7 @@ PlaneMesh mesh_outline(const Profile& outline, double size) {
                             size, expected, most_triangles),
                 "give a larger size");
   PlaneMesh mesh = Mesher(all, size).mesh();
-  Smoother smoother(mesh);
-  for (int sweep = 0; sweep < smoothing_sweeps; ++sweep)
-    smoother.sweep();
+  smooth(mesh);
   if (area < 0.0) // numbers are those of the outline as it was given
     for (BoundarySide& side : mesh.boundary)
       side.segment = last - side.segment;
