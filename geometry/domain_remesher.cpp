@@ -119,8 +119,12 @@ std::vector<char> inverted_sides(const PlaneMesh& mesh) {
 /// One remeshing: what its steps share.
 class Remesher {
 public:
-  Remesher(std::span<const SideLoop> loops, const RemeshSizes& sizes, Measure measure, double turn)
-      : sizes_(sizes), measure_(measure) {
+  Remesher(std::span<const SideLoop> loops,
+           const RemeshSizes& sizes,
+           Measure measure,
+           const Settle& settle,
+           double turn)
+      : sizes_(sizes), measure_(measure), settle_(settle) {
     for (std::size_t i = 0; i < loops.size(); ++i)
       curves_.emplace_back(loops[i], static_cast<std::int32_t>(i), turn);
     if (measure == Measure::area) // near the domain, for the sake of rounding
@@ -211,6 +215,8 @@ private:
   [[nodiscard]] RemeshedDomain mesh_by(const SizeField& field) const {
     RefinedDomain domain = refined(field);
     for (int round = 0;; ++round) {
+      if (settle_)
+        settle(domain);
       restore_measure(domain, curves_, {measure_, origin_}, old_measure_);
       smooth(domain.mesh);
       const std::vector<char> flags = inverted_sides(domain.mesh);
@@ -221,6 +227,17 @@ private:
         refuse("no sound triangles are found",
                domain.mesh.boundary[static_cast<std::size_t>(bad - flags.begin())].middle);
       domain = refine(curves_, halved(domain.sides, flags), {std::cref(field), shortest()});
+    }
+  }
+
+  void settle(RefinedDomain& domain) const {
+    for (std::size_t i = 0; i < domain.sides.size(); ++i) {
+      BoundarySide& side = domain.mesh.boundary[i];
+      const BoundaryCurve& curve = curves_[at(domain.sides[i].loop)];
+      const auto move = [&](Vec2& x, double s) { x = settle_(side.segment, curve.place(s), x); };
+      move(domain.mesh.points[at(side.corners[0])], domain.sides[i].from);
+      move(domain.mesh.points[at(side.corners[1])], domain.sides[i].to);
+      move(side.middle, domain.sides[i].middle());
     }
   }
 
@@ -238,6 +255,7 @@ private:
 
   const RemeshSizes& sizes_;
   Measure measure_;
+  const Settle& settle_;
   std::vector<BoundaryCurve> curves_;
   Vec2 origin_ = Vec2::Zero();
   double old_measure_ = 0.0;
@@ -246,21 +264,23 @@ private:
 
 } // namespace
 
-RemeshedDomain
-remesh_domain(std::span<const SideLoop> loops, const RemeshSizes& sizes, Measure measure) {
+RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
+                             const RemeshSizes& sizes,
+                             Measure measure,
+                             const Settle& settle) {
   if (loops.empty())
     throw Error(Fault::geometry, "", "a domain without a boundary");
   require_sound(sizes);
   for (const SideLoop& loop : loops)
     require_sound(loop);
   try {
-    return Remesher(loops, sizes, measure, corner_turn).run();
+    return Remesher(loops, sizes, measure, settle, corner_turn).run();
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)
       throw;
   }
   // A smooth curve may cut its own corners: at the mouth of a fold that closes, the other lip.
-  return Remesher(loops, sizes, measure, fold_turn).run();
+  return Remesher(loops, sizes, measure, settle, fold_turn).run();
 }
 
 } // namespace billet::geometry

@@ -58,6 +58,13 @@ struct BoundaryPlace {
   double xi; ///< from 0 at the first corner of the side to 1 at the second [-]
 };
 
+/// Where a new node of the boundary should rather be, e.g. on the tool that its side lies on.
+///
+/// Called for both corners and the middle of every side: part of the side, place on the old
+/// boundary, position on its curve; returns the new position [mm]. Nodes of sides that are not held
+/// are moved for the measure afterwards.
+using Settle = std::function<Vec2(std::int32_t part, const BoundaryPlace& at, const Vec2& x)>;
+
 /// The new mesh and where its boundary comes from.
 struct RemeshedDomain {
   PlaneMesh mesh; ///< boundary sides loop by loop, each in turn; their `segment` is the old part
@@ -73,12 +80,15 @@ struct RemeshedDomain {
 /// than 30 degrees (10 where it would touch itself otherwise) and more than the sides beside it do.
 /// (G.40)
 ///
+/// @param settle  puts nodes of the boundary where they should be; empty: they stay on its curve
 /// @param loops  one that turns left around each piece of the domain, and one that turns right
 ///               around each of its holes
 /// @throws Error(Fault::geometry), with the place, if loops cross or touch themselves or each
 ///         other, turn the wrong way or have a side without length; Error(Fault::limit) if it would
 ///         take more than ten million triangles
-[[nodiscard]] RemeshedDomain
-remesh_domain(std::span<const SideLoop> loops, const RemeshSizes& sizes, Measure measure);
+[[nodiscard]] RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
+                                           const RemeshSizes& sizes,
+                                           Measure measure,
+                                           const Settle& settle = {});
 
 } // namespace billet::geometry

@@ -221,59 +221,6 @@ std::vector<double> side_ends(const SideLoop& loop) {
   return ends;
 }
 
-/// A contact point on the way around a loop.
-struct Stop {
-  double way;
-  std::size_t point;
-};
-
-/// The old contact points in turn around every loop.
-class Stops {
-public:
-  Stops(const PartBoundary& boundary,
-        std::span<const Face> faces,
-        std::span<const double> coordinates)
-      : stops_(boundary.loops.size()) {
-    for (const SideLoop& loop : boundary.loops)
-      ends_.push_back(side_ends(loop));
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const SideNumber at = boundary.sides.at({faces[f].nodes[0], faces[f].nodes[1]});
-      for (std::size_t i = 0; i < coordinates.size(); ++i)
-        stops_[idx(at.loop)].push_back(
-            {way({at.loop, at.side, 0.5 * (1.0 + coordinates[i])}), f * coordinates.size() + i});
-    }
-    for (std::vector<Stop>& stops : stops_)
-      std::sort(stops.begin(), stops.end(),
-                [](const Stop& a, const Stop& b) { return a.way < b.way; });
-  }
-
-  [[nodiscard]] double way(const BoundaryPlace& at) const {
-    const std::vector<double>& ends = ends_[idx(at.loop)];
-    return ends[idx(at.side)] + at.xi * (ends[idx(at.side) + 1] - ends[idx(at.side)]);
-  }
-
-  [[nodiscard]] double round(std::int32_t loop) const { return ends_[idx(loop)].back(); }
-
-  [[nodiscard]] contact::PointSource between(std::int32_t loop, double way) const {
-    const std::vector<Stop>& stops = stops_[idx(loop)];
-    if (stops.empty()) // a loop that had no contact face has none now
-      return {{0, 0}, 0.0};
-    const double total = round(loop);
-    const double at = std::fmod(way + total, total);
-    const auto after = std::upper_bound(stops.begin(), stops.end(), at,
-                                        [](double w, const Stop& stop) { return w < stop.way; });
-    const Stop& next = after == stops.end() ? stops.front() : *after;
-    const Stop& last = after == stops.begin() ? stops.back() : *std::prev(after);
-    const double span = std::fmod(next.way - last.way + total, total);
-    const double gone = std::fmod(at - last.way + total, total);
-    return {{last.point, next.point}, span > 0.0 ? std::clamp(gone / span, 0.0, 1.0) : 0.0};
-  }
-
-private:
-  std::vector<std::vector<double>> ends_;
-  std::vector<std::vector<Stop>> stops_;
-};
-
 /// Way of a point of a side that is given by the ways of its ends and its middle.
 double way_within(double start, double middle, double end, double coordinate) {
   const double even = 0.5 * (start + end) - middle;
@@ -281,6 +228,45 @@ double way_within(double start, double middle, double end, double coordinate) {
 }
 
 } // namespace
+
+ContactStops::ContactStops(const PartBoundary& boundary,
+                           std::span<const Face> faces,
+                           std::span<const double> coordinates)
+    : stops_(boundary.loops.size()) {
+  for (const SideLoop& loop : boundary.loops)
+    ends_.push_back(side_ends(loop));
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const SideNumber at = boundary.sides.at({faces[f].nodes[0], faces[f].nodes[1]});
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+      stops_[idx(at.loop)].push_back(
+          {way({at.loop, at.side, 0.5 * (1.0 + coordinates[i])}), f * coordinates.size() + i});
+  }
+  for (std::vector<Stop>& stops : stops_)
+    std::sort(stops.begin(), stops.end(),
+              [](const Stop& a, const Stop& b) { return a.way < b.way; });
+}
+
+double ContactStops::way(const BoundaryPlace& at) const {
+  const std::vector<double>& ends = ends_[idx(at.loop)];
+  return ends[idx(at.side)] + at.xi * (ends[idx(at.side) + 1] - ends[idx(at.side)]);
+}
+
+double ContactStops::round(std::int32_t loop) const { return ends_[idx(loop)].back(); }
+
+contact::PointSource ContactStops::between(std::int32_t loop, double way) const {
+  const std::vector<Stop>& stops = stops_[idx(loop)];
+  if (stops.empty()) // a loop that had no contact face has none now
+    return {{0, 0}, 0.0};
+  const double total = round(loop);
+  const double at = std::fmod(way + total, total);
+  const auto after = std::upper_bound(stops.begin(), stops.end(), at,
+                                      [](double w, const Stop& stop) { return w < stop.way; });
+  const Stop& next = after == stops.end() ? stops.front() : *after;
+  const Stop& last = after == stops.begin() ? stops.back() : *std::prev(after);
+  const double span = std::fmod(next.way - last.way + total, total);
+  const double gone = std::fmod(at - last.way + total, total);
+  return {{last.point, next.point}, span > 0.0 ? std::clamp(gone / span, 0.0, 1.0) : 0.0};
+}
 
 PartBoundary part_boundary(const Scene& scene,
                            std::span<const double> x,
@@ -293,12 +279,15 @@ PartBoundary part_boundary(const Scene& scene,
   return Chains(scene, x, touching).boundary(kept);
 }
 
-RemeshedPart
-remesh_part(const Scene& scene, const PartBoundary& boundary, const geometry::RemeshSizes& sizes) {
+RemeshedPart remesh_part(const Scene& scene,
+                         const PartBoundary& boundary,
+                         const geometry::RemeshSizes& sizes,
+                         const geometry::Settle& settle) {
   const auto measure = scene.analysis == mechanics::Analysis::axisymmetric
                            ? geometry::Measure::revolved
                            : geometry::Measure::area;
-  const geometry::RemeshedDomain domain = geometry::remesh_domain(boundary.loops, sizes, measure);
+  const geometry::RemeshedDomain domain =
+      geometry::remesh_domain(boundary.loops, sizes, measure, settle);
   RemeshedPart part;
   part.mesh = mechanics::triangle_mesh(domain.mesh);
   part.mesh.node_sets.clear(); // the segments are ours
@@ -361,12 +350,9 @@ remesh_part(const Scene& scene, const PartBoundary& boundary, const geometry::Re
 }
 
 std::vector<contact::PointSource>
-point_sources(const PartBoundary& boundary,
-              std::span<const Face> old_faces,
-              std::span<const double> old_coordinates,
+point_sources(const ContactStops& stops,
               std::span<const std::array<BoundaryPlace, 3>> places,
               std::span<const double> coordinates) {
-  const Stops stops(boundary, old_faces, old_coordinates);
   std::vector<contact::PointSource> sources;
   for (const auto& [start, middle, end] : places) {
     const double total = stops.round(start.loop);

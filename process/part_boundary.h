@@ -67,19 +67,51 @@ struct RemeshedPart {
 };
 
 /// @throws Error(Fault::geometry) if the boundary cannot be meshed
-[[nodiscard]] RemeshedPart
-remesh_part(const Scene& scene, const PartBoundary& boundary, const geometry::RemeshSizes& sizes);
+[[nodiscard]] RemeshedPart remesh_part(const Scene& scene,
+                                       const PartBoundary& boundary,
+                                       const geometry::RemeshSizes& sizes,
+                                       const geometry::Settle& settle);
+
+/// The two old contact points on either side of a place on the boundary, and how near the second
+/// is.
+class ContactStops {
+public:
+  /// @param faces        the scene's contact faces
+  /// @param coordinates  of the points on a face, in [-1, 1]
+  ContactStops(const PartBoundary& boundary,
+               std::span<const mechanics::Face> faces,
+               std::span<const double> coordinates);
+
+  [[nodiscard]] contact::PointSource around(const geometry::BoundaryPlace& place) const {
+    return between(place.loop, way(place));
+  }
+
+private:
+  friend std::vector<contact::PointSource>
+  point_sources(const ContactStops& stops,
+                std::span<const std::array<geometry::BoundaryPlace, 3>> places,
+                std::span<const double> coordinates);
+
+  /// A contact point on the way around a loop.
+  struct Stop {
+    double way;
+    std::size_t point;
+  };
+
+  [[nodiscard]] double way(const geometry::BoundaryPlace& at) const;
+  [[nodiscard]] double round(std::int32_t loop) const;
+  [[nodiscard]] contact::PointSource between(std::int32_t loop, double way) const;
+
+  std::vector<std::vector<double>> ends_; ///< lengths of the sides of each loop, summed up
+  std::vector<std::vector<Stop>> stops_;  ///< in turn around each loop
+};
 
 /// For every contact point of a new surface the two of the old one that it lies between.
 ///
-/// @param old_faces        the old scene's contact faces
-/// @param old_coordinates  of the points on an old face, in [-1, 1]
-/// @param places           of the new faces
-/// @param coordinates      of the points on a new face
+/// @param places       of the new faces
+/// @param coordinates  of the points on a new face, in [-1, 1]
 [[nodiscard]] std::vector<contact::PointSource>
-point_sources(const PartBoundary& boundary,
-              std::span<const mechanics::Face> old_faces,
-              std::span<const double> old_coordinates,
+point_sources(const ContactStops& stops,
               std::span<const std::array<geometry::BoundaryPlace, 3>> places,
               std::span<const double> coordinates);
 

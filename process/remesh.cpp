@@ -224,7 +224,7 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
       part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
   RemeshedPart part;
   try {
-    part = remesh_part(scene_, boundary, remesh_sizes());
+    part = remesh_part(scene_, boundary, remesh_sizes(), onto_tools(boundary));
   } catch (const Error& error) {
     refused_quality_ = 0.5 * worst_quality(scene_.mesh, positions());
     return error.complaints().front().message;
@@ -278,7 +278,8 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
   earlier_times_ = times_;
   earlier_work_ = solver_work();
   const double plastic_work = bulk_->plastic_work();
-  const std::vector<mechanics::Face> old_faces = scene_.contact_faces;
+  const ContactStops stops(boundary, scene_.contact_faces,
+                           surface_ ? surface_->line_coordinates() : std::vector<double>());
   const std::unique_ptr<contact::ContactSurface> old_surface = std::move(surface_);
   const std::unique_ptr<contact::ContactTerm> old_contact = std::move(contact_);
   terms_.clear();
@@ -305,14 +306,13 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
   make_terms();
   analysis_before_run_ = newton_->solver_work().analysis;
   if (contact_)
-    settle_on_tools(boundary, part, old_faces, *old_surface, *old_contact);
+    press_on_tools(stops, part, *old_contact);
   bulk_->adopt(std::move(state.states), std::move(state.temperatures), plastic_work);
   plastic_rate_ = std::move(state.plastic_rate);
   if (contact_) {
     contact_->start(x_, time_);
     const std::vector<contact::PointSource> sources =
-        point_sources(boundary, old_faces, old_surface->line_coordinates(), part.places,
-                      surface_->line_coordinates());
+        point_sources(stops, part.places, surface_->line_coordinates());
     contact_->go_on_from(*old_contact, sources);
     if (wear_)
       wear_->change_surface(*surface_, sources);
@@ -338,18 +338,40 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
     report.forces.push_back({force, force});
 }
 
-void Process::settle_on_tools(const PartBoundary& boundary,
-                              const RemeshedPart& part,
-                              std::span<const mechanics::Face> old_faces,
-                              const contact::ContactSurface& old_surface,
-                              const contact::ContactTerm& old_contact) {
+geometry::Settle Process::onto_tools(const PartBoundary& boundary) const {
+  if (!contact_)
+    return {};
+  auto stops = std::make_shared<const ContactStops>(boundary, scene_.contact_faces,
+                                                    surface_->line_coordinates());
+  return [this, &boundary, stops](std::int32_t part, const geometry::BoundaryPlace& place,
+                                  const Vec2& x) -> Vec2 {
+    const int tool = boundary.attachments[idx(part)].tool;
+    if (tool < 0)
+      return x;
+    const contact::PointSource source = stops->around(place);
+    if (!contact_->closed_on(idx(tool), source.points[source.share < 0.5 ? 0 : 1]))
+      return x; // the free end of a side that touches with the other one
+    const geometry::Pose pose = contact_->pose(idx(tool), time_, x_);
+    const Vec3 at = pose.to_tool(Vec3(x.x(), x.y(), 0.0));
+    geometry::Projection foot;
+    scene_.tools[idx(tool)].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
+    if (!foot.found())
+      return x;
+    const Vec3 there = pose.to_space(foot.foot);
+    const bool on_axis = scene_.analysis == mechanics::Analysis::axisymmetric && x.x() == 0.0;
+    return {on_axis ? 0.0 : there.x(), there.y()};
+  };
+}
+
+void Process::press_on_tools(const ContactStops& stops,
+                             const RemeshedPart& part,
+                             const contact::ContactTerm& old_contact) {
   // A face's mean is what its nodes bear: a spike at one old point must not press a whole side in.
   constexpr int samples = 9;
   std::vector<double> coordinates;
   for (int i = 0; i < samples; ++i)
     coordinates.push_back((2.0 * i + 1.0) / samples - 1.0);
-  const std::vector<contact::PointSource> sources =
-      point_sources(boundary, old_faces, old_surface.line_coordinates(), part.places, coordinates);
+  const std::vector<contact::PointSource> sources = point_sources(stops, part.places, coordinates);
   std::vector<double> sum(scene_.mesh.points.size(), 0.0); // of pressures of the faces at a node
   std::vector<int> count(sum.size(), 0);
   for (std::size_t f = 0; f < part.contact_faces.size(); ++f) {

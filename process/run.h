@@ -24,6 +24,7 @@
 
 namespace billet::process {
 
+class ContactStops;
 struct PartBoundary;
 struct RemeshedPart;
 
@@ -282,13 +283,13 @@ private:
   void exchange_mesh(const PartBoundary& boundary, RemeshedPart part, RemeshReport& report);
   /// The tool that touches each contact face; -1: none.
   [[nodiscard]] std::vector<int> touching_tools() const;
+  /// Puts nodes of the new boundary on the tool that their side lies on.
+  [[nodiscard]] geometry::Settle onto_tools(const PartBoundary& boundary) const;
   /// Puts the nodes of faces that a tool touches as deep into it as the pressure asks for: curves
   /// through the old nodes wave about that by more than it is. (P.16)
-  void settle_on_tools(const PartBoundary& boundary,
-                       const RemeshedPart& part,
-                       std::span<const mechanics::Face> old_faces,
-                       const contact::ContactSurface& old_surface,
-                       const contact::ContactTerm& old_contact);
+  void press_on_tools(const ContactStops& stops,
+                      const RemeshedPart& part,
+                      const contact::ContactTerm& old_contact);
   /// Solves for equilibrium on the new mesh without moving on. (P.17)
   void restore_balance(RemeshReport& report);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
