@@ -60,6 +60,10 @@ solve_return(const Law& law, double mu, double q, double old, const PointConditi
     if (!std::isfinite(residual))
       return std::nullopt;
     (residual > 0.0 ? low : high) = d;
+    // Nothing flows that could be told from rest: a law without yield stress hardens so steeply at
+    // first that d lies any number of decades below q / 3 mu.
+    if (3.0 * mu * high <= rounding * q)
+      return Return{0.0, 1.0, 0.0};
     if (std::abs(residual) <= rounding * q || high - low <= rounding * high) {
       const double beta = 1.0 - 3.0 * mu * d / q;
       return Return{d, beta, 3.0 * mu / (3.0 * mu + flow.slope) - (1.0 - beta)};

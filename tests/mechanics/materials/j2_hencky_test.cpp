@@ -197,6 +197,30 @@ TEST(J2Hencky, lands_on_the_yield_surface_keeps_the_volume_and_the_direction) {
   }
 }
 
+TEST(J2Hencky, answers_strains_of_any_size_without_a_yield_stress) {
+  // K eps^n flows by (q / K)^(1/n): by 1e-130 under the rounding of a body at rest.
+  constexpr double rounding = 16.0 * eps;
+  for (const double n : {0.01, 0.1, 0.5})
+    for (double strain = 1e-1; strain > 1e-19; strain *= 0.1) {
+      const Material material{steel, Ludwik{0.0, 500.0, n}};
+      const DeviatoricResponse at = respond(material, extension(strain, Mat3::Identity()));
+      const Vec3 predictor = 0.5 * at.predictor.values.array().log();
+      const double q_pred =
+          std::sqrt(6.0) * steel.shear() * (predictor.array() - predictor.mean()).matrix().norm();
+      const double q = std::sqrt(1.5) * at.s.norm();
+      const double d = at.plastic_increment;
+      EXPECT_NEAR(q + 3.0 * steel.shear() * d, q_pred, rounding * q_pred) << n << " " << strain;
+      // Where it says that nothing flows it would flow by less than the rounding of the stress.
+      const double least = rounding * q_pred / (3.0 * steel.shear());
+      const double strength = yield_stress(material.flow, {d > 0.0 ? d : least, 0.0, 0.0});
+      EXPECT_LE(q, strength * (1.0 + 1e-12)) << n << " " << strain;
+      if (d > 0.0) {
+        EXPECT_NEAR(q, strength, 1e-12 * q) << n << " " << strain;
+      }
+      EXPECT_TRUE(at.normal_moduli.allFinite() && at.shear_moduli.allFinite());
+    }
+}
+
 TEST(J2Hencky, refuses_predictors_without_a_logarithm) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::array<Mat3, 4> bad{
