@@ -38,7 +38,7 @@ Scene indentation(ElementKind kind,
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
   scene.stages.push_back({"indent", 0.4, {1}, false});
   scene.increments.first = scene.increments.max = 0.4 / steps;
-  scene.tolerance = 1e-8;
+  scene.tolerance = to_rounding;
   return scene;
 }
 
@@ -65,7 +65,7 @@ TEST(Newton, ConvergesQuadraticallyWithStickSlipAndFlow) {
     ASSERT_EQ(done.status, RunStatus::done);
     const Statuses count = statuses(*done.process);
     const std::vector<double> orders = newton_orders(done.recorder.entries);
-    ASSERT_GT(orders.size(), 5u);
+    ASSERT_GE(orders.size(), 5u);
     const double median = orders[orders.size() / 2];
     const std::vector<double> of_residuals =
         newton_orders(done.recorder.entries, &mechanics::IterationRecord::residual, 2e-10);
@@ -136,7 +136,7 @@ TEST(Newton, ConvergesQuadraticallyWithEveryLaw) {
     const FinishedRun done = run(std::move(scene));
     ASSERT_EQ(done.status, RunStatus::done) << law.name;
     const std::vector<double> orders = newton_orders(done.recorder.entries);
-    ASSERT_GT(orders.size(), 5u) << law.name;
+    ASSERT_GE(orders.size(), 5u) << law.name;
     const double median = orders[orders.size() / 2];
     std::printf(
         "%-5s %-24s order %.2f in the middle of %zu increments (>= 1.8); %.1f iterations an "
@@ -148,31 +148,51 @@ TEST(Newton, ConvergesQuadraticallyWithEveryLaw) {
   }
 }
 
-/// Friction that follows the flow stress beneath: its tangent must hold the rate as well.
-TEST(Newton, ConvergesQuadraticallyWithEveryFlowLaw) {
+/// Indents with a flow law under friction that follows it: its tangent must hold the rate as well.
+void check_flow_law(ElementKind kind,
+                    const support::NamedMaterial& named,
+                    contact::Strength strength) {
   constexpr double order = 1.8;
+  contact::Friction friction = contact::Tresca{0.4, {}};
+  friction.strength = strength;
+  Scene scene = indentation(kind, 40, friction);
+  scene.material = named.material;
+  const FinishedRun done = run(std::move(scene));
+  const std::string name = std::string(mechanics::name(kind)) + " " + named.name;
+  ASSERT_EQ(done.status, RunStatus::done) << name;
+  const std::vector<double> orders = newton_orders(done.recorder.entries);
+  ASSERT_GE(orders.size(), 5u) << name;
+  const double median = orders[orders.size() / 2];
+  std::printf("%-20s k by %-10s order %.2f in the middle of %zu increments (>= 1.8), lowest %.2f; "
+              "%.1f iterations an increment, %d cut-backs; plastic strain %.3f\n",
+              name.c_str(), strength == contact::Strength::yield ? "yield" : "von Mises", median,
+              orders.size(), orders.front(),
+              static_cast<double>(done.process->iterations()) / done.process->increments(),
+              done.process->cutbacks(), done.last().report.max_plastic_strain);
+  EXPECT_GE(median, order) << name;
+}
+
+TEST(Newton, ConvergesQuadraticallyWithEveryFlowLaw) {
   using contact::Strength;
-  for (const auto& [name, material] : support::every_material())
-    for (const Strength strength : {Strength::yield, Strength::von_mises}) {
-      if (!support::yields(material))
-        continue;
-      contact::Friction friction = contact::Tresca{0.4, {}};
-      friction.strength = strength;
-      Scene scene = indentation(ElementKind::hex8, 40, friction);
-      scene.material = material;
-      const FinishedRun done = run(std::move(scene));
-      ASSERT_EQ(done.status, RunStatus::done) << name;
-      const std::vector<double> orders = newton_orders(done.recorder.entries);
-      ASSERT_GT(orders.size(), 5u) << name;
-      const double median = orders[orders.size() / 2];
-      std::printf("%-14s k by %-10s order %.2f in the middle of %zu increments (>= 1.8); %.1f "
-                  "iterations an increment, %d cut-backs; plastic strain %.3f\n",
-                  name.c_str(), strength == Strength::yield ? "yield" : "von Mises", median,
-                  orders.size(),
-                  static_cast<double>(done.process->iterations()) / done.process->increments(),
-                  done.process->cutbacks(), done.last().report.max_plastic_strain);
-      EXPECT_GE(median, order) << name;
-    }
+  for (const auto& named : support::every_material())
+    for (const Strength strength : {Strength::yield, Strength::von_mises})
+      if (support::yields(named.material))
+        check_flow_law(ElementKind::hex8, named, strength);
+}
+
+TEST(Newton, ConvergesQuadraticallyWithRateLawsInThePlaneKinds) {
+  for (const auto& named : support::every_material())
+    for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6})
+      if (mechanics::follows_rate(named.material.flow))
+        check_flow_law(kind, named, contact::Strength::yield);
+}
+
+TEST(NewtonLong, ConvergesQuadraticallyWithEveryFlowLawInEveryKind) {
+  for (const auto& named : support::every_material())
+    for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                                   ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
+      if (support::yields(named.material))
+        check_flow_law(kind, named, contact::Strength::yield);
 }
 
 TEST(Threads, GiveTheSameBitsHoweverMany) {
