@@ -23,17 +23,17 @@ constexpr double half_length = 0.5 * 53.334;
 constexpr double narrowing = 0.982;
 
 /// 450 + 129.24 a + 265 (1 - exp(-16.93 a)) as a table whose chords are equally far from the curve:
-/// 132.5 / n^2 [MPa] for n of them.
+/// 132.5 / n^2 [MPa] for n of them; beyond them it is nearly straight.
 mechanics::FlowTable simos_law() {
-  constexpr int chords = 200;
+  constexpr double chords = 200.0;
   constexpr double rate = 16.93;
   constexpr double largest_strain = 10.0;
   const auto point = [](double a) {
     return std::pair{a, 450.0 + 129.24 * a - 265.0 * std::expm1(-rate * a)};
   };
   mechanics::FlowTable table;
-  for (int k = 0; k < chords; ++k)
-    table.points.push_back(point(-2.0 / rate * std::log1p(-static_cast<double>(k) / chords)));
+  for (int k = 0; k < static_cast<int>(chords); ++k)
+    table.points.push_back(point(2.0 / rate * std::log(chords / (chords - k))));
   table.points.push_back(point(largest_strain));
   return table;
 }
