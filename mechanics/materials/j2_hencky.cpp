@@ -53,23 +53,23 @@ solve_return(const Law& law, double mu, double q, double old, const PointConditi
   double d = (q - start.stress) / (3.0 * mu + (std::isfinite(start.slope) ? start.slope : 0.0));
   if (!(d > low && d < high))
     d = 0.5 * (low + high);
-  constexpr int most = 200; // bisection alone needs 60
+  constexpr int most = 200; // decades by threes need 100, bisection 60
   for (int i = 0; i < most; ++i) {
     const FlowStress flow = law.flow_stress(old + d);
     const double residual = q - 3.0 * mu * d - flow.stress;
     if (!std::isfinite(residual))
       return std::nullopt;
     (residual > 0.0 ? low : high) = d;
-    // Nothing flows that could be told from rest: a law without yield stress hardens so steeply at
-    // first that d lies any number of decades below q / 3 mu.
-    if (3.0 * mu * high <= rounding * q)
-      return Return{0.0, 1.0, 0.0};
+    if (high < std::numeric_limits<double>::min())
+      return Return{0.0, 1.0, 0.0}; // nothing flows that could be told from rest
     if (std::abs(residual) <= rounding * q || high - low <= rounding * high) {
       const double beta = 1.0 - 3.0 * mu * d / q;
       return Return{d, beta, 3.0 * mu / (3.0 * mu + flow.slope) - (1.0 - beta)};
     }
     const double newton = d + residual / (3.0 * mu + flow.slope);
-    d = newton > low && newton < high ? newton : 0.5 * (low + high);
+    // Where the slope is infinite at first, d may lie hundreds of decades below q / 3 mu.
+    const double between = low > 0.0 ? 0.5 * (low + high) : 1e-3 * high;
+    d = newton > low && newton < high ? newton : between;
   }
   return std::nullopt;
 }
