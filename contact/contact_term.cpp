@@ -27,6 +27,9 @@ std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 constexpr double rounding = 1e-10;
 constexpr double rounding_of_touch = 1e-9;
 
+/// What an increment leaves of the offset that a point had on a new mesh. (C.41)
+constexpr double fading = 0.5;
+
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
 
@@ -149,6 +152,7 @@ int ContactTerm::evaluate(const Tool& tool,
     } else {
       const PointHistory& old = state.history[k];
       InterfaceInput in{state.position[k], foot};
+      in.projection.gap += old.offset;
       in.rounding = touching;
       in.dt = trial.time - trial.time_old;
       in.softening = trial.softening;
@@ -338,6 +342,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
       continue;
     }
     history.multiplier = state.multiplier[k];
+    history.offset = fading * old.offset;
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
     history.pressure = now.pressure;

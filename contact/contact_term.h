@@ -95,11 +95,6 @@ public:
   [[nodiscard]] bool closed_on(std::size_t tool, std::size_t point) const {
     return states_[tool].history[point].closed();
   }
-  /// Committed pressure of a point on a tool that no multiplier bears; 0: it is open [MPa].
-  [[nodiscard]] double pressed(std::size_t tool, std::size_t point) const {
-    const PointHistory& history = states_[tool].history[point];
-    return history.closed() ? history.pressure - history.multiplier : 0.0;
-  }
   /// Goes on where a term on an earlier mesh of the same part stood: its sums, its penalty, which
   /// tools act. After `start`.
   ///
@@ -199,7 +194,7 @@ private:
   [[nodiscard]] Penalty penalty() const;
   /// Gap at which a point opens: a multiplier holds it beyond touching [mm].
   [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const {
-    return state.multiplier[point] / penalty().normal;
+    return state.multiplier[point] / penalty().normal - state.history[point].offset;
   }
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
   /// Faces that known distances do not keep clear of a tool, in its frame.
@@ -233,9 +228,12 @@ private:
     return acts(drive.tool, time) && (drive.turns || held_[drive.tool] == 0);
   }
   /// History of a point that lies between two points of an earlier surface.
+  ///
+  /// @param depth  of the element beneath [mm]
   [[nodiscard]] PointHistory between(const ToolState& before,
                                      const PointSource& source,
-                                     const geometry::Projection& foot) const;
+                                     const geometry::Projection& foot,
+                                     double depth) const;
   void add_loads(const mechanics::Trial& trial, mechanics::System& system) const;
   void add_borders(const mechanics::Trial& trial, mechanics::System& system) const;
   template <class Shape, class Rule>

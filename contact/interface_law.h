@@ -29,6 +29,7 @@ struct PointHistory {
   double sliding = 0.0;         ///< sliding distance so far [mm]
   double stiffness = 0.0;       ///< against slip from here on (C.17); 0: the penalty [MPa/mm]
   double multiplier = 0.0;      ///< pressure that needs no penetration (C.20) [MPa]
+  double offset = 0.0;          ///< added to the gap: what a new mesh is off by (C.41) [mm]
   double limit = 0.0;           ///< slip limit, at least the shear [MPa]
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }

@@ -305,8 +305,6 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
   reactions_.assign(x0_.size(), 0.0);
   make_terms();
   analysis_before_run_ = newton_->solver_work().analysis;
-  if (contact_)
-    press_on_tools(stops, part, *old_contact);
   bulk_->adopt(std::move(state.states), std::move(state.temperatures), plastic_work);
   plastic_rate_ = std::move(state.plastic_rate);
   if (contact_) {
@@ -361,62 +359,6 @@ geometry::Settle Process::onto_tools(const PartBoundary& boundary) const {
     const bool on_axis = scene_.analysis == mechanics::Analysis::axisymmetric && x.x() == 0.0;
     return {on_axis ? 0.0 : there.x(), there.y()};
   };
-}
-
-void Process::press_on_tools(const ContactStops& stops,
-                             const RemeshedPart& part,
-                             const contact::ContactTerm& old_contact) {
-  // A face's mean is what its nodes bear: a spike at one old point must not press a whole side in.
-  constexpr int samples = 9;
-  std::vector<double> coordinates;
-  for (int i = 0; i < samples; ++i)
-    coordinates.push_back((2.0 * i + 1.0) / samples - 1.0);
-  const std::vector<contact::PointSource> sources = point_sources(stops, part.places, coordinates);
-  std::vector<double> sum(scene_.mesh.points.size(), 0.0); // of pressures of the faces at a node
-  std::vector<int> count(sum.size(), 0);
-  for (std::size_t f = 0; f < part.contact_faces.size(); ++f) {
-    if (part.tools[f] < 0)
-      continue;
-    double mean = 0.0;
-    for (std::size_t i = f * samples; i < (f + 1) * samples; ++i)
-      for (const int side : {0, 1})
-        mean += (side == 0 ? 1.0 - sources[i].share : sources[i].share) / samples *
-                old_contact.pressed(idx(part.tools[f]), sources[i].points[side]);
-    for (const Index node : part.contact_faces[f].nodes) {
-      sum[idx(node)] += mean;
-      ++count[idx(node)];
-    }
-  }
-  const double stiffness = surface_->penalty().normal * old_contact.next_stiffening();
-  std::vector<char> held(x0_.size(), 0);
-  for (const Support& support : scene_.supports)
-    for (const Index node : support.nodes)
-      held[idx(2 * node + support.component)] = 1;
-  for (std::size_t f = 0; f < part.contact_faces.size(); ++f) {
-    if (part.tools[f] < 0)
-      continue;
-    const auto tool = idx(part.tools[f]);
-    const geometry::Pose pose = old_contact.pose(tool, time_, x_);
-    constexpr std::array<std::size_t, 3> nearest{0, samples - 1, samples / 2}; // to the nodes
-    for (std::size_t a = 0; a < nearest.size(); ++a) {
-      const contact::PointSource& source = sources[f * samples + nearest[a]];
-      if (!old_contact.closed_on(tool, source.points[source.share < 0.5 ? 0 : 1]))
-        continue; // the free end of a face that touches with the other one
-      const Index node = part.contact_faces[f].nodes[a];
-      const Vec3 at = pose.to_tool(scene_.mesh.points[idx(node)]);
-      geometry::Projection foot;
-      scene_.tools[tool].surface->project(std::span(&at, 1), surface_->depth(static_cast<Index>(f)),
-                                          std::span(&foot, 1));
-      if (!foot.found())
-        continue;
-      const double depth = sum[idx(node)] / count[idx(node)] / stiffness;
-      const Vec3 way = pose.rotation * (-(foot.gap + depth) * foot.normal);
-      for (Index c = 0; c < 2; ++c)
-        if (held[idx(2 * node + c)] == 0)
-          x_[idx(2 * node + c)] = scene_.mesh.points[idx(node)][c] += way[c];
-    }
-  }
-  trial_x_ = x_;
 }
 
 void Process::restore_balance(RemeshReport& report) {

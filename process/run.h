@@ -285,11 +285,6 @@ private:
   [[nodiscard]] std::vector<int> touching_tools() const;
   /// Puts nodes of the new boundary on the tool that their side lies on.
   [[nodiscard]] geometry::Settle onto_tools(const PartBoundary& boundary) const;
-  /// Puts the nodes of faces that a tool touches as deep into it as the pressure asks for: curves
-  /// through the old nodes wave about that by more than it is. (P.16)
-  void press_on_tools(const ContactStops& stops,
-                      const RemeshedPart& part,
-                      const contact::ContactTerm& old_contact);
   /// Solves for equilibrium on the new mesh without moving on. (P.17)
   void restore_balance(RemeshReport& report);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
