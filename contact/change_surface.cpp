@@ -3,14 +3,14 @@
 #include "contact/contact_term.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace billet::contact {
 
 namespace {
 
-/// Gaps up to this share of the element beneath are what a new mesh is off by.
-constexpr double rounding_of_mesh = 0.02;
+/// Gaps up to these shares of the element beneath are what a new mesh is off by.
+constexpr double off_outside = 0.02;
+constexpr double off_inside = 0.5;
 
 } // namespace
 
@@ -42,7 +42,7 @@ PointHistory ContactTerm::between(const ToolState& before,
   const double t = source.share;
   PointHistory history;
   history.sliding = (1.0 - t) * a.sliding + t * b.sliding;
-  if (!foot.found() || std::abs(foot.gap) > rounding_of_mesh * depth)
+  if (!foot.found() || foot.gap > off_outside * depth || -foot.gap > off_inside * depth)
     return history;
   const bool closed = t < 0.5 ? a.closed() : b.closed();
   if (!closed) {

@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace billet::process {
@@ -336,6 +338,18 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
     report.forces.push_back({force, force});
 }
 
+std::optional<Vec2> Process::onto_tool(std::size_t tool, const Vec2& x, bool only_out) const {
+  const geometry::Pose pose = contact_->pose(tool, time_, x_);
+  const Vec3 at = pose.to_tool(Vec3(x.x(), x.y(), 0.0));
+  geometry::Projection foot;
+  scene_.tools[tool].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
+  if (!foot.found() || (only_out && foot.gap >= 0.0))
+    return std::nullopt;
+  const Vec3 there = pose.to_space(foot.foot);
+  const bool on_axis = scene_.analysis == mechanics::Analysis::axisymmetric && x.x() == 0.0;
+  return Vec2(on_axis ? 0.0 : there.x(), there.y());
+}
+
 geometry::Settle Process::onto_tools(const PartBoundary& boundary) const {
   if (!contact_)
     return {};
@@ -343,21 +357,21 @@ geometry::Settle Process::onto_tools(const PartBoundary& boundary) const {
                                                     surface_->line_coordinates());
   return [this, &boundary, stops](std::int32_t part, const geometry::BoundaryPlace& place,
                                   const Vec2& x) -> Vec2 {
-    const int tool = boundary.attachments[idx(part)].tool;
-    if (tool < 0)
+    const Attachment& attached = boundary.attachments[idx(part)];
+    if (!attached.contact)
       return x;
-    const contact::PointSource source = stops->around(place);
-    if (!contact_->closed_on(idx(tool), source.points[source.share < 0.5 ? 0 : 1]))
-      return x; // the free end of a side that touches with the other one
-    const geometry::Pose pose = contact_->pose(idx(tool), time_, x_);
-    const Vec3 at = pose.to_tool(Vec3(x.x(), x.y(), 0.0));
-    geometry::Projection foot;
-    scene_.tools[idx(tool)].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
-    if (!foot.found())
-      return x;
-    const Vec3 there = pose.to_space(foot.foot);
-    const bool on_axis = scene_.analysis == mechanics::Analysis::axisymmetric && x.x() == 0.0;
-    return {on_axis ? 0.0 : there.x(), there.y()};
+    Vec2 result = x;
+    for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+      if (!contact_->acts(t, time_))
+        continue;
+      // The free end of a side that touches with the other one stays, but not inside the tool.
+      const contact::PointSource source = stops->around(place);
+      const bool closed = attached.tool == static_cast<int>(t) &&
+                          contact_->closed_on(t, source.points[source.share < 0.5 ? 0 : 1]);
+      if (const std::optional<Vec2> there = onto_tool(t, result, !closed))
+        result = *there;
+    }
+    return result;
   };
 }
 
