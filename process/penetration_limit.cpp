@@ -88,7 +88,7 @@ void Process::adapt_penalty(Progress progress) {
     return;
   // Depths of the deepest contact point over that of the element beneath, with the penalty that the
   // next increment begins with.
-  constexpr double needlessly_small = 1e-4, small = 1e-4, large = 1e-3;
+  constexpr double needlessly_small = 1e-6, small = 1e-5, large = 1e-4;
   // Softer lets points sink a little; stiffer throws them out, so it comes in small steps.
   constexpr double softer = 0.1, stiffer = 2.0;
   constexpr double least = 1e-3; // of the stiffness of the element beneath over its depth

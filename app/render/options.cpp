@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <string_view>
@@ -43,6 +44,14 @@ std::array<double, 2> pair(const std::string& text, char separator) {
   return {number(parts[0]), number(parts[1])};
 }
 
+int count(const std::string& text) {
+  const double value = number(text);
+  constexpr double most = 1000.0;
+  if (!(value >= 1.0 && value <= most) || value != std::floor(value))
+    fail(fmt::format("\"{}\" is not a number of lines from 1 to {}", text, most));
+  return static_cast<int>(value);
+}
+
 std::array<int, 2> size_of(const std::string& text) {
   const std::array<double, 2> size = pair(text, 'x');
   for (const double length : size)
@@ -71,6 +80,8 @@ const std::map<std::string, Setter>& setters() {
          options.output = value;
        }},
       {"--field", [](Options& options, const std::string& value) { options.field = value; }},
+      {"--flow-lines",
+       [](Options& options, const std::string& value) { options.flow_lines = count(value); }},
       {"--output", [](Options& options, const std::string& value) { options.output = value; }},
       {"--points", [](Options& options,
                       const std::string& value) { options.series.push_back(series(value, true)); }},
@@ -93,6 +104,8 @@ void check(const Options& options) {
     return;
   if (options.curves ? options.series.empty() : options.results.empty())
     fail(options.curves ? "a chart needs a series" : "no results are given");
+  if (options.curves && options.flow_lines)
+    fail("--flow-lines belongs to a scene");
   if (!options.curves && !options.series.empty())
     fail("--points belongs to --curve");
   if (options.output.extension() != ".png")
@@ -107,6 +120,8 @@ std::string usage() {
          "  --field NAME[:COMPONENT]           coloured by (von_mises); vectors by their length\n"
          "  --time T|last                      the frame nearest to this time (last)\n"
          "  --range LOW:HIGH                   of the colours (that of the frame)\n"
+         "  --flow-lines N                     instead of the mesh N + N lines that were straight\n"
+         "                                     before the run (scenes of the plane)\n"
          "  --mirror, --no-mirror              both halves (in axisymmetric scenes)\n"
          "billet-render --curve OUT.png [options] SERIES...   draws curves\n"
          "  SERIES                             FILE.csv:X-COLUMN:Y-COLUMN[:LABEL]; -COLUMN turns "

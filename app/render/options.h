@@ -33,6 +33,7 @@ struct Options {
   std::string field = "von_mises";
   std::optional<double> time;                 ///< nearest frame; empty: the last [s]
   std::optional<std::array<double, 2>> range; ///< of the colours; empty: that of the frame
+  std::optional<int> flow_lines;              ///< of each family, instead of the mesh
   std::optional<bool> mirror;                 ///< empty: in axisymmetric scenes
 
   // chart

@@ -1,5 +1,6 @@
 #include "app/render/scene.h"
 
+#include "app/render/flow_lines.h"
 #include "app/render/frame_files.h"
 #include "app/render/picture.h"
 #include "geometry/base/error.h"
@@ -179,7 +180,8 @@ void add_workpiece(Stage& stage,
                    const ColouredBy& colours,
                    vtkScalarsToColors& map,
                    bool planar,
-                   double size) {
+                   double size,
+                   std::optional<int> n_flow_lines) {
   const vtkNew<vtkUnstructuredGridGeometryFilter> faces;
   faces->SetInputData(&grid);
   faces->Update();
@@ -208,7 +210,15 @@ void add_workpiece(Stage& stage,
   property->SetAmbient(0.35);
   property->SetDiffuse(0.65);
   stage.add(*mapper, *property, 0.0);
-  stage.add_lines(*element_edges(*faces->GetOutput()), 1.0F, 0.15, 1e-3 * size);
+  if (!n_flow_lines) {
+    stage.add_lines(*element_edges(*faces->GetOutput()), 1.0F, 0.15, 1e-3 * size);
+    return;
+  }
+  surface->Update();
+  const vtkSmartPointer<vtkPolyData> lines = flow_lines(*surface->GetOutput(), *n_flow_lines);
+  if (lines == nullptr)
+    throw Error(Fault::usage, "--flow-lines", "the results have no \"displacement\"");
+  stage.add_lines(*lines, 1.5F, 0.0, 1e-3 * size);
 }
 
 void add_tool(Stage& stage, vtkPolyData& tool, double size) {
@@ -309,8 +319,10 @@ void draw_scene(const Options& options) {
   const ColouredBy colours = coloured_by(frame, options);
   const vtkNew<vtkColorTransferFunction> map = colour_map(colours.range);
 
+  if (options.flow_lines && !planar)
+    throw Error(Fault::usage, "--flow-lines", "only scenes of the plane have them");
   Stage stage(planar, mirrored);
-  add_workpiece(stage, *frame.workpiece, colours, *map, planar, size);
+  add_workpiece(stage, *frame.workpiece, colours, *map, planar, size, options.flow_lines);
   for (const auto& [name, tool] : frame.tools)
     add_tool(stage, *tool, size);
   // The colour bar has its own part of the picture, so that no tool runs through it.

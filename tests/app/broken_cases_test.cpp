@@ -135,8 +135,8 @@ std::vector<Broken> wrong_words() {
 
 std::vector<Broken> later_versions() {
   return {
-      one("later_remeshing", "[time]", "[remesh]\nwhen = { quality = 0.2 }\n[time]",
-          {"remesh: not available in this version"}, "[remesh]"),
+      one("later_accuracy", "[time]", "[solver]\naccuracy = \"draft\"\n[time]",
+          {"solver.accuracy: \"draft\" is not available in this version"}, "accuracy"),
       one("wear_of_less_than_a_stroke", punch_friction,
           punch_friction + "\nwear = { law = \"archard\", K = 1e-6, hardness = 800, strokes = 0 }",
           {"tool.punch.wear.strokes: found 0, allowed is a value >= 1"}, "wear ="),

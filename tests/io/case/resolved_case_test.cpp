@@ -59,7 +59,7 @@ Case future_case() {
   content.contact.method = ContactMethod::augmented;
   content.contact.max_penetration = 1e-3;
   content.solver.accuracy = Accuracy::draft;
-  content.remesh = Remesh{0.1, 1, 2, 3, 4, 5, 6, "tet10", {"top"}};
+  content.remesh = Remesh{0.1, 1, 2, 0.5, 3, 4, 5, 6, "tet10", {"top"}};
   content.output.checkpoint_every = 1;
   return content;
 }
