@@ -7,6 +7,7 @@ namespace billet::process {
 namespace {
 
 constexpr int laboured_iterations = 9; ///< beyond them the increment may be too long
+constexpr double short_share = 0.1;    ///< of the longest: shorter ones are too many
 constexpr double easy_growth = 1.5;
 constexpr double careful_growth = 1.15;
 constexpr double shrinking = 0.7;
@@ -21,7 +22,7 @@ void IncrementControl::accepted(double step, int iterations) {
   if (iterations <= easy_iterations) {
     next_ = std::max(wanted, step) * easy_growth;
   } else if (iterations <= laboured_iterations) {
-    next_ = whole ? step * careful_growth : wanted;
+    next_ = whole && step < short_share * limits_.max ? step * careful_growth : wanted;
   } else {
     const bool longer = last_step_ > 0.0 && step > last_step_;
     const bool pays = last_step_ == 0.0 || iterations * last_step_ < last_iterations_ * step ||

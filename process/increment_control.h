@@ -4,7 +4,7 @@
 // iterations mean: often that the increment is long, but contact that changes as the part rolls
 // past takes its iterations whatever the length, and shrinking would only add increments. So what
 // counts is the cost, iterations per time: an increment that laboured is shortened only as long as
-// that saves iterations.
+// that saves iterations, and one between the two grows as long as it is far shorter than it may be.
 //
 // Theory: docs/theory/process.md (P.1).
 
