@@ -19,7 +19,9 @@ void ContactTerm::go_on_from(const ContactTerm& before, std::span<const PointSou
   held_ = before.held_;
   work_ = before.work_;
   times_ = before.times_;
-  stiffening_ = stiffening_old_ = stiffening_next_ = before.stiffening_next_;
+  // Tries that failed on the old mesh say nothing about contact on this one.
+  stiffening_ = stiffening_old_ = stiffening_next_ =
+      std::max(before.stiffening_old_, before.stiffening_next_);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     ToolState& state = states_[t];
     for (std::size_t k = 0; k < state.history.size(); ++k) {
