@@ -212,6 +212,9 @@ void Process::accept(double dt) {
   iterations_ += last_iterations_;
   if (increment_ == mesh_increment_ + 1)
     mesh_share_ = penetration_.share;
+  if (grounding_)
+    for (std::size_t i = 0; i < x0_.size(); ++i)
+      energy_.grounding += grounding_stiffness_ * last_step_[i] * last_step_[i];
   update_energy();
   account_contact(dt);
 }
@@ -241,9 +244,6 @@ void Process::update_energy() {
     energy_.friction = contact_->work().friction;
     energy_.contact = contact_->work().stored;
   }
-  if (grounding_)
-    for (std::size_t i = 0; i < x0_.size(); ++i)
-      energy_.grounding += grounding_stiffness_ * last_step_[i] * last_step_[i];
 }
 
 IncrementReport Process::report(double dt, int cutbacks) const {
