@@ -190,6 +190,8 @@ void Process::accept(double dt) {
   for (mechanics::ForceTerm* term : terms_)
     term->commit(trial);
   events_ = blows_ ? blows_->commit(trial) : std::vector<std::string>();
+  if (!refusal_event_.empty())
+    events_.push_back(std::exchange(refusal_event_, {}));
   if (!penalty_event_.empty())
     events_.push_back(std::exchange(penalty_event_, {}));
   for (std::size_t k = 0; k < strain_old.size(); ++k)
@@ -357,8 +359,11 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       for (const Observer* observer : observers)
         if (observer->stop_requested())
           return RunStatus::stopped;
-      if (const std::string cause = remeshing_due(); !cause.empty() && time_ < stage.end)
+      if (const std::string cause = remeshing_due(); !cause.empty() && time_ < stage.end) {
         unmeshed = remesh(cause, observers);
+        if (!unmeshed.empty())
+          refusal_event_ = fmt::format("  no new mesh ({}): {}", cause, unmeshed);
+      }
       continue;
     }
     ++failures;

@@ -334,6 +334,7 @@ private:
   double refused_quality_ = 1.0;       ///< at which the part could not be meshed anew [-]
   mechanics::SolverWork earlier_work_; ///< on earlier meshes
   PhaseTimes earlier_times_;           ///< likewise
+  std::string refusal_event_;          ///< a remeshing that was refused since then
   PhaseTimes times_;
   double analysis_before_run_ = 0.0; ///< time of it outside the iteration [s]
   double started_ = 0.0;

@@ -14,6 +14,7 @@ LAND = 1.25            # half the thickness of the flash [mm]
 BOSS = {"lower": 22.0, "upper": 30.0} # depth of the boss from the parting plane
 WEB, RIM = 5.0, 14.0   # of web and rim, in both dies
 DRAFT = math.tan(math.radians(5.0))
+SLOPE = math.tan(math.radians(20.0)) # of the rim's inner wall, for metal that comes from the web
 INNER, OUTER = 27.0, 48.7 # radii of the web's edges
 RIM_OUTER = 69.0       # of the cavity at the flash
 LAND_END, GUTTER, GUTTER_DEPTH, FAR = 77.0, 80.0, 5.0, 110.0
@@ -23,7 +24,7 @@ def corners(boss):
     """Corners (r, height below the parting plane, radius of the rounding) from the axis outward."""
     rim_wall = DRAFT * (RIM - LAND)
     return [(-10.0, boss, 0.0), (INNER - DRAFT * (boss - WEB), boss, 4.0), (INNER, WEB, 5.0),
-            (OUTER, WEB, 5.0), (OUTER + DRAFT * (RIM - WEB), RIM, 4.0), (RIM_OUTER - rim_wall, RIM, 4.0),
+            (OUTER, WEB, 8.0), (OUTER + SLOPE * (RIM - WEB), RIM, 4.0), (RIM_OUTER - rim_wall, RIM, 4.0),
             (RIM_OUTER, LAND, 2.5), (LAND_END, LAND, 2.0), (GUTTER, GUTTER_DEPTH, 2.0), (FAR, GUTTER_DEPTH, 0.0)]
 
 
@@ -85,16 +86,21 @@ def volume(chain, end):
     return total
 
 
-folder = pathlib.Path(__file__).parent
-cavity = flash = 0.0
-for name, sign in (("lower", -1.0), ("upper", 1.0)):
+def contour(name):
+    """Corners of a die's contour with their rounding, the die on the left."""
+    sign = -1.0 if name == "lower" else 1.0
     points = [(x, sign * y, r) for x, y, r in corners(BOSS[name])]
-    if name == "lower":
-        points.reverse()
-    (folder / f"{name}.toml").write_text(text(points))
-    chain = sampled(points)
-    if name == "lower":
-        chain.reverse()
-    cavity += volume(chain, RIM_OUTER)
-    flash += volume(chain, LAND_END) - volume(chain, RIM_OUTER)
-print(f"cavity {cavity:.0f} mm3 to the flash land, flash land {flash:.0f} mm3")
+    return points[::-1] if name == "lower" else points
+
+
+def cavity(end=RIM_OUTER):
+    """Volume between the closed dies out to a radius [mm3]."""
+    lower, upper = sampled(contour("lower"))[::-1], sampled(contour("upper"))
+    return volume(lower, end) + volume(upper, end)
+
+
+if __name__ == "__main__":
+    folder = pathlib.Path(__file__).parent
+    for name in ("lower", "upper"):
+        (folder / f"{name}.toml").write_text(text(contour(name)))
+    print(f"cavity {cavity():.0f} mm3 to the flash land, flash land {cavity(LAND_END) - cavity():.0f} mm3")

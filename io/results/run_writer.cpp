@@ -336,7 +336,7 @@ void RunWriter::incremented(const process::Process& process,
   largest_penetration_ = std::max(largest_penetration_, report.max_penetration);
   largest_share_ = std::max(largest_share_, report.penetration_share);
   constexpr double bad = 0.1; // below it elements hardly deform as they should
-  if (!worn_ && !process.scene().remesh && report.min_quality < bad)
+  if (!worn_ && report.min_quality < bad)
     worn_ = report;
   last_ = report;
   if (frame_due(report.time))
@@ -426,8 +426,10 @@ std::vector<std::string> RunWriter::warnings() const {
   if (worn_)
     lines.push_back(fmt::format(
         "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "
-        "what they say with them; a [remesh] section would have replaced the mesh",
-        worn_->time, content_->units.time, worn_->min_quality, last_->min_quality));
+        "what they say with them; {}",
+        worn_->time, content_->units.time, worn_->min_quality, last_->min_quality,
+        content_->remesh ? "no new mesh could be made in time: the log says why"
+                         : "a [remesh] section would have replaced the mesh"));
   lines.insert(lines.end(), complaints_.begin(), complaints_.end());
   return lines;
 }
