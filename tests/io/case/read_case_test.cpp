@@ -194,6 +194,27 @@ TEST(ReadCase, leaves_the_folder_of_the_case_only_when_asked) {
   EXPECT_NO_THROW((void)read_case(file, {}, {.allow_outside = true}));
 }
 
+TEST(ReadCase, reads_remeshing) {
+  EXPECT_EQ(read(plane_case + "[remesh]\n").remesh, Remesh{}) << "nothing has to be given";
+  const Case content = read(plane_case + R"([remesh]
+when = { quality = 0.15, strain = 0.5, interval = "20 ms", penetration = "5 um" }
+size = { default = 1, min = 0.2, max = 2, contact = "0.5 mm" }
+element = "tri6"
+keep = ["set:rim", "set:gauge mark"]
+)");
+  ASSERT_TRUE(content.remesh);
+  EXPECT_EQ(content.remesh->quality, 0.15);
+  EXPECT_EQ(content.remesh->strain, 0.5);
+  EXPECT_DOUBLE_EQ(content.remesh->interval.value(), 0.02);
+  EXPECT_DOUBLE_EQ(content.remesh->penetration.value(), 0.005);
+  EXPECT_EQ(content.remesh->size_default, 1.0);
+  EXPECT_EQ(content.remesh->size_min, 0.2);
+  EXPECT_EQ(content.remesh->size_max, 2.0);
+  EXPECT_EQ(content.remesh->size_contact, 0.5);
+  EXPECT_EQ(content.remesh->element, "tri6");
+  EXPECT_EQ(content.remesh->keep, (std::vector<std::string>{"rim", "gauge mark"}));
+}
+
 TEST(ReadCase, names_a_case_file_that_is_missing_or_a_folder) {
   const test::TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();

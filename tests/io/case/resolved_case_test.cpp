@@ -102,6 +102,14 @@ TEST(ResolvedCase, keeps_every_friction) {
   expect_round_trip(content);
 }
 
+TEST(ResolvedCase, keeps_remeshing) {
+  Case content = read(plane_case);
+  content.remesh = Remesh{};
+  expect_round_trip(content);
+  content.remesh = Remesh{0.1 + 0.2, 1.0 / 3.0, 2, 0.25, 4, 3, 6, 5, "tri6", {"top", "a rim"}};
+  expect_round_trip(content);
+}
+
 TEST(ResolvedCase, is_well_formed_even_where_this_version_cannot_run_it) {
   const std::vector<Complaint> complaints = complaints_of(resolved_toml(future_case()));
   EXPECT_EQ(complaints.size(), 2U);

@@ -1,0 +1,191 @@
+// Remeshing from case file to results: the ledger, frames before and after, warnings.
+
+#include "tests/app/tables.h"
+#include "tests/support/case_texts.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace billet::test {
+
+namespace {
+
+/// The tiny upsetting with a section about remeshing.
+std::string remeshed(const std::string& keys) {
+  return edited(upsetting, {{"[time]", "[remesh]\n" + keys + "\n\n[time]"}});
+}
+
+const std::string often = "when = { interval = 0.02 }"; // each increment but the last
+
+/// A sticking billet that is pressed until its four-node elements are no good.
+const std::string pressed_far =
+    edited(upsetting,
+           {{"\"quad8\"", "\"quad4\""},
+            {"law = \"tresca\", m = 0.08", "law = \"sticking\""},
+            {"end = 0.1\nincrements = { first = 0.02, max = 0.02 }", "end = 5.5"},
+            {"cells = [2, 3]", "cells = [4, 6]"}});
+
+class Remeshing : public testing::Test {
+protected:
+  [[nodiscard]] std::filesystem::path run(const std::string& text,
+                                          const std::string& out = "out") const {
+    write_text(folder_.path() / "tiny.toml", text);
+    const Outcome outcome = billet({"run", "tiny.toml", "--quiet", "-o", out}, folder_.path());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return folder_.path() / out;
+  }
+  [[nodiscard]] Outcome check(const std::string& text) const {
+    write_text(folder_.path() / "tiny.toml", text);
+    return billet({"check", "tiny.toml"}, folder_.path());
+  }
+  static nlohmann::json summary(const std::filesystem::path& results) {
+    return nlohmann::json::parse(whole_file(results / "summary.json"));
+  }
+  /// Pieces of warnings in the summary.
+  static bool warns(const std::filesystem::path& results, const std::string& piece) {
+    const nlohmann::json warnings = summary(results).value("warnings", nlohmann::json::array());
+    return std::any_of(warnings.begin(), warnings.end(), [&](const nlohmann::json& warning) {
+      return warning.get<std::string>().find(piece) != std::string::npos;
+    });
+  }
+
+  TemporaryFolder folder_;
+};
+
+const std::string header =
+    "remeshing,increment,time,cause,elements_before,elements_after,nodes_before,nodes_after,"
+    "quality_before,quality_after,volume_before,volume_after,plastic_work_before,"
+    "plastic_work_after,mean_plastic_strain_before,mean_plastic_strain_after,"
+    "max_plastic_strain_before,max_plastic_strain_after,residual,balanced,force_jump,returned,"
+    "seconds,punch.force_before,punch.force_after\n";
+
+TEST_F(Remeshing, WritesItsLedger) {
+  const auto results = run(remeshed(often));
+  EXPECT_TRUE(whole_file(results / "remesh.csv").starts_with(header));
+  const ResultTable ledger = read_table(results / "remesh.csv");
+  const ResultTable history = read_table(results / "history.csv");
+  const nlohmann::json found = summary(results).at("remeshings");
+  ASSERT_EQ(ledger.rows.size(), 4u);
+  EXPECT_EQ(found.at("number"), 4);
+  EXPECT_EQ(found.at("without_equilibrium"), 0);
+  double volume = 0.0, work = 0.0, jump = 0.0;
+  for (std::size_t row = 0; row < 4; ++row) {
+    EXPECT_EQ(ledger.value(row, "remeshing"), static_cast<double>(row + 1));
+    EXPECT_EQ(ledger.value(row, "increment"), static_cast<double>(row + 1));
+    EXPECT_EQ(ledger.value(row, "time"), history.value(row, "time"));
+    EXPECT_EQ(ledger.rows[row][ledger.index("cause")], "\"interval\"");
+    EXPECT_EQ(ledger.rows[row][ledger.index("balanced")], "1");
+    const auto change = [&](const std::string& what) {
+      const double before = ledger.value(row, what + "_before");
+      return std::abs(ledger.value(row, what + "_after") - before) / before;
+    };
+    volume = std::max(volume, change("volume"));
+    work = std::max(work, change("plastic_work"));
+    jump = std::max(jump, ledger.value(row, "force_jump"));
+    EXPECT_NEAR(ledger.value(row, "force_jump"), change("punch.force"), 1e-12);
+  }
+  EXPECT_EQ(ledger.value(0, "elements_before"), 6.0);
+  EXPECT_EQ(found.at("largest_change_of_volume"), volume);
+  EXPECT_EQ(found.at("largest_change_of_plastic_work"), work);
+  EXPECT_EQ(found.at("largest_force_jump"), jump);
+  EXPECT_LT(volume, 1e-4);
+  // The column says how many there had been when the increment was accepted.
+  for (std::size_t row = 0; row < history.rows.size(); ++row)
+    EXPECT_EQ(history.value(row, "remeshings"), static_cast<double>(std::min<std::size_t>(row, 4)));
+  EXPECT_EQ(summary(results).at("element"), "tri6");
+  EXPECT_EQ(summary(results).at("elements"), ledger.value(3, "elements_after"));
+  EXPECT_GT(summary(results).at("seconds").at("remeshing"), 0.0);
+  const std::string log = whole_file(results / "run.log");
+  EXPECT_NE(log.find("remeshing 4 (interval): "), std::string::npos) << log;
+}
+
+TEST_F(Remeshing, WritesFramesBeforeAndAfter) {
+  const auto results = run(remeshed(often) + "\n[output]\nevery = 0.05\n");
+  expect_whole_results(results, "tiny");
+  const std::vector<double> times = frame_times(results / "tiny.pvd");
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  const ResultTable ledger = read_table(results / "remesh.csv");
+  ASSERT_FALSE(ledger.rows.empty());
+  for (const double time : ledger.values("time"))
+    EXPECT_EQ(std::count(times.begin(), times.end(), time), 2) << time;
+  // The files of the two are of different meshes.
+  std::vector<std::string> at_first;
+  for (const ListedFile& entry : read_list(results / "tiny.pvd"))
+    if (entry.part == "workpiece" && entry.time == ledger.value(0, "time"))
+      at_first.push_back(whole_file(results / entry.file));
+  ASSERT_EQ(at_first.size(), 2u);
+  const auto cells = [](const std::string& text) {
+    const std::string key = "NumberOfCells=\"";
+    return std::strtod(text.c_str() + text.find(key) + key.size(), nullptr);
+  };
+  EXPECT_EQ(cells(at_first[0]), ledger.value(0, "elements_before"));
+  EXPECT_EQ(cells(at_first[1]), ledger.value(0, "elements_after"));
+}
+
+TEST_F(Remeshing, ThatIsNotNeededLeavesALedgerWithoutRows) {
+  const auto results = run(remeshed(""));
+  EXPECT_EQ(whole_file(results / "remesh.csv"), header);
+  EXPECT_EQ(summary(results).at("remeshings").at("number"), 0);
+  const ResultTable with = read_table(results / "history.csv");
+  const ResultTable without = read_table(run(upsetting, "plain") / "history.csv");
+  EXPECT_EQ(with.without_wall_time(), without.without_wall_time());
+}
+
+TEST_F(Remeshing, NotAskedForLeavesNoLedger) {
+  (void)run(remeshed(often));
+  const auto results = run(upsetting);
+  EXPECT_FALSE(std::filesystem::exists(results / "remesh.csv")) << "that of an earlier run goes";
+  EXPECT_FALSE(summary(results).contains("remeshings"));
+}
+
+TEST_F(Remeshing, ResolvedRunsAgainToTheSameNumbers) {
+  const auto first = run(remeshed(often + "\nsize = { default = 1.5, contact = 0.8 }"), "first");
+  const auto second = run(whole_file(first / "case.resolved.toml"), "second");
+  EXPECT_EQ(read_table(first / "history.csv").without_wall_time(),
+            read_table(second / "history.csv").without_wall_time());
+  const auto rows = [](const std::filesystem::path& results) {
+    ResultTable ledger = read_table(results / "remesh.csv");
+    for (auto& row : ledger.rows)
+      row[ledger.index("seconds")].clear();
+    return ledger.rows;
+  };
+  EXPECT_EQ(rows(first), rows(second));
+}
+
+TEST_F(Remeshing, WouldHaveHelpedARunThatGoesBad) {
+  const std::string advice = "a [remesh] section would have replaced the mesh";
+  const auto bad = run(pressed_far, "bad");
+  EXPECT_TRUE(warns(bad, advice)) << summary(bad).dump(1);
+  EXPECT_NE(whole_file(bad / "run.log").find(advice), std::string::npos);
+  const auto helped = run(edited(pressed_far, {{"[time]", "[remesh]\n[time]"}}), "helped");
+  EXPECT_FALSE(warns(helped, advice));
+  EXPECT_GT(summary(helped).at("remeshings").at("number"), 0);
+  EXPECT_GT(summary(helped).at("min_quality"), summary(bad).at("min_quality"));
+}
+
+TEST_F(Remeshing, IsDescribedByCheck) {
+  const Outcome plain = check(upsetting);
+  EXPECT_TRUE(plain.prints(", no remeshing")) << plain.out;
+  const Outcome usual = check(remeshed(""));
+  EXPECT_TRUE(usual.prints("remeshing with tri6 when an element is worse than 0.2 or increments "
+                           "fail; sides of 0.625 to 2.5 mm"))
+      << usual.out;
+  const Outcome all = check(remeshed("when = { quality = 0.1, strain = 0.5, interval = 0.03, "
+                                     "penetration = 0.004 }\nsize = { default = 1, min = 0.3, "
+                                     "max = 2 }"));
+  EXPECT_TRUE(all.prints("worse than 0.1 or increments fail, plastic strain has grown by 0.5, "
+                         "every 0.03 s, a face lies 0.004 mm deep in a tool; sides of 0.3 to 2 mm"))
+      << all.out;
+}
+
+} // namespace
+
+} // namespace billet::test
