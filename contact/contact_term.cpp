@@ -336,7 +336,9 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     work_.friction += shear.friction_work * areas_[k];
     work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);
     const PointHistory old =
-        std::exchange(history, PointHistory{.position = position, .sliding = sliding});
+        std::exchange(history, PointHistory{.position = position,
+                                            .sliding = sliding,
+                                            .offset = std::max(0.0, fading * history.offset)});
     if (now.status == Status::open) {
       state.multiplier[k] = 0.0;
       continue;

@@ -337,6 +337,26 @@ void add_stages(const Case& content, process::Scene& scene) {
   }
 }
 
+/// Whether nodes are all there are, or sides and corners of the boundary: those a new mesh has,
+/// too.
+bool on_boundary(const Mesh& mesh,
+                 const std::vector<Face>& boundary,
+                 const std::vector<Index>& nodes) {
+  std::vector<char> wanted(mesh.points.size(), 0);
+  for (const Index node : nodes)
+    wanted[idx(node)] = 1;
+  std::vector<char> found(mesh.points.size(), 0);
+  for (const Face& face : boundary) {
+    const bool whole = std::all_of(face.nodes.begin(), face.nodes.end(),
+                                   [&](Index a) { return wanted[idx(a)] != 0; });
+    for (std::size_t a = 0; a < face.nodes.size(); ++a)
+      if (whole || a < 2)
+        found[idx(face.nodes[a])] = 1;
+  }
+  return nodes.size() == mesh.points.size() ||
+         std::all_of(nodes.begin(), nodes.end(), [&](Index a) { return found[idx(a)] != 0; });
+}
+
 /// What cannot be carried from mesh to mesh.
 void require_remeshable(const Case& content,
                         const process::Scene& scene,
@@ -355,6 +375,11 @@ void require_remeshable(const Case& content,
   for (const contact::Tool& tool : scene.tools)
     if (tool.motion.force && tool.motion.force->blow)
       refuse(fmt::format("tool '{}', a press that strikes, is", tool.name), "leave [remesh] out");
+  const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
+  for (const process::Support& support : scene.supports)
+    if (!on_boundary(scene.mesh, boundary, support.nodes))
+      refuse("a support of nodes inside the part, or of the middle of a side alone, is",
+             "support whole sides, corners or all nodes");
   for (const std::string& name : content.remesh->keep)
     if (!scene.mesh.node_sets.contains(name))
       throw Error(Fault::case_file, place,
@@ -363,8 +388,7 @@ void require_remeshable(const Case& content,
 
 process::RemeshSettings remesh_settings(const Remesh& remesh) {
   process::RemeshSettings settings;
-  if (remesh.quality)
-    settings.quality = *remesh.quality;
+  settings.quality = remesh.quality;
   settings.strain = remesh.strain;
   settings.interval = remesh.interval;
   settings.penetration = remesh.penetration;

@@ -233,13 +233,16 @@ ContactStops::ContactStops(const PartBoundary& boundary,
                            std::span<const Face> faces,
                            std::span<const double> coordinates)
     : stops_(boundary.loops.size()) {
-  for (const SideLoop& loop : boundary.loops)
+  for (const SideLoop& loop : boundary.loops) {
     ends_.push_back(side_ends(loop));
+    parts_.push_back(loop.part);
+  }
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const SideNumber at = boundary.sides.at({faces[f].nodes[0], faces[f].nodes[1]});
     for (std::size_t i = 0; i < coordinates.size(); ++i)
-      stops_[idx(at.loop)].push_back(
-          {way({at.loop, at.side, 0.5 * (1.0 + coordinates[i])}), f * coordinates.size() + i});
+      stops_[idx(at.loop)].push_back({way({at.loop, at.side, 0.5 * (1.0 + coordinates[i])}),
+                                      f * coordinates.size() + i,
+                                      parts_[idx(at.loop)][idx(at.side)]});
   }
   for (std::vector<Stop>& stops : stops_)
     std::sort(stops.begin(), stops.end(),
@@ -253,7 +256,11 @@ double ContactStops::way(const BoundaryPlace& at) const {
 
 double ContactStops::round(std::int32_t loop) const { return ends_[idx(loop)].back(); }
 
-contact::PointSource ContactStops::between(std::int32_t loop, double way) const {
+std::int32_t ContactStops::part_at(const BoundaryPlace& at) const {
+  return parts_[idx(at.loop)][idx(at.side)];
+}
+
+contact::PointSource ContactStops::between(std::int32_t loop, double way, std::int32_t part) const {
   const std::vector<Stop>& stops = stops_[idx(loop)];
   if (stops.empty()) // a loop that had no contact face has none now
     return {{0, 0}, 0.0};
@@ -263,6 +270,10 @@ contact::PointSource ContactStops::between(std::int32_t loop, double way) const 
                                       [](double w, const Stop& stop) { return w < stop.way; });
   const Stop& next = after == stops.end() ? stops.front() : *after;
   const Stop& last = after == stops.begin() ? stops.back() : *std::prev(after);
+  if (last.part == part && next.part != part)
+    return {{last.point, last.point}, 0.0};
+  if (next.part == part && last.part != part)
+    return {{next.point, next.point}, 0.0};
   const double span = std::fmod(next.way - last.way + total, total);
   const double gone = std::fmod(at - last.way + total, total);
   return {{last.point, next.point}, span > 0.0 ? std::clamp(gone / span, 0.0, 1.0) : 0.0};
@@ -361,7 +372,8 @@ point_sources(const ContactStops& stops,
     const double half = beyond(stops.way(middle));
     const double to = stops.way(end) <= from ? stops.way(end) + total : stops.way(end);
     for (const double coordinate : coordinates)
-      sources.push_back(stops.between(start.loop, way_within(from, half, to, coordinate)));
+      sources.push_back(
+          stops.between(start.loop, way_within(from, half, to, coordinate), stops.part_at(middle)));
   }
   return sources;
 }

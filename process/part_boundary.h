@@ -83,7 +83,7 @@ public:
                std::span<const double> coordinates);
 
   [[nodiscard]] contact::PointSource around(const geometry::BoundaryPlace& place) const {
-    return between(place.loop, way(place));
+    return between(place.loop, way(place), part_at(place));
   }
 
 private:
@@ -96,14 +96,19 @@ private:
   struct Stop {
     double way;
     std::size_t point;
+    std::int32_t part; ///< of the boundary
   };
 
   [[nodiscard]] double way(const geometry::BoundaryPlace& at) const;
   [[nodiscard]] double round(std::int32_t loop) const;
-  [[nodiscard]] contact::PointSource between(std::int32_t loop, double way) const;
+  [[nodiscard]] std::int32_t part_at(const geometry::BoundaryPlace& at) const;
+  /// The stops on either side; round a corner of the part only where it has none itself.
+  [[nodiscard]] contact::PointSource
+  between(std::int32_t loop, double way, std::int32_t part) const;
 
-  std::vector<std::vector<double>> ends_; ///< lengths of the sides of each loop, summed up
-  std::vector<std::vector<Stop>> stops_;  ///< in turn around each loop
+  std::vector<std::vector<std::int32_t>> parts_; ///< of the sides of each loop
+  std::vector<std::vector<double>> ends_;        ///< lengths of the sides of each loop, summed up
+  std::vector<std::vector<Stop>> stops_;         ///< in turn around each loop
 };
 
 /// For every contact point of a new surface the two of the old one that it lies between.

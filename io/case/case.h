@@ -133,7 +133,7 @@ struct SolverSettings {
 
 /// When and how fine to mesh anew.
 struct Remesh {
-  std::optional<double> quality;      ///< below this element quality [-]
+  double quality = 0.2;               ///< below this element quality [-]
   std::optional<double> interval;     ///< after this much time [s]
   std::optional<double> penetration;  ///< above this penetration between points [mm]
   std::optional<double> strain;       ///< after this much plastic strain at a point [-]

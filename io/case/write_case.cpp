@@ -98,7 +98,7 @@ std::string solver_text(const SolverSettings& solver) {
 
 std::string remesh_text(const Remesh& remesh) {
   TomlTable when;
-  add_if(when, "quality", remesh.quality);
+  when.add("quality", toml_text(remesh.quality));
   add_if(when, "interval", remesh.interval);
   add_if(when, "penetration", remesh.penetration);
   add_if(when, "strain", remesh.strain);
