@@ -339,12 +339,14 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
         std::exchange(history, PointHistory{.position = position,
                                             .sliding = sliding,
                                             .offset = std::max(0.0, fading * history.offset)});
+    work_.enforcement += areas_[k] * 0.5 * (old.pressure + now.pressure) * old.faded;
     if (now.status == Status::open) {
       state.multiplier[k] = 0.0;
       continue;
     }
     history.multiplier = state.multiplier[k];
     history.offset = fading * old.offset;
+    history.faded = old.offset - history.offset; // closer to the tool: deeper by as much
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
     history.pressure = now.pressure;

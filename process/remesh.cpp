@@ -235,8 +235,12 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   for (Observer* observer : observers)
     observer->remeshing(*this);
   const double output = seconds_now() - written;
+  const double missing = energy_.missing();
   exchange_mesh(boundary, std::move(part), report);
   restore_balance(report);
+  update_energy();
+  report.energy = energy_.missing() - missing;
+  energy_.remeshing += report.energy;
   report.seconds = seconds_now() - begun - output;
   times_.output += output;
   times_.remeshing += report.seconds;
@@ -393,7 +397,6 @@ void Process::restore_balance(RemeshReport& report) {
   for (const Index i : prescribed(time_).unknowns)
     reactions_[idx(i)] = newton_->residual()[idx(i)];
   x_ = trial_x_;
-  update_energy();
   report.balanced = true;
   const std::vector<double> forces = forces_on_tools(contact_.get());
   for (std::size_t t = 0; t < forces.size(); ++t)

@@ -50,9 +50,8 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 } // namespace
 
 double EnergyBalance::error() const {
-  const double inside = elastic + plastic + friction + contact + grounding;
   const double largest = std::max({std::abs(external), elastic, plastic, friction, contact});
-  return largest > 0.0 ? std::abs(external - inside) / largest : 0.0;
+  return largest > 0.0 ? std::abs(missing()) / largest : 0.0;
 }
 
 void Process::start_stage(const Stage& stage) {

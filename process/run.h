@@ -36,7 +36,12 @@ struct EnergyBalance {
   double friction = 0.0;  ///< dissipated on its surface
   double contact = 0.0;   ///< stored in the penalties
   double grounding = 0.0; ///< lost to the grounding of free motions
+  double remeshing = 0.0; ///< lost where a state was carried to a new mesh
 
+  /// external less the sum of the rest [N mm].
+  [[nodiscard]] double missing() const {
+    return external - (elastic + plastic + friction + contact + grounding + remeshing);
+  }
   /// |external - sum of the rest| over the largest of them [-].
   [[nodiscard]] double error() const;
 };
@@ -95,6 +100,7 @@ struct RemeshReport {
   Pair mean_strain;                ///< plastic, over the volume [-]
   Pair largest_strain;             ///< plastic [-]
   std::vector<Pair> forces;        ///< on each tool [N]
+  double energy = 0.0;             ///< lost by carrying the state over [N mm]
   double residual = 0.0;           ///< of the state carried over, relative [-]
   bool balanced = false;           ///< equilibrium was restored before time went on
   int returned = 0;                ///< points put back onto the yield surface

@@ -82,10 +82,10 @@ std::vector<double> history_row(const process::Process& process,
 }
 
 ordered_json energy_json(const process::EnergyBalance& e) {
-  return {{"external_work", e.external}, {"elastic_energy", e.elastic},
-          {"plastic_work", e.plastic},   {"friction_work", e.friction},
-          {"contact_energy", e.contact}, {"grounding_work", e.grounding},
-          {"relative_error", e.error()}};
+  return {{"external_work", e.external},      {"elastic_energy", e.elastic},
+          {"plastic_work", e.plastic},        {"friction_work", e.friction},
+          {"contact_energy", e.contact},      {"grounding_work", e.grounding},
+          {"lost_in_remeshing", e.remeshing}, {"relative_error", e.error()}};
 }
 
 ordered_json wear_json(const process::Process& process, std::size_t tool) {
@@ -173,11 +173,12 @@ std::string quoted(std::string text) {
 }
 
 std::string ledger_header(const process::Scene& scene) {
-  std::string line = "remeshing,increment,time,cause,elements_before,elements_after,nodes_before,"
-                     "nodes_after,quality_before,quality_after,volume_before,volume_after,"
-                     "plastic_work_before,plastic_work_after,mean_plastic_strain_before,"
-                     "mean_plastic_strain_after,max_plastic_strain_before,"
-                     "max_plastic_strain_after,residual,balanced,force_jump,returned,seconds";
+  std::string line =
+      "remeshing,increment,time,cause,elements_before,elements_after,nodes_before,"
+      "nodes_after,quality_before,quality_after,volume_before,volume_after,"
+      "plastic_work_before,plastic_work_after,mean_plastic_strain_before,"
+      "mean_plastic_strain_after,max_plastic_strain_before,"
+      "max_plastic_strain_after,energy,residual,balanced,force_jump,returned,seconds";
   for (const contact::Tool& tool : scene.tools)
     line += fmt::format(",{0}.force_before,{0}.force_after", tool.name);
   return line + "\n";
@@ -192,8 +193,8 @@ std::string ledger_row(const process::RemeshReport& r) {
                   r.elements[0], r.elements[1], r.nodes[0], r.nodes[1]);
   line += pair(r.quality) + pair(r.volume) + pair(r.plastic_work) + pair(r.mean_strain) +
           pair(r.largest_strain);
-  line += fmt::format(",{:.17g},{:d},{:.17g},{},{:.6g}", r.residual, r.balanced, r.force_jump(),
-                      r.returned, r.seconds);
+  line += fmt::format(",{:.17g},{:.17g},{:d},{:.17g},{},{:.6g}", r.energy, r.residual, r.balanced,
+                      r.force_jump(), r.returned, r.seconds);
   for (const process::RemeshReport::Pair& force : r.forces)
     line += pair(force);
   return line + "\n";
