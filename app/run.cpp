@@ -136,7 +136,7 @@ int run_case(const Arguments& arguments) {
                        {BILLET_VERSION, mechanics::blas_core(), threads, std::move(warnings)});
   progress.write_to(folder / "run.log");
   const process::RunStatus status = process.run({&writer, &progress});
-  for (const std::string& warning : writer.warnings())
+  for (const std::string& warning : writer.warnings(process))
     progress.say(warning);
   writer.write_summary(process, {ending(status), exit_status(status)});
   print_summary(process, content, status, folder);

@@ -229,7 +229,8 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
     part = remesh_part(scene_, boundary, remesh_sizes(), onto_tools(boundary));
   } catch (const Error& error) {
     refused_quality_ = 0.5 * worst_quality(scene_.mesh, positions());
-    return error.complaints().front().message;
+    refusals_.push_back({time_, error.complaints().front().message});
+    return refusals_.back().why;
   }
   const double written = seconds_now();
   for (Observer* observer : observers)
@@ -237,13 +238,14 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   const double output = seconds_now() - written;
   const double missing = energy_.missing();
   exchange_mesh(boundary, std::move(part), report);
+  const double exchanged = seconds_now();
   restore_balance(report);
   update_energy();
   report.energy = energy_.missing() - missing;
   energy_.remeshing += report.energy;
   report.seconds = seconds_now() - begun - output;
   times_.output += output;
-  times_.remeshing += report.seconds;
+  times_.remeshing += exchanged - begun - output; // the balance counts with the other solutions
   remeshings_.push_back(report);
   for (Observer* observer : observers)
     observer->remeshed(*this, report);

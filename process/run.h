@@ -143,7 +143,7 @@ struct PhaseTimes {
   double solve = 0.0;         ///< substitutions, iterations around them, constraints
   double certificate = 0.0;   ///< bound of penetration
   double output = 0.0;        ///< observers
-  double remeshing = 0.0;     ///< new meshes, transfer, equilibrium on them
+  double remeshing = 0.0;     ///< new meshes and transfer, without the equilibrium on them
 
   /// What is left: preparing the scene, guesses, commits [s].
   [[nodiscard]] double rest() const {
@@ -207,6 +207,13 @@ public:
   }
   /// Where the material at the nodes was at the start, shape (n_dofs) [mm].
   [[nodiscard]] std::span<const double> origins() const { return x0_; }
+  /// A mesh that was wanted and could not be made.
+  struct Refusal {
+    double time; ///< [s]
+    std::string why;
+  };
+  /// All of them, in their order.
+  [[nodiscard]] std::span<const Refusal> refusals() const { return refusals_; }
   /// Remeshings of the run, in their order.
   [[nodiscard]] std::span<const RemeshReport> remeshings() const { return remeshings_; }
   /// Sizes that the part would be meshed with now; the scene has settings for that.
@@ -331,6 +338,7 @@ private:
   std::vector<std::string> events_; ///< of the last increment
   std::string penalty_event_;       ///< a change of the penalty since then
   std::vector<RemeshReport> remeshings_;
+  std::vector<Refusal> refusals_;
   double side_ = 0.0;                  ///< of the elements of the first mesh [mm]
   double mesh_quality_ = 1.0;          ///< of the present mesh when it was new [-]
   double mesh_time_ = 0.0;             ///< at which the present mesh was made [s]

@@ -211,11 +211,9 @@ ordered_json remeshings_json(const process::Process& process) {
     force = std::max(force, r.force_jump());
     unbalanced += r.balanced ? 0.0 : 1.0;
   }
-  return {{"number", process.remeshings().size()},
-          {"largest_change_of_volume", volume},
-          {"largest_change_of_plastic_work", work},
-          {"largest_force_jump", force},
-          {"without_equilibrium", unbalanced}};
+  return {{"number", process.remeshings().size()},  {"largest_change_of_volume", volume},
+          {"largest_change_of_plastic_work", work}, {"largest_force_jump", force},
+          {"without_equilibrium", unbalanced},      {"refused", process.refusals().size()}};
 }
 
 ordered_json timings_json(const process::PhaseTimes& t) {
@@ -415,8 +413,13 @@ void RunWriter::finished(const process::Process& process) {
     write_frame(process);
 }
 
-std::vector<std::string> RunWriter::warnings() const {
+std::vector<std::string> RunWriter::warnings(const process::Process& process) const {
   std::vector<std::string> lines;
+  if (const auto refused = process.refusals(); !refused.empty())
+    lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
+                                "first at t = {:.6g} {}: {}",
+                                refused.size(), refused.front().time, content_->units.time,
+                                refused.front().why));
   constexpr double tolerated = 0.02; // of the element beneath
   if (largest_share_ > tolerated)
     lines.push_back(fmt::format(
@@ -480,7 +483,7 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   if (!process.scene().tools.empty())
     summary["process_window"] = window_json(process.window().total());
   std::vector<std::string> warnings = facts_.warnings;
-  for (std::string& line : this->warnings())
+  for (std::string& line : this->warnings(process))
     warnings.push_back(std::move(line));
   summary["warnings"] = warnings;
   if (post_)

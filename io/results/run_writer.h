@@ -52,7 +52,7 @@ public:
   void write_summary(const process::Process& process, const RunEnd& end);
 
   /// What a person should know about the quality of the result; empty: nothing.
-  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::vector<std::string> warnings(const process::Process& process) const;
 
 private:
   void write_frame(const process::Process& process);

@@ -140,6 +140,14 @@ TEST_F(Remeshing, ThatIsNotNeededLeavesALedgerWithoutRows) {
   EXPECT_EQ(with.without_wall_time(), without.without_wall_time());
 }
 
+TEST_F(Remeshing, ThatCannotBeDoneIsTold) {
+  const auto results = run(remeshed(often + "\nsize = { default = 1e-4 }"));
+  EXPECT_EQ(summary(results).at("remeshings").at("number"), 0);
+  EXPECT_GT(summary(results).at("remeshings").at("refused"), 0);
+  EXPECT_TRUE(warns(results, "a new mesh was wanted and could not be made"));
+  EXPECT_FALSE(warns(run(remeshed(often), "fine"), "could not be made"));
+}
+
 TEST_F(Remeshing, NotAskedForLeavesNoLedger) {
   (void)run(remeshed(often));
   const auto results = run(upsetting);
