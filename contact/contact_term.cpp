@@ -27,8 +27,10 @@ std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 constexpr double rounding = 1e-10;
 constexpr double rounding_of_touch = 1e-9;
 
-/// What an increment leaves of the offset that a point had on a new mesh. (C.41)
+/// What an increment leaves of the offset that a point had on a new mesh at least, and the share of
+/// the way gone by which it shrinks at most: faster, the tool would seem to draw back. (C.41)
 constexpr double fading = 0.5;
+constexpr double fading_by_way = 0.25;
 
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
@@ -39,6 +41,12 @@ Mat3 without_coupling(const Mat3& D, const Vec3& n) {
   const Mat3 plane = Mat3::Identity() - n * n.transpose();
   const Mat3 tangential = plane * D * plane;
   return n.dot(D * n) * n * n.transpose() + 0.5 * (tangential + tangential.transpose());
+}
+
+/// @param way  gone in the increment [mm]
+double faded(double offset, double way) {
+  const double size = std::abs(offset);
+  return std::copysign(std::max(fading * size, size - fading_by_way * way), offset);
 }
 
 } // namespace
@@ -309,6 +317,19 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
   stiffening_next_ = stiffening_;
 }
 
+double ContactTerm::longest_way(const ToolState& state,
+                                const geometry::Pose& pose,
+                                const geometry::Pose& pose_old) const {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < state.trial.size(); ++k) {
+    const Vec3& before = state.history[k].position;
+    if (state.trial[k].status != Status::open || state.history[k].closed())
+      longest = std::max({longest, (pose.to_space(before) - pose_old.to_space(before)).norm(),
+                          (positions_[k] - pose_old.to_space(before)).norm()});
+  }
+  return longest;
+}
+
 void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   ToolState& state = states_[t];
   const Tool& tool = tools_[t];
@@ -320,6 +341,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   state.stored = 0.0;
   state.touches = false;
   closed_[t].clear();
+  const double gone = longest_way(state, pose, pose_old);
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Traction& now = state.trial[k];
     PointHistory& history = state.history[k];
@@ -338,14 +360,14 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const PointHistory old =
         std::exchange(history, PointHistory{.position = position,
                                             .sliding = sliding,
-                                            .offset = std::max(0.0, fading * history.offset)});
+                                            .offset = std::max(0.0, faded(history.offset, gone))});
     work_.enforcement += areas_[k] * 0.5 * (old.pressure + now.pressure) * old.faded;
     if (now.status == Status::open) {
       state.multiplier[k] = 0.0;
       continue;
     }
     history.multiplier = state.multiplier[k];
-    history.offset = fading * old.offset;
+    history.offset = faded(old.offset, gone);
     history.faded = old.offset - history.offset; // closer to the tool: deeper by as much
     history.normal = state.foot[k].normal;
     history.shear = now.shear;

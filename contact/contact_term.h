@@ -239,6 +239,10 @@ private:
   template <class Shape, class Rule>
   void
   add_border_of(std::size_t drive, const mechanics::Trial& trial, mechanics::System& system) const;
+  /// Of the tool or the workpiece in points that touch or touched, in the increment [mm].
+  [[nodiscard]] double longest_way(const ToolState& state,
+                                   const geometry::Pose& pose,
+                                   const geometry::Pose& pose_old) const;
   void commit_tool(std::size_t t, const mechanics::Trial& trial);
   /// Energy of a closed point in its normal penalty over its area [N/mm].
   [[nodiscard]] double stored(const Traction& now, double multiplier) const;

@@ -8,6 +8,7 @@
 #include "geometry/plane_smoother.h"
 #include "geometry/polygon_widths.h"
 #include "geometry/profile_piece.h"
+#include "geometry/settled_loops.h"
 #include "geometry/size_field.h"
 
 #include <fmt/format.h>
@@ -124,9 +125,11 @@ public:
            Measure measure,
            const Settle& settle,
            double turn)
-      : sizes_(sizes), measure_(measure), settle_(settle) {
-    for (std::size_t i = 0; i < loops.size(); ++i)
-      curves_.emplace_back(loops[i], static_cast<std::int32_t>(i), turn);
+      : sizes_(sizes), measure_(measure), settle_(settle), settled_(loops, settle, sizes.min) {
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      require_sound(settled_.loops()[i]);
+      curves_.emplace_back(settled_.loops()[i], static_cast<std::int32_t>(i), turn);
+    }
     if (measure == Measure::area) // near the domain, for the sake of rounding
       origin_ = loops.front().corners.front();
     else
@@ -159,6 +162,8 @@ private:
   /// Sizes asked for by the curvature of the boundary and by thin places; checks the boundary.
   [[nodiscard]] std::vector<SizeSample> boundary_samples() const {
     std::vector<SizeSample> samples;
+    for (const SizeAt& asked : sizes_.at)
+      samples.push_back({asked.at, std::max(sizes_.min, asked.size)});
     std::vector<Polygon> polygons;
     for (const BoundaryCurve& curve : curves_) {
       polygons.emplace_back();
@@ -234,7 +239,9 @@ private:
     for (std::size_t i = 0; i < domain.sides.size(); ++i) {
       BoundarySide& side = domain.mesh.boundary[i];
       const BoundaryCurve& curve = curves_[at(domain.sides[i].loop)];
-      const auto move = [&](Vec2& x, double s) { x = settle_(side.segment, curve.place(s), x); };
+      const auto move = [&](Vec2& x, double s) {
+        x = settle_(side.segment, settled_.original(curve.place(s)), x);
+      };
       move(domain.mesh.points[at(side.corners[0])], domain.sides[i].from);
       move(domain.mesh.points[at(side.corners[1])], domain.sides[i].to);
       move(side.middle, domain.sides[i].middle());
@@ -244,8 +251,9 @@ private:
   [[nodiscard]] RemeshedDomain finished(RefinedDomain domain) const {
     RemeshedDomain result;
     for (const CurveSide& side : domain.sides) {
-      result.corner_places.push_back(curves_[at(side.loop)].place(side.from));
-      result.middle_places.push_back(curves_[at(side.loop)].place(side.middle()));
+      const auto place = [&](double s) { return settled_.original(curves_[at(side.loop)].place(s)); };
+      result.corner_places.push_back(place(side.from));
+      result.middle_places.push_back(place(side.middle()));
     }
     result.mesh = std::move(domain.mesh);
     result.old_measure = old_measure_;
@@ -256,6 +264,7 @@ private:
   const RemeshSizes& sizes_;
   Measure measure_;
   const Settle& settle_;
+  SettledLoops settled_;
   std::vector<BoundaryCurve> curves_;
   Vec2 origin_ = Vec2::Zero();
   double old_measure_ = 0.0;

@@ -33,6 +33,12 @@ struct SideLoop {
                           ///< along the normal to restore the measure
 };
 
+/// Length that sides should have near a place.
+struct SizeAt {
+  Vec2 at;     ///< [mm]
+  double size; ///< [mm]
+};
+
 /// What the new sides should be like.
 struct RemeshSizes {
   double min; ///< shortest side asked for [mm], > 0; poor angles are mended down to min / 16
@@ -43,6 +49,7 @@ struct RemeshSizes {
   int across = 3;                       ///< sides across a thin place (web, flash)
   /// Size asked for at a place of the domain [mm]; empty: `max`.
   std::function<double(const Vec2&)> wanted = {};
+  std::vector<SizeAt> at = {}; ///< asked for besides, not below `min`
 };
 
 /// What is kept of the domain.

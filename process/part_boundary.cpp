@@ -16,6 +16,9 @@ using geometry::BoundaryPlace;
 using geometry::SideLoop;
 using mechanics::Face;
 
+/// Sides that a zone of contact should have at least.
+constexpr double sides_of_zone = 6.0;
+
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
 /// Which nodes are in each of several lists.
@@ -95,6 +98,7 @@ public:
       for (const Index node : corners)
         loop.keep.push_back(static_cast<char>(kept[idx(node)] != 0));
       keep_lone_corners(corners, result.attachments, loop);
+      result.fixed.push_back(fixed(corners));
       result.loops.push_back(std::move(loop));
       result.corners.push_back(std::move(corners));
     }
@@ -132,6 +136,18 @@ private:
            (scene_.analysis == mechanics::Analysis::axisymmetric &&
             std::all_of(face.nodes.begin(), face.nodes.end(),
                         [&](Index a) { return x_[idx(2 * a)] == 0.0; }));
+  }
+
+  [[nodiscard]] std::vector<unsigned char> fixed(const std::vector<Index>& corners) const {
+    std::vector<unsigned char> result;
+    for (const Index node : corners) {
+      unsigned mask = 0;
+      for (std::size_t s = 0; s < scene_.supports.size(); ++s)
+        if (nodes_.supports[s][idx(node)] != 0)
+          mask |= 1U << static_cast<unsigned>(scene_.supports[s].component);
+      result.push_back(static_cast<unsigned char>(mask));
+    }
+    return result;
   }
 
   /// Keeps nodes that carry what neither side beside them does.
@@ -288,6 +304,54 @@ PartBoundary part_boundary(const Scene& scene,
     for (const Index node : scene.mesh.node_sets.at(name))
       kept[idx(node)] = 1;
   return Chains(scene, x, touching).boundary(kept);
+}
+
+unsigned char fixed_components(const Scene& scene,
+                               const PartBoundary& boundary,
+                               std::int32_t part,
+                               const BoundaryPlace& place) {
+  const std::size_t loop = idx(place.loop), side = idx(place.side);
+  unsigned mask = 0;
+  const Attachment& attached = boundary.attachments[idx(part)];
+  for (std::size_t s = 0; s < scene.supports.size(); ++s)
+    if (attached.supports[s] != 0)
+      mask |= 1U << static_cast<unsigned>(scene.supports[s].component);
+  const std::vector<unsigned char>& fixed = boundary.fixed[loop];
+  if (place.xi == 0.0)
+    mask |= fixed[side];
+  if (place.xi == 1.0)
+    mask |= fixed[(side + 1) % fixed.size()];
+  return static_cast<unsigned char>(mask);
+}
+
+std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary) {
+  std::vector<geometry::SizeAt> sizes;
+  for (const SideLoop& loop : boundary.loops) {
+    const std::size_t n = loop.corners.size();
+    const auto tool = [&](std::size_t i) { return boundary.attachments[idx(loop.part[i])].tool; };
+    const auto end = [&](std::size_t i) { return loop.corners[(i + 1) % n]; };
+    // From a side where a zone begins; on a loop that is one zone, from any.
+    std::size_t first = 0;
+    while (first < n && tool(first) == tool((first + n - 1) % n))
+      ++first;
+    for (std::size_t k = 0; k < n;) {
+      const std::size_t start = (first + k) % n;
+      double length = 0.0;
+      std::size_t sides = 0;
+      for (; k < n && tool((first + k) % n) == tool(start); ++k, ++sides) {
+        const std::size_t i = (first + k) % n;
+        length += (end(i) - loop.corners[i]).norm();
+      }
+      if (tool(start) < 0)
+        continue;
+      for (std::size_t j = 0; j < sides; ++j) {
+        const std::size_t i = (start + j) % n;
+        for (const Vec2& x : {loop.corners[i], loop.middles[i], end(i)})
+          sizes.push_back({x, length / sides_of_zone});
+      }
+    }
+  }
+  return sizes;
 }
 
 RemeshedPart remesh_part(const Scene& scene,

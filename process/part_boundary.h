@@ -12,6 +12,7 @@
 #include "process/scene.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <utility>
@@ -40,6 +41,8 @@ struct SideNumber {
 struct PartBoundary {
   std::vector<geometry::SideLoop> loops;
   std::vector<std::vector<Index>> corners; ///< node numbers, of each loop
+  /// Components of each of these nodes that a support prescribes: 1 for x, 2 for y, or both.
+  std::vector<std::vector<unsigned char>> fixed;
   std::vector<Attachment> attachments;     ///< of each part of the boundary
   /// Side of each face, by its first two nodes.
   std::map<std::pair<Index, Index>, SideNumber> sides;
@@ -52,6 +55,15 @@ struct PartBoundary {
                                          std::span<const double> x,
                                          std::span<const int> touching,
                                          std::span<const std::string> keep);
+
+/// Components that a support prescribes in a place of the boundary: 1 for x, 2 for y, or both.
+[[nodiscard]] unsigned char fixed_components(const Scene& scene,
+                                             const PartBoundary& boundary,
+                                             std::int32_t part,
+                                             const geometry::BoundaryPlace& place);
+
+/// Sizes that let the zone where a tool touches have at least six sides, where it is long or short.
+[[nodiscard]] std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary);
 
 /// What the scene has on a new mesh of the part.
 struct RemeshedPart {

@@ -98,6 +98,15 @@ std::vector<double> at_new_nodes(const mechanics::Mesh& old,
   return result;
 }
 
+/// Faces that touch a tool are off it by up to this share of their length.
+constexpr double off = 0.05;
+
+/// Length of the old side that holds a place [mm].
+double chord_at(const PartBoundary& boundary, const geometry::BoundaryPlace& place) {
+  const std::vector<Vec2>& corners = boundary.loops[idx(place.loop)].corners;
+  return (corners[(idx(place.side) + 1) % corners.size()] - corners[idx(place.side)]).norm();
+}
+
 std::vector<double> forces_on_tools(const contact::ContactTerm* contact) {
   std::vector<double> forces;
   if (contact != nullptr)
@@ -224,9 +233,11 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   report.cause = cause;
   const PartBoundary boundary =
       part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  geometry::RemeshSizes sizes = remesh_sizes();
+  sizes.at = contact_sizes(boundary);
   RemeshedPart part;
   try {
-    part = remesh_part(scene_, boundary, remesh_sizes(), onto_tools(boundary));
+    part = remesh_part(scene_, boundary, sizes, onto_tools(boundary));
   } catch (const Error& error) {
     refused_quality_ = 0.5 * worst_quality(scene_.mesh, positions());
     refusals_.push_back({time_, error.complaints().front().message});
@@ -344,16 +355,33 @@ void Process::exchange_mesh(const PartBoundary& boundary, RemeshedPart part, Rem
     report.forces.push_back({force, force});
 }
 
-std::optional<Vec2> Process::onto_tool(std::size_t tool, const Vec2& x, bool only_out) const {
-  const geometry::Pose pose = contact_->pose(tool, time_, x_);
-  const Vec3 at = pose.to_tool(Vec3(x.x(), x.y(), 0.0));
-  geometry::Projection foot;
-  scene_.tools[tool].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
-  if (!foot.found() || (only_out && foot.gap >= 0.0))
+std::optional<Vec2>
+Process::onto_tool(std::size_t tool, const Vec2& x, double most_gap, unsigned fixed) const {
+  constexpr unsigned both = 3;
+  if (fixed == both)
     return std::nullopt;
-  const Vec3 there = pose.to_space(foot.foot);
-  const bool on_axis = scene_.analysis == mechanics::Analysis::axisymmetric && x.x() == 0.0;
-  return Vec2(on_axis ? 0.0 : there.x(), there.y());
+  const geometry::Pose pose = contact_->pose(tool, time_, x_);
+  const Vec2 way = fixed == 1 ? Vec2(0.0, 1.0) : Vec2(1.0, 0.0);
+  Vec2 there = x;
+  constexpr int most_steps = 20;
+  constexpr double near = 1e-10, flat = 0.2;
+  for (int step = 0; step < most_steps; ++step) {
+    const Vec3 at = pose.to_tool(Vec3(there.x(), there.y(), 0.0));
+    geometry::Projection foot;
+    scene_.tools[tool].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
+    if (!foot.found() || (step == 0 && foot.gap > most_gap))
+      return std::nullopt;
+    const Vec2 move = pose.to_space(foot.foot).head<2>() - there;
+    if (fixed == 0)
+      return Vec2(there + move);
+    const double along = move.dot(way);
+    if (std::abs(foot.gap) <= near * side_)
+      return there;
+    if (std::abs(along) < flat * std::abs(foot.gap))
+      return std::nullopt;
+    there += foot.gap * foot.gap / along * way; // to where the tangent plane of the foot is met
+  }
+  return std::nullopt;
 }
 
 geometry::Settle Process::onto_tools(const PartBoundary& boundary) const {
@@ -366,15 +394,20 @@ geometry::Settle Process::onto_tools(const PartBoundary& boundary) const {
     const Attachment& attached = boundary.attachments[idx(part)];
     if (!attached.contact)
       return x;
+    unsigned fixed = fixed_components(scene_, boundary, part, place);
+    if (scene_.analysis == mechanics::Analysis::axisymmetric && x.x() == 0.0)
+      fixed |= 1U;
+    const double chord = chord_at(boundary, place);
     Vec2 result = x;
     for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
       if (!contact_->acts(t, time_))
         continue;
-      // The free end of a side that touches with the other one stays, but not inside the tool.
+      // What lies off the tool stays there, but for what faces that touch it are off between
+      // their points.
       const contact::PointSource source = stops->around(place);
       const bool closed = attached.tool == static_cast<int>(t) &&
                           contact_->closed_on(t, source.points[source.share < 0.5 ? 0 : 1]);
-      if (const std::optional<Vec2> there = onto_tool(t, result, !closed))
+      if (const std::optional<Vec2> there = onto_tool(t, result, closed ? off * chord : 0.0, fixed))
         result = *there;
     }
     return result;

@@ -298,8 +298,12 @@ private:
   [[nodiscard]] std::vector<int> touching_tools() const;
   /// Puts nodes of the new boundary on the tool that their side lies on.
   [[nodiscard]] geometry::Settle onto_tools(const PartBoundary& boundary) const;
-  /// The nearest point of a tool; none: it is far, or `only_out` and the place lies outside.
-  [[nodiscard]] std::optional<Vec2> onto_tool(std::size_t tool, const Vec2& x, bool only_out) const;
+  /// The nearest point of a tool that a support lets a node go to; none: it is out of reach, or
+  /// the place lies off the tool by more than `most_gap` [mm].
+  ///
+  /// @param fixed  components that stay: 1 for x, 2 for y, or both
+  [[nodiscard]] std::optional<Vec2>
+  onto_tool(std::size_t tool, const Vec2& x, double most_gap, unsigned fixed) const;
   /// Solves for equilibrium on the new mesh without moving on. (P.17)
   void restore_balance(RemeshReport& report);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
