@@ -120,8 +120,10 @@ void Process::check_overlap() const {
 }
 
 std::string Process::overlap(std::size_t tool) const {
-  // A chord of a curved face may lie a little inside a tool that touches its nodes.
-  constexpr double allowed_share = 0.02; // of the element beneath
+  // A chord of a curved face may lie a little inside a tool that touches its nodes; a sharp tool
+  // that was brought to the contact points of a face may lie deeper between them.
+  const bool brought = tool < scene_.touch.size() && scene_.touch[tool] != 0;
+  const double allowed_share = brought ? 0.5 : 0.02; // of the element beneath
   const geometry::Pose pose = contact_->pose(tool, time_, x_);
   for (Index f = 0; f < surface_->n_faces(); ++f) {
     std::vector<Vec3> points = surface_->samples(x_, f);
