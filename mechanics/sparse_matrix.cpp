@@ -1,8 +1,11 @@
 #include "mechanics/sparse_matrix.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace billet::mechanics {
@@ -25,6 +28,56 @@ std::vector<std::vector<Index>> adjacency(const Mesh& mesh) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   return neighbours;
+}
+
+/// Calls `visit` with the number of unknowns a node as a constant: loops over it are unrolled.
+template <class Visit> void visit_dimension(int dim, Visit visit) {
+  if (dim == 2)
+    visit(std::integral_constant<std::size_t, 2>{});
+  else
+    visit(std::integral_constant<std::size_t, 3>{});
+}
+
+/// Adds the rows of one node of a local matrix.
+///
+/// @param offsets  which neighbours of that node the nodes of the group are, shape (size)
+/// @param local    shape (dim, size * dim)
+/// @param width    entries of a row of the node
+/// @param values   of the first row of the node
+template <std::size_t dim>
+void add_rows(std::size_t size,
+              const Index* offsets,
+              const double* local,
+              std::size_t width,
+              double* values) {
+  for (std::size_t b = 0; b < size; ++b) {
+    double* target = values + idx(offsets[b]) * dim;
+    const double* source = local + b * dim;
+    for (std::size_t i = 0; i < dim; ++i)
+      for (std::size_t j = 0; j < dim; ++j)
+        target[i * width + j] += source[i * size * dim + j];
+  }
+}
+
+/// y = A x, the rows of a node side by side: their columns are the same.
+template <std::size_t dim>
+void multiply_blocks(const BlockPattern& pattern,
+                     const double* values,
+                     const double* x,
+                     double* y) {
+  for (std::size_t a = 0; a < idx(pattern.n_nodes()); ++a) {
+    const Index first = pattern.neighbour_start[a];
+    const std::size_t n = idx(pattern.neighbour_start[a + 1] - first);
+    const double* row = values + pattern.row_start[a * dim];
+    std::array<double, dim> sum{};
+    for (std::size_t b = 0; b < n; ++b) {
+      const double* at = x + idx(pattern.neighbours[idx(first) + b]) * dim;
+      for (std::size_t i = 0; i < dim; ++i)
+        for (std::size_t j = 0; j < dim; ++j)
+          sum[i] += row[(i * n + b) * dim + j] * at[j];
+    }
+    std::copy(sum.begin(), sum.end(), y + a * dim);
+  }
 }
 
 } // namespace
@@ -99,19 +152,17 @@ void Scatter::add(const BlockPattern& pattern,
                   Index group,
                   const double* local,
                   std::span<double> values) const {
-  const auto dim = idx(pattern.dim);
   const auto size = idx(size_);
   const Index* offsets = offsets_.data() + at(group) * size;
-  for (std::size_t a = 0; a < size; ++a) {
-    const auto row = idx(nodes(group)[a]) * dim;
-    for (std::size_t i = 0; i < dim; ++i) {
-      double* target = values.data() + pattern.row_start[row + i];
-      const double* source = local + (a * dim + i) * size * dim;
-      for (std::size_t b = 0; b < size; ++b)
-        for (std::size_t j = 0; j < dim; ++j)
-          target[idx(offsets[a * size + b]) * dim + j] += source[b * dim + j];
+  visit_dimension(pattern.dim, [&](auto constant) {
+    constexpr std::size_t dim = decltype(constant)::value;
+    for (std::size_t a = 0; a < size; ++a) {
+      const std::size_t row = idx(nodes(group)[a]) * dim;
+      const Index first = pattern.row_start[row];
+      add_rows<dim>(size, offsets + a * size, local + a * dim * size * dim,
+                    idx(pattern.row_start[row + 1] - first), values.data() + first);
     }
-  }
+  });
 }
 
 void Scatter::list(const BlockPattern& pattern,
@@ -142,12 +193,9 @@ void Scatter::add(int dim, Index group, const double* local, std::span<double> v
 }
 
 void SparseMatrix::multiply(std::span<const double> x, std::span<double> y) const {
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    double sum = 0.0;
-    for (Index k = pattern->row_start[i]; k < pattern->row_start[i + 1]; ++k)
-      sum += values[idx(k)] * x[idx(pattern->columns[idx(k)])];
-    y[i] = sum;
-  }
+  visit_dimension(pattern->dim, [&](auto constant) {
+    multiply_blocks<decltype(constant)::value>(*pattern, values.data(), x.data(), y.data());
+  });
 }
 
 double SparseMatrix::asymmetry() const {
