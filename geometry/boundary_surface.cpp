@@ -16,6 +16,13 @@ namespace {
 
 /// Edges whose normals differ by more are sharp.
 constexpr double sharp_turn = std::numbers::pi / 6.0;
+/// The same of edges that are said to be smooth: beyond, the surface could fold.
+constexpr double fold_turn = 5.0 * std::numbers::pi / 12.0;
+
+CornerNormals normals_of(const SolidBoundary& boundary) {
+  return boundary.creases ? corner_normals(boundary.mesh, fold_turn, *boundary.creases)
+                          : corner_normals(boundary.mesh, sharp_turn);
+}
 
 constexpr double least_cosine = 0.5; // of a normal against its facet; below, the patch may fold
 constexpr double most_departure = 0.15; // of a curved triangle from its facet, over its longest side
@@ -25,7 +32,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 } // namespace
 
 BoundarySurface::BoundarySurface(const SolidBoundary& boundary, double short_crease)
-    : boundary_(&boundary), normals_(corner_normals(boundary.mesh, sharp_turn)),
+    : boundary_(&boundary), normals_(normals_of(boundary)),
       edges_(edge_curves(boundary.mesh, normals_)),
       lines_(feature_lines(boundary, normals_, short_crease)),
       members_(at(lines_.n_patches)) {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace billet::geometry {
@@ -21,6 +22,9 @@ struct SolidBoundary {
                           ///< moved along the normal to restore the volume
   std::vector<char> keep; ///< of each point: kept in any case
   std::vector<std::array<std::int32_t, 2>> lines; ///< further edges that are kept
+  /// Sharp edges, where triangles stand for curved faces, the smaller point first, sorted; without
+  /// them edges are sharp whose triangles turn by more than 30 degrees.
+  std::optional<std::vector<std::array<std::int32_t, 2>>> creases = std::nullopt;
 };
 
 /// A place on a triangle: barycentric coordinates (1 - v - w, v, w).

@@ -48,7 +48,7 @@ public:
     for (int round = 0; round < most_rounds; ++round) {
       bool better = false;
       for (std::size_t e = 0; e < mesh_.tetrahedra.size(); ++e)
-        if (angle(e) < wanted_)
+        if (quality(e) < wanted_)
           for (const std::int32_t node : mesh_.tetrahedra[e])
             better = (movable_[at(node)] != 0 && move(node)) || better;
       if (!better)
@@ -57,17 +57,17 @@ public:
   }
 
 private:
-  [[nodiscard]] double angle(std::size_t e) const {
+  [[nodiscard]] double quality(std::size_t e) const {
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < 4; ++i)
       corners[i] = mesh_.points[at(mesh_.tetrahedra[e][i])];
-    return smallest_dihedral(corners);
+    return shape_quality(corners);
   }
 
   [[nodiscard]] double worst_around(std::int32_t node, double enough) const {
     double worst = std::numeric_limits<double>::infinity();
     for (const std::size_t e : around_[at(node)]) {
-      worst = std::min(worst, angle(e));
+      worst = std::min(worst, quality(e));
       if (worst <= enough)
         break;
     }
@@ -85,7 +85,7 @@ private:
   }
 
   bool move(std::int32_t node) {
-    constexpr double gain = 1e-3; // [rad]
+    constexpr double gain = 1e-3;
     Vec3& x = mesh_.points[at(node)];
     double worst = worst_around(node, -std::numeric_limits<double>::infinity());
     const double before = worst;
@@ -132,6 +132,22 @@ double smallest_dihedral(const std::array<Vec3, 4>& x) {
     for (std::size_t j = 0; j < i; ++j)
       least = std::min(least, std::numbers::pi - std::atan2(normals[i].cross(normals[j]).norm(),
                                                             normals[i].dot(normals[j])));
+  return least;
+}
+
+double shape_quality(const std::array<Vec3, 4>& x) {
+  static const double regular = std::acos(1.0 / 3.0);
+  const double angle = smallest_dihedral(x) / regular;
+  if (!(angle > 0.0))
+    return angle;
+  const double volume6 = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]);
+  double least = angle;
+  for (std::size_t i = 0; i < 4; ++i) {
+    double lengths = 1.0;
+    for (std::size_t j = 1; j < 4; ++j)
+      lengths *= (x[(i + j) % 4] - x[i]).norm();
+    least = std::min(least, std::numbers::sqrt2 * volume6 / lengths);
+  }
   return least;
 }
 

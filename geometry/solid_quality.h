@@ -19,6 +19,10 @@ namespace billet::geometry {
 /// inside out [rad].
 [[nodiscard]] double smallest_dihedral(const std::array<Vec3, 4>& corners);
 
+/// How good a straight tetrahedron is: the smaller one of its smallest angle over that of a regular
+/// one and of the scaled Jacobian, smallest over its corners; 1: regular, 0 or less: as above [-].
+[[nodiscard]] double shape_quality(const std::array<Vec3, 4>& corners);
+
 /// Smallest determinant of the Jacobian of a quadratic tetrahedron over its corners and middles, as
 /// a multiple of that of the straight one [-]; <= 0 if the straight one is turned inside out.
 ///
@@ -30,8 +34,8 @@ namespace billet::geometry {
 /// of its surface, x itself inside.
 using Confine = std::function<Vec3(std::int32_t node, const Vec3& x)>;
 
-/// Moves the nodes of the tetrahedra with angles below `wanted` so that the smallest angle around
-/// each gets larger, node by node.
+/// Moves the nodes of the tetrahedra whose `shape_quality` is below `wanted` so that the worst one
+/// around each gets better, node by node.
 ///
 /// @param movable  of each node
 void improve(SolidMesh& mesh,

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstdio>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -26,11 +28,12 @@ namespace {
 constexpr double most_tetrahedra = 1e6;
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Angles between faces: nodes are moved until they are this large, ...
-constexpr double wanted_angle = 15.0 * degree;
-/// ... a mesh with this is taken at once, ...
+/// Nodes are moved until tetrahedra are as good as this (`shape_quality`).
+constexpr double wanted_quality = 0.3;
+/// A mesh whose faces are at these angles and whose tetrahedra are as good is taken at once, ...
 constexpr double good_angle = 10.0 * degree;
-/// ... and one with less than this is not taken at all.
+constexpr double good_quality = 0.12;
+/// ... and one with less than this angle is not taken at all.
 constexpr double least_angle = 2.0 * degree;
 
 /// A mesh that is not good is made again with sizes smaller by this factor, so many times in all.
@@ -127,6 +130,7 @@ double enclosed(const TriangleMesh& mesh) { return health(mesh).volume; }
 /// One mesh, with what speaks against it.
 struct Attempt {
   std::optional<SolidShell> shell;
+  double quality = -1.0;
   double angle = -1.0; ///< [rad]
   std::string flaw;
   Vec3 where = Vec3::Zero();
@@ -150,14 +154,15 @@ Attempt attempt(const BoundarySurface& surface,
     made.where = shell.worst_place();
     return made;
   }
-  shell.slide(wanted_angle);
+  shell.slide(wanted_quality);
   if (settle)
     shell.settle(settle);
   shell.restore_volume(volume);
-  shell.smooth(wanted_angle);
+  shell.smooth(wanted_quality);
   for (int round = 0; round < most_straightenings && shell.straighten(); ++round)
     shell.restore_volume(volume);
   made.angle = shell.smallest_angle();
+  made.quality = shell.quality();
   if (made.angle < least_angle || shell.smallest_jacobian() <= 0.0) {
     made.flaw = "no sound tetrahedra are found";
     made.where = shell.worst_place();
@@ -173,6 +178,18 @@ RemeshedSolid remesh_solid(const SolidBoundary& boundary,
                            const SettleSolid& settle) {
   require_sound(sizes);
   require_sound(boundary);
+  if (std::getenv("BILLET_DUMP")) { //DBG
+    static int count = 0;
+    FILE* f = std::fopen(fmt::format("{}{}.txt", std::getenv("BILLET_DUMP"), ++count).c_str(), "w");
+    fmt::print(f, "{} {} {} {} {} {}\n", boundary.mesh.points.size(), boundary.mesh.triangles.size(), boundary.lines.size(), sizes.min, sizes.max, volume);
+    for (std::size_t i = 0; i < boundary.mesh.points.size(); ++i)
+      fmt::print(f, "{} {} {} {}\n", boundary.mesh.points[i].x(), boundary.mesh.points[i].y(), boundary.mesh.points[i].z(), int(boundary.keep[i]));
+    for (std::size_t i = 0; i < boundary.mesh.triangles.size(); ++i)
+      fmt::print(f, "{} {} {} {} {}\n", boundary.mesh.triangles[i][0], boundary.mesh.triangles[i][1], boundary.mesh.triangles[i][2], boundary.part[i], int(boundary.hold[i]));
+    fmt::print(f, "{}\n", boundary.creases ? int(boundary.creases->size()) : -1);
+    if (boundary.creases) for (auto& [a, b] : *boundary.creases) fmt::print(f, "{} {}\n", a, b);
+    std::fclose(f);
+  }
   const BoundarySurface surface(boundary, sizes.max);
   const SpaceSizeField field = size_field(surface, sizes);
   Attempt best;
@@ -181,15 +198,16 @@ RemeshedSolid remesh_solid(const SolidBoundary& boundary,
     Attempt next = attempt(
         surface, [&](const Vec3& x) { return share * field(x); }, volume, settle);
     const bool better = !best.shell || (next.flaw.empty() && !best.flaw.empty()) ||
-                        (next.flaw.empty() == best.flaw.empty() && next.angle > best.angle);
+                        (next.flaw.empty() == best.flaw.empty() && next.quality > best.quality);
     if (better) {
       best.shell.reset();
       best.shell.emplace(std::move(*next.shell));
       best.angle = next.angle;
+      best.quality = next.quality;
       best.flaw = std::move(next.flaw);
       best.where = next.where;
     }
-    if (best.flaw.empty() && best.angle >= good_angle)
+    if (best.flaw.empty() && best.angle >= good_angle && best.quality >= good_quality)
       break;
   }
   if (!best.flaw.empty())

@@ -20,7 +20,7 @@ constexpr std::array<std::array<std::size_t, 2>, 6> tetra_ends{
     {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
 /// Jacobians below this share of the straight tetrahedron's are bent too far.
-constexpr double least_bend = 0.2;
+constexpr double least_bend = 0.4;
 
 /// A node is shifted for the volume by no more than this share of the edges around it.
 constexpr double most_shift = 0.1;
@@ -381,11 +381,18 @@ double SolidShell::smallest_angle() const {
   return least;
 }
 
+double SolidShell::quality() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < tetra_edges_.size(); ++e)
+    least = std::min(least, shape_quality(corners_of(e)));
+  return least;
+}
+
 Vec3 SolidShell::worst_place() const {
   double least = std::numeric_limits<double>::infinity();
   Vec3 place = Vec3::Zero();
   for (std::size_t e = 0; e < tetra_edges_.size(); ++e) {
-    const double quality = std::min(smallest_dihedral(corners_of(e)), bend(e));
+    const double quality = std::min(shape_quality(corners_of(e)), bend(e));
     if (quality < least) {
       least = quality;
       place = corners_of(e)[0];

@@ -27,8 +27,8 @@ public:
   /// The middle of an edge of the boundary that has not two faces; none: it is closed.
   [[nodiscard]] const std::optional<Vec3>& flaw() const { return flaw_; }
 
-  /// Moves nodes inside and, along the surface, those of patches until angles are `wanted` [rad],
-  /// as far as that is possible.
+  /// Moves nodes inside and, along the surface, those of patches until the tetrahedra have the
+  /// quality `wanted`, as far as that is possible.
   void slide(double wanted);
   /// The same inside alone.
   void smooth(double wanted);
@@ -42,6 +42,8 @@ public:
 
   /// Of the quadratic tetrahedra [mm^3].
   [[nodiscard]] double volume() const;
+  /// Of the worst straight tetrahedron.
+  [[nodiscard]] double quality() const;
   /// Smallest angle between two faces of a straight tetrahedron [rad].
   [[nodiscard]] double smallest_angle() const;
   /// A corner of the worst tetrahedron [mm].

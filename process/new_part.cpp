@@ -1,5 +1,6 @@
 // The part as it is meshed anew: its boundary, sizes, and tools that nodes lie on. (P.14)
 
+#include "geometry/solid_remesher.h"
 #include "process/part_boundary.h"
 #include "process/remeshing.h"
 #include "process/run.h"

@@ -10,7 +10,6 @@
 #include "contact/process_window.h"
 #include "contact/wear.h"
 #include "geometry/domain_remesher.h"
-#include "geometry/solid_remesher.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
@@ -23,6 +22,10 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace billet::geometry {
+struct SolidSizes;
+}
 
 namespace billet::process {
 

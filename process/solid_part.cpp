@@ -2,6 +2,7 @@
 
 #include "geometry/nearest_in_triangle.h"
 #include "mechanics/domain_meshes.h"
+#include "mechanics/elements/faces.h"
 #include "mechanics/mesh_check.h"
 #include "mechanics/mesh_edges.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 #include <variant>
@@ -68,6 +70,13 @@ std::vector<char> beyond(std::vector<char> flags, std::span<const std::vector<ch
   return flags;
 }
 
+/// A boundary that turns by more at an edge may have a crease there, 30 degrees.
+constexpr double sharp_turn = std::numbers::pi / 6.0;
+
+double angle_between(const Vec3& u, const Vec3& v) {
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
 bool any(const std::vector<char>& flags) {
   return std::any_of(flags.begin(), flags.end(), [](char flag) { return flag != 0; });
 }
@@ -85,7 +94,9 @@ public:
   [[nodiscard]] SolidPart part(std::span<const std::string> keep) && {
     for (const Face& face : faces_)
       add(face);
+    result_.boundary.creases.emplace();
     find_edges();
+    std::sort(result_.boundary.creases->begin(), result_.boundary.creases->end());
     result_.boundary.keep.assign(result_.boundary.mesh.points.size(), 0);
     find_corners(keep);
     result_.volume = volume_of(scene_.mesh, x_);
@@ -141,11 +152,15 @@ private:
     }
   }
 
-  /// Edges that carry what no face beside them does.
+  struct EdgeOfFace {
+    std::size_t face, edge; ///< from that corner to the next
+  };
+
+  /// Edges that are sharp or carry what no face beside them does.
   void find_edges() {
     struct Edge {
       std::vector<Index> nodes; ///< two corners, and the middle if there is one
-      std::vector<std::size_t> faces;
+      std::vector<EdgeOfFace> faces;
     };
     std::map<std::pair<Index, Index>, Edge> edges;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -157,13 +172,15 @@ private:
         edge.nodes = {a, b};
         if (nodes.size() > n)
           edge.nodes.push_back(nodes[n + i]);
-        edge.faces.push_back(f);
+        edge.faces.push_back({f, i});
       }
     }
     for (const auto& [ends, edge] : edges) {
       std::vector<const std::vector<char>*> supports, sets;
-      for (const std::size_t f : edge.faces) {
-        const Attachment& attached = result_.attachments[idx(part_of_face_[f])];
+      if (is_sharp(edge.faces))
+        add_crease(edge.nodes);
+      for (const EdgeOfFace& of : edge.faces) {
+        const Attachment& attached = result_.attachments[idx(part_of_face_[of.face])];
         supports.push_back(&attached.supports);
         sets.push_back(&attached.sets);
       }
@@ -180,6 +197,51 @@ private:
         keep_edge(point(edge.nodes[2]), b, own);
       }
     }
+  }
+
+  void add_crease(const std::vector<Index>& nodes) {
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      // Corner, middle, corner; or both corners.
+      const std::size_t a = i, b = nodes.size() - 1;
+      const Index first = point(nodes[a]), second = point(nodes[b]);
+      const auto [low, high] = std::minmax(first, second);
+      result_.boundary.creases->push_back({low, high});
+    }
+  }
+
+  [[nodiscard]] Vec3 normal(const Face& face, const Vec2& at) const {
+    return mechanics::visit_face(scene_.mesh.kind, [&](auto shape) -> Vec3 {
+      using Shape = decltype(shape);
+      if constexpr (Shape::dim == 2) {
+        std::vector<double> x;
+        for (const Index node : face.nodes)
+          for (Index i = 0; i < 3; ++i)
+            x.push_back(x_[idx(3 * node + i)]);
+        return mechanics::FacePoint<Shape>(scene_.analysis, x.data(), {at.x(), at.y()}, 1.0)
+            .area.stableNormalized();
+      } else {
+        return Vec3::Zero();
+      }
+    });
+  }
+
+  /// Whether the boundary turns at an edge by more than 30 degrees, and by more than the faces
+  /// beside it do from there to their far side.
+  [[nodiscard]] bool is_sharp(const std::vector<EdgeOfFace>& beside) const {
+    if (beside.size() != 2)
+      return true;
+    std::array<Vec3, 2> at_edge;
+    double most = sharp_turn;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Face& face = faces_[beside[k].face];
+      const FaceCut cut = face_cut(face.nodes.size());
+      const std::size_t i = beside[k].edge, n = cut.n_corners;
+      const Vec2 middle = 0.5 * (cut.coordinates[i] + cut.coordinates[(i + 1) % n]);
+      const Vec2 far = n == 3 ? cut.coordinates[(i + 2) % 3] : Vec2(-middle);
+      at_edge[k] = normal(face, middle);
+      most = std::max(most, angle_between(at_edge[k], normal(face, far)));
+    }
+    return angle_between(at_edge[0], at_edge[1]) > most;
   }
 
   void keep_edge(Index a, Index b, const SolidPart::EdgeFlags& own) {
