@@ -136,9 +136,8 @@ void print_remeshing(const process::RemeshSettings& remesh,
         fmt::format(", a face lies {:.3g} {} deep in a tool", *remesh.penetration, units.length);
   const geometry::RemeshSizes sizes = process.remesh_sizes();
   const bool plane = process.scene().mesh.dimension() == 2;
-  fmt::print("remeshing with {} when {}; {} of {:.4g} to {:.4g} {}\n", plane ? "tri6" : "tet10", when,
-             plane ? "sides" : "edges", sizes.min,
-             sizes.max, units.length);
+  fmt::print("remeshing with {} when {}; {} of {:.4g} to {:.4g} {}\n", plane ? "tri6" : "tet10",
+             when, plane ? "sides" : "edges", sizes.min, sizes.max, units.length);
 }
 
 void print_activity(const process::Scene& scene,

@@ -25,7 +25,8 @@ CornerNormals normals_of(const SolidBoundary& boundary) {
 }
 
 constexpr double least_cosine = 0.5; // of a normal against its facet; below, the patch may fold
-constexpr double most_departure = 0.15; // of a curved triangle from its facet, over its longest side
+constexpr double most_departure =
+    0.15; // of a curved triangle from its facet, over its longest side
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -34,8 +35,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 BoundarySurface::BoundarySurface(const SolidBoundary& boundary, double short_crease)
     : boundary_(&boundary), normals_(normals_of(boundary)),
       edges_(edge_curves(boundary.mesh, normals_)),
-      lines_(feature_lines(boundary, normals_, short_crease)),
-      members_(at(lines_.n_patches)) {
+      lines_(feature_lines(boundary, normals_, short_crease)), members_(at(lines_.n_patches)) {
   const TriangleMesh& mesh = boundary.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<CurvedTriangle::Side, 3> sides{};

@@ -44,8 +44,9 @@ public:
   FanBuilder(const TriangleMesh& mesh,
              double feature_angle,
              std::span<const std::array<std::int32_t, 2>> creases)
-      : mesh_(mesh), feature_angle_(feature_angle), creases_(creases), fans_(3 * mesh.triangles.size()),
-        parts_(mesh.triangles.size()), count_(mesh.triangles.size(), 0) {
+      : mesh_(mesh), feature_angle_(feature_angle), creases_(creases),
+        fans_(3 * mesh.triangles.size()), parts_(mesh.triangles.size()),
+        count_(mesh.triangles.size(), 0) {
     const std::size_t n = mesh.triangles.size();
     normals_.corners.resize(n);
     normals_.is_tip.assign(n, {0, 0, 0});

@@ -35,7 +35,7 @@ using Complex = CGAL::
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Vertex = Triangulation::Vertex_handle;
 
-constexpr double facet_angle = 25.0;     ///< smallest on the surface [degrees]; above 30 may not end
+constexpr double facet_angle = 25.0; ///< smallest on the surface [degrees]; above 30 may not end
 constexpr double radius_over_edge = 2.0; ///< of a tetrahedron; below 2 may not end
 constexpr double sliver = 14.0;          ///< dihedral angle to be reached [degrees]
 

@@ -25,18 +25,14 @@ std::vector<Vec3> directions() {
     for (Eigen::Index i = 0; i < 3; ++i)
       result.emplace_back(sign * Vec3::Unit(i));
   for (int octant = 0; octant < 8; ++octant)
-    result.push_back(
-        Vec3(octant & 1 ? 1.0 : -1.0, octant & 2 ? 1.0 : -1.0, octant & 4 ? 1.0 : -1.0)
-            .normalized());
+    result.push_back(Vec3(octant & 1 ? 1.0 : -1.0, octant & 2 ? 1.0 : -1.0, octant & 4 ? 1.0 : -1.0)
+                         .normalized());
   return result;
 }
 
 class Improver {
 public:
-  Improver(SolidMesh& mesh,
-           const std::vector<char>& movable,
-           const Confine& confine,
-           double wanted)
+  Improver(SolidMesh& mesh, const std::vector<char>& movable, const Confine& confine, double wanted)
       : mesh_(mesh), movable_(movable), confine_(confine), wanted_(wanted),
         around_(mesh.points.size()), ways_(directions()) {
     for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e)
@@ -79,8 +75,7 @@ private:
     for (const std::size_t e : around_[at(node)])
       for (const std::int32_t other : mesh_.tetrahedra[e])
         if (other != node)
-          shortest =
-              std::min(shortest, (mesh_.points[at(other)] - mesh_.points[at(node)]).norm());
+          shortest = std::min(shortest, (mesh_.points[at(other)] - mesh_.points[at(node)]).norm());
     return shortest;
   }
 

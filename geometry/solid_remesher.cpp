@@ -14,8 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -178,18 +176,6 @@ RemeshedSolid remesh_solid(const SolidBoundary& boundary,
                            const SettleSolid& settle) {
   require_sound(sizes);
   require_sound(boundary);
-  if (std::getenv("BILLET_DUMP")) { //DBG
-    static int count = 0;
-    FILE* f = std::fopen(fmt::format("{}{}.txt", std::getenv("BILLET_DUMP"), ++count).c_str(), "w");
-    fmt::print(f, "{} {} {} {} {} {}\n", boundary.mesh.points.size(), boundary.mesh.triangles.size(), boundary.lines.size(), sizes.min, sizes.max, volume);
-    for (std::size_t i = 0; i < boundary.mesh.points.size(); ++i)
-      fmt::print(f, "{} {} {} {}\n", boundary.mesh.points[i].x(), boundary.mesh.points[i].y(), boundary.mesh.points[i].z(), int(boundary.keep[i]));
-    for (std::size_t i = 0; i < boundary.mesh.triangles.size(); ++i)
-      fmt::print(f, "{} {} {} {} {}\n", boundary.mesh.triangles[i][0], boundary.mesh.triangles[i][1], boundary.mesh.triangles[i][2], boundary.part[i], int(boundary.hold[i]));
-    fmt::print(f, "{}\n", boundary.creases ? int(boundary.creases->size()) : -1);
-    if (boundary.creases) for (auto& [a, b] : *boundary.creases) fmt::print(f, "{} {}\n", a, b);
-    std::fclose(f);
-  }
   const BoundarySurface surface(boundary, sizes.max);
   const SpaceSizeField field = size_field(surface, sizes);
   Attempt best;

@@ -39,8 +39,8 @@ struct SolidSizes {
 /// Called for the corners and the middles of edges: parts of the faces around it, place on the old
 /// boundary, position on its surface; returns the new position [mm]. Nodes of faces that are not
 /// held are moved for the volume afterwards.
-using SettleSolid = std::function<Vec3(
-    std::span<const std::int32_t> parts, const SurfacePlace& at, const Vec3& x)>;
+using SettleSolid =
+    std::function<Vec3(std::span<const std::int32_t> parts, const SurfacePlace& at, const Vec3& x)>;
 
 /// The new mesh and where its boundary comes from.
 struct RemeshedSolid {

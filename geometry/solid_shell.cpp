@@ -249,9 +249,9 @@ SolidShell::Enclosed SolidShell::enclosed() const {
   for (const PatchedSolid::Facet& facet : solid_.facets) {
     const std::array<std::size_t, 6> nodes = nodes_of(facet);
     for (const auto& [l, weight] : rule()) {
-      const std::array<double, 6> N{
-          l[0] * (2.0 * l[0] - 1.0), l[1] * (2.0 * l[1] - 1.0), l[2] * (2.0 * l[2] - 1.0),
-          4.0 * l[0] * l[1],         4.0 * l[1] * l[2],         4.0 * l[2] * l[0]};
+      const std::array<double, 6> N{l[0] * (2.0 * l[0] - 1.0), l[1] * (2.0 * l[1] - 1.0),
+                                    l[2] * (2.0 * l[2] - 1.0), 4.0 * l[0] * l[1],
+                                    4.0 * l[1] * l[2],         4.0 * l[2] * l[0]};
       std::array<Vec3, 3> d{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; // by l
       Vec3 x = -origin;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -303,8 +303,8 @@ std::vector<Vec3> SolidShell::normals() const {
   std::vector<Vec3> result(seats_.size(), Vec3::Zero());
   for (const PatchedSolid::Facet& facet : solid_.facets) {
     const std::array<std::size_t, 6> nodes = nodes_of(facet);
-    const Vec3 area = (position(nodes[1]) - position(nodes[0]))
-                          .cross(position(nodes[2]) - position(nodes[0]));
+    const Vec3 area =
+        (position(nodes[1]) - position(nodes[0])).cross(position(nodes[2]) - position(nodes[0]));
     for (const std::size_t node : nodes)
       result[node] += area;
   }
@@ -320,9 +320,9 @@ void SolidShell::restore_volume(double wanted) {
   const std::vector<Vec3> normal = normals();
   double mean_edge = 0.0;
   for (const RemeshedSolid::Edge& edge : edges_)
-    mean_edge += (solid_.mesh.points[at(edge.corners[0])] - solid_.mesh.points[at(edge.corners[1])])
-                     .norm() /
-                 static_cast<double>(edges_.size());
+    mean_edge +=
+        (solid_.mesh.points[at(edge.corners[0])] - solid_.mesh.points[at(edge.corners[1])]).norm() /
+        static_cast<double>(edges_.size());
   const double most = most_shift * mean_edge;
   double shifted = 0.0;
   for (int round = 0; round < most_rounds; ++round) {
@@ -414,10 +414,10 @@ RemeshedSolid SolidShell::result() && {
   result.smallest_angle = smallest_angle() * 180.0 / std::numbers::pi;
   const SolidBoundary& boundary = surface_.boundary();
   for (const PatchedSolid::Facet& facet : solid_.facets) {
-    const Vec3 middle = (solid_.mesh.points[at(facet.corners[0])] +
-                         solid_.mesh.points[at(facet.corners[1])] +
-                         solid_.mesh.points[at(facet.corners[2])]) /
-                        3.0;
+    const Vec3 middle =
+        (solid_.mesh.points[at(facet.corners[0])] + solid_.mesh.points[at(facet.corners[1])] +
+         solid_.mesh.points[at(facet.corners[2])]) /
+        3.0;
     result.facets.push_back(
         {facet.corners, boundary.part[at(surface_.place(facet.patch, middle).triangle)]});
   }

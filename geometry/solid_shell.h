@@ -93,7 +93,7 @@ private:
   std::vector<std::array<std::int32_t, 6>> tetra_edges_; ///< numbers in `edges_`; -1: inside
   std::vector<Seat> seats_;                              ///< of all nodes
   std::vector<SurfacePlace> places_;                     ///< likewise; of no meaning inside
-  std::vector<std::int32_t> old_line_piece_; ///< of the edges, of those on lines
+  std::vector<std::int32_t> old_line_piece_;             ///< of the edges, of those on lines
   std::optional<Vec3> flaw_;
 };
 

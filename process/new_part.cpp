@@ -49,8 +49,7 @@ std::function<double(const Vec3&)> Process::wanted_size(double turn, double grow
       const Vec3 at = contact_->pose(t, time_, x_).to_tool(x);
       geometry::Projection foot;
       constexpr double reach = 4.0; // sizes
-      scene_.tools[t].surface->project(std::span(&at, 1), reach * sizes.usual,
-                                       std::span(&foot, 1));
+      scene_.tools[t].surface->project(std::span(&at, 1), reach * sizes.usual, std::span(&foot, 1));
       if (!foot.found())
         continue;
       // Sides turn with the tool's surface, as far as it is near.
@@ -99,9 +98,8 @@ Vec3 Process::settled(const contact::PointSource& source,
     if (!contact_->acts(t, time_))
       continue;
     // What touches with nothing near it stays, but not inside the tool.
-    const bool closed =
-        tool.value_or(static_cast<int>(t)) == static_cast<int>(t) &&
-        contact_->closed_on(t, source.nearest());
+    const bool closed = tool.value_or(static_cast<int>(t)) == static_cast<int>(t) &&
+                        contact_->closed_on(t, source.nearest());
     if (const std::optional<Vec3> there = onto_tool(t, result, !closed))
       result = *there;
   }
@@ -115,9 +113,9 @@ NewPart Process::new_part() const {
 NewPart Process::new_plane_part() const {
   const PartBoundary boundary =
       part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
-  const auto stops = std::make_shared<const ContactStops>(
-      boundary, scene_.contact_faces,
-      surface_ ? surface_->line_coordinates() : std::vector<double>());
+  const auto stops = std::make_shared<const ContactStops>(boundary, scene_.contact_faces,
+                                                          surface_ ? surface_->line_coordinates()
+                                                                   : std::vector<double>());
   const bool revolved = scene_.analysis == mechanics::Analysis::axisymmetric;
   geometry::Settle settle;
   if (contact_)
@@ -137,8 +135,7 @@ NewPart Process::new_plane_part() const {
 }
 
 NewPart Process::new_solid_part() const {
-  const SolidPart old =
-      solid_part(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  const SolidPart old = solid_part(scene_, positions(), touching_tools(), scene_.remesh->keep);
   const auto neighbours = std::make_shared<const ContactNeighbours>(
       old, surface_ ? surface_->face_coordinates() : std::vector<Vec2>());
   const auto supported = [&](std::span<const std::int32_t> parts, Vec3 x, const Vec3& on) {
@@ -148,8 +145,8 @@ NewPart Process::new_solid_part() const {
           x[scene_.supports[s].component] = on[scene_.supports[s].component];
     return x;
   };
-  const auto settle = [&](std::span<const std::int32_t> parts,
-                          const geometry::SurfacePlace& place, const Vec3& x) -> Vec3 {
+  const auto settle = [&](std::span<const std::int32_t> parts, const geometry::SurfacePlace& place,
+                          const Vec3& x) -> Vec3 {
     const auto& [a, b, c] = old.boundary.mesh.triangles[idx(place.triangle)];
     const std::vector<Vec3>& points = old.boundary.mesh.points;
     const Vec3 on = (1.0 - place.v - place.w) * points[idx(a)] + place.v * points[idx(b)] +
@@ -165,8 +162,8 @@ NewPart Process::new_solid_part() const {
     return result;
   };
   RemeshedPart part = remesh_part(scene_, old, solid_sizes(), settle);
-  return {std::move(part), [neighbours](const contact::ContactSurface& surface,
-                                        std::span<const double> x) {
+  return {std::move(part),
+          [neighbours](const contact::ContactSurface& surface, std::span<const double> x) {
             std::vector<Vec3> points(surface.n_points());
             surface.positions(x, points);
             std::vector<contact::PointSource> sources;

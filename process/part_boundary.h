@@ -50,7 +50,8 @@ struct RemeshedPart {
   std::vector<LoadSpec> loads;
   std::vector<mechanics::Face> contact_faces;
   std::vector<int> tools; ///< that touch the contact faces; -1: none; in the plane only
-  /// Where each contact face begins, has its middle and ends on the old boundary; in the plane only.
+  /// Where each contact face begins, has its middle and ends on the old boundary; in the plane
+  /// only.
   std::vector<std::array<geometry::BoundaryPlace, 3>> places;
   double old_measure = 0.0; ///< area, or its integral times x, or volume [mm^2, mm^3]
   double measure = 0.0;     ///< likewise, of the new mesh

@@ -164,8 +164,7 @@ void Process::exchange_mesh(NewPart anew, RemeshReport& report) {
   plastic_rate_ = std::move(state.plastic_rate);
   if (contact_) {
     contact_->start(x_, time_);
-    const std::vector<contact::PointSource> sources =
-        anew.sources(*surface_, positions());
+    const std::vector<contact::PointSource> sources = anew.sources(*surface_, positions());
     contact_->go_on_from(*old_contact, sources);
     if (wear_)
       wear_->change_surface(*surface_, sources);

@@ -146,8 +146,7 @@ private:
       result_.boundary.mesh.triangles.push_back({points[a], points[b], points[c]});
       result_.boundary.part.push_back(part->second);
       result_.boundary.hold.push_back(static_cast<char>(held));
-      result_.coordinates.push_back(
-          {cut.coordinates[a], cut.coordinates[b], cut.coordinates[c]});
+      result_.coordinates.push_back({cut.coordinates[a], cut.coordinates[b], cut.coordinates[c]});
       result_.contact_face.push_back(candidate != contact_face_.end() ? candidate->second : -1);
     }
   }
@@ -278,9 +277,8 @@ private:
         sets.push_back(&own->sets);
       }
       const std::span<const Index> alone(&node, 1);
-      const bool lone =
-          any(beyond(on_all(attachments_.nodes().supports, alone), supports)) ||
-          any(beyond(on_all(attachments_.nodes().sets, alone), sets));
+      const bool lone = any(beyond(on_all(attachments_.nodes().supports, alone), supports)) ||
+                        any(beyond(on_all(attachments_.nodes().sets, alone), sets));
       result_.boundary.keep[idx(point)] = static_cast<char>(lone || kept[idx(node)] != 0);
     }
   }

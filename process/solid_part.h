@@ -62,8 +62,8 @@ public:
   /// @param coordinates  of the points on a face
   ContactNeighbours(const SolidPart& part, std::vector<Vec2> coordinates);
 
-  /// Three points of the nearest face, weighted so that linear fields are exact between them; beyond
-  /// them the nearest.
+  /// Three points of the nearest face, weighted so that linear fields are exact between them;
+  /// beyond them the nearest.
   [[nodiscard]] contact::PointSource around(const Vec3& x) const;
 
 private:

@@ -55,8 +55,8 @@ std::vector<PointSource> sources_between(const ContactBench& old, const ContactB
     while (i + 2 < order.size() && from[order[i + 1]][0] < p[0])
       ++i;
     const double a = from[order[i]][0], b = from[order[i + 1]][0];
-    sources.push_back(PointSource::between(order[i], order[i + 1],
-                                           std::clamp((p[0] - a) / (b - a), 0.0, 1.0)));
+    sources.push_back(
+        PointSource::between(order[i], order[i + 1], std::clamp((p[0] - a) / (b - a), 0.0, 1.0)));
   }
   return sources;
 }

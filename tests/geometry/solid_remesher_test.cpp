@@ -121,7 +121,8 @@ TEST(SolidRemesher, KeepsEdgesAndVolumeOfABox) {
     sum += (solid.mesh.points[static_cast<std::size_t>(edge.corners[0])] -
             solid.mesh.points[static_cast<std::size_t>(edge.corners[1])])
                .norm();
-  std::printf("box: mean edge on the boundary %.3f\n", sum / static_cast<double>(solid.edges.size()));
+  std::printf("box: mean edge on the boundary %.3f\n",
+              sum / static_cast<double>(solid.edges.size()));
   EXPECT_NEAR(sum / static_cast<double>(solid.edges.size()), 0.5, 0.1);
 }
 
@@ -137,16 +138,16 @@ TEST(SolidRemesher, FollowsASphereToFourthOrder) {
     const double off = chords_off(solid, [](const Vec3& x) { return x.norm() - 1.0; });
     std::printf("sphere of %zu triangles (facets off by %.1e): nodes off by %.1e\n",
                 ball.triangles.size(), 1.0 - std::cos(1.107 / (2 << level)), off);
-    if (last > 0.0)
+    if (last > 0.0) {
       EXPECT_LT(off, last / 3.0);
+    }
     last = off;
   }
   EXPECT_LT(last, 2e-4);
 }
 
 TEST(SolidRemesher, KeepsTheRimsOfACylinder) {
-  const TriangleMesh bar =
-      round_bar({.n = 24, .radius = 2.0, .length = 3.0, .layers = 6});
+  const TriangleMesh bar = round_bar({.n = 24, .radius = 2.0, .length = 3.0, .layers = 6});
   const double cylinder = 12.0 * std::numbers::pi;
   const RemeshedSolid solid = remesh_solid(whole(bar), edges_of(0.8), cylinder);
   expect_sound(solid);
@@ -156,7 +157,8 @@ TEST(SolidRemesher, KeepsTheRimsOfACylinder) {
   EXPECT_GT(solid.on_lines.size(), 20u);
   for (const RemeshedSolid::LineEdge& line : solid.on_lines) {
     const RemeshedSolid::Edge& edge = solid.edges[line.edge];
-    for (const Vec3& x : {edge.middle, solid.mesh.points[static_cast<std::size_t>(edge.corners[0])]}) {
+    for (const Vec3& x :
+         {edge.middle, solid.mesh.points[static_cast<std::size_t>(edge.corners[0])]}) {
       EXPECT_NEAR(std::hypot(x.x(), x.y()), 2.0, 1e-3);
       EXPECT_NEAR(std::abs(x.z() - 1.5), 1.5, rounding);
     }
@@ -183,7 +185,8 @@ TEST(SolidRemesher, KeepsLinesBetweenPartsPointsAndEdgesOfTheCaller) {
   boundary.keep[static_cast<std::size_t>(kept)] = 1;
   for (std::size_t t = 0; t < boundary.mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t a = boundary.mesh.triangles[t][i], b = boundary.mesh.triangles[t][(i + 1) % 3];
+      const std::int32_t a = boundary.mesh.triangles[t][i],
+                         b = boundary.mesh.triangles[t][(i + 1) % 3];
       const Vec3 &x = points[static_cast<std::size_t>(a)], &y = points[static_cast<std::size_t>(b)];
       if (x.y() == 0.0 && y.y() == 0.0 && x.z() == 1.0 && y.z() == 1.0 && a < b)
         boundary.lines.push_back({a, b});
@@ -298,7 +301,8 @@ TEST(SolidRemesher, RefusesWhatIsNoBodyAndSaysWhere) {
 }
 
 TEST(SolidRemesher, GivesTheSameMeshEveryTime) {
-  const SolidBoundary boundary = whole(round_bar({.n = 16, .radius = 1.0, .length = 2.0, .layers = 4}));
+  const SolidBoundary boundary =
+      whole(round_bar({.n = 16, .radius = 1.0, .length = 2.0, .layers = 4}));
   const RemeshedSolid first = remesh_solid(boundary, edges_of(0.4), 6.2);
   const RemeshedSolid second = remesh_solid(boundary, edges_of(0.4), 6.2);
   ASSERT_EQ(first.mesh.points.size(), second.mesh.points.size());
