@@ -158,9 +158,10 @@ Vec3 BoundarySurface::point(const LinePlace& place) const {
 
 Vec3 BoundarySurface::flat_point(const SurfacePlace& place) const {
   const auto& triangle = boundary_->mesh.triangles[at(place.triangle)];
-  return (1.0 - place.v - place.w) * corner(boundary_->mesh, triangle, 0) +
-         place.v * corner(boundary_->mesh, triangle, 1) +
-         place.w * corner(boundary_->mesh, triangle, 2);
+  const Vec3& a = corner(boundary_->mesh, triangle, 0);
+  // So that planes across an axis are kept to the bit.
+  return a + place.v * (corner(boundary_->mesh, triangle, 1) - a) +
+         place.w * (corner(boundary_->mesh, triangle, 2) - a);
 }
 
 double BoundarySurface::curvature(std::int32_t triangle) const {

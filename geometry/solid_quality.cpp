@@ -34,7 +34,7 @@ class Improver {
 public:
   Improver(SolidMesh& mesh, const std::vector<char>& movable, const Confine& confine, double wanted)
       : mesh_(mesh), movable_(movable), confine_(confine), wanted_(wanted),
-        around_(mesh.points.size()), ways_(directions()) {
+        around_(mesh.points.size()), fresh_(mesh.points.size(), 1), ways_(directions()) {
     for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e)
       for (const std::int32_t node : mesh.tetrahedra[e])
         around_[at(node)].push_back(e);
@@ -46,7 +46,7 @@ public:
       for (std::size_t e = 0; e < mesh_.tetrahedra.size(); ++e)
         if (quality(e) < wanted_)
           for (const std::int32_t node : mesh_.tetrahedra[e])
-            better = (movable_[at(node)] != 0 && move(node)) || better;
+            better = (movable_[at(node)] != 0 && fresh_[at(node)] != 0 && move(node)) || better;
       if (!better)
         return;
     }
@@ -98,6 +98,11 @@ private:
       }
       x = best;
     }
+    fresh_[at(node)] = 0;
+    if (worst > before)
+      for (const std::size_t e : around_[at(node)])
+        for (const std::int32_t other : mesh_.tetrahedra[e])
+          fresh_[at(other)] = static_cast<char>(other != node || fresh_[at(other)] != 0);
     return worst > before;
   }
 
@@ -106,6 +111,7 @@ private:
   const Confine& confine_;
   double wanted_;
   std::vector<std::vector<std::size_t>> around_; ///< tetrahedra of each node
+  std::vector<char> fresh_; ///< something beside the node has moved since it was tried
   std::vector<Vec3> ways_;
 };
 

@@ -27,7 +27,7 @@ constexpr double most_tetrahedra = 1e6;
 constexpr double degree = std::numbers::pi / 180.0;
 
 /// Nodes are moved until tetrahedra are as good as this (`shape_quality`).
-constexpr double wanted_quality = 0.3;
+constexpr double wanted_quality = 0.25;
 /// A mesh whose faces are at these angles and whose tetrahedra are as good is taken at once, ...
 constexpr double good_angle = 10.0 * degree;
 constexpr double good_quality = 0.12;

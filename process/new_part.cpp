@@ -149,8 +149,9 @@ NewPart Process::new_solid_part() const {
                           const Vec3& x) -> Vec3 {
     const auto& [a, b, c] = old.boundary.mesh.triangles[idx(place.triangle)];
     const std::vector<Vec3>& points = old.boundary.mesh.points;
-    const Vec3 on = (1.0 - place.v - place.w) * points[idx(a)] + place.v * points[idx(b)] +
-                    place.w * points[idx(c)];
+    const Vec3& first = points[idx(a)];
+    const Vec3 on =
+        first + place.v * (points[idx(b)] - first) + place.w * (points[idx(c)] - first);
     const bool may_touch = contact_ && std::any_of(parts.begin(), parts.end(), [&](auto part) {
                              return old.attachments[idx(part)].contact;
                            });
