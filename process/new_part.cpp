@@ -150,8 +150,7 @@ NewPart Process::new_solid_part() const {
     const auto& [a, b, c] = old.boundary.mesh.triangles[idx(place.triangle)];
     const std::vector<Vec3>& points = old.boundary.mesh.points;
     const Vec3& first = points[idx(a)];
-    const Vec3 on =
-        first + place.v * (points[idx(b)] - first) + place.w * (points[idx(c)] - first);
+    const Vec3 on = first + place.v * (points[idx(b)] - first) + place.w * (points[idx(c)] - first);
     const bool may_touch = contact_ && std::any_of(parts.begin(), parts.end(), [&](auto part) {
                              return old.attachments[idx(part)].contact;
                            });

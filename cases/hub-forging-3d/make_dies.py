@@ -6,7 +6,7 @@ The hub has a boss about z and four arms along x and y; z = 0, x = 0 and y = 0 a
 
 import math
 
-LAND = 3.5                                    # half the thickness of the flash
+LAND = 4.5                                    # half the thickness between the arms
 BOSS_RADIUS, BOSS_DEPTH, BOSS_DRAFT = 13.0, 7.5, 9.0
 ARM_WIDTH, ARM_LENGTH, ARM_DEPTH, ARM_DRAFT = 9.0, 31.0, 4.5, 7.0
 BLEND = 1.5                                   # of boss and arms
