@@ -13,6 +13,7 @@ namespace billet::geometry {
 namespace {
 
 constexpr int most_rounds = 12;      // through all poor tetrahedra
+constexpr double most_moves = 4.0;   // of nodes, over the number of tetrahedra: a bound of the time
 constexpr double first_step = 0.25;  // over the shortest edge at a node
 constexpr double least_step = 0.004; // likewise
 
@@ -34,7 +35,9 @@ class Improver {
 public:
   Improver(SolidMesh& mesh, const std::vector<char>& movable, const Confine& confine, double wanted)
       : mesh_(mesh), movable_(movable), confine_(confine), wanted_(wanted),
-        around_(mesh.points.size()), fresh_(mesh.points.size(), 1), ways_(directions()) {
+        around_(mesh.points.size()), fresh_(mesh.points.size(), 1), ways_(directions()),
+        moves_(
+            static_cast<std::int64_t>(most_moves * static_cast<double>(mesh.tetrahedra.size()))) {
     for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e)
       for (const std::int32_t node : mesh.tetrahedra[e])
         around_[at(node)].push_back(e);
@@ -46,7 +49,8 @@ public:
       for (std::size_t e = 0; e < mesh_.tetrahedra.size(); ++e)
         if (quality(e) < wanted_)
           for (const std::int32_t node : mesh_.tetrahedra[e])
-            better = (movable_[at(node)] != 0 && fresh_[at(node)] != 0 && move(node)) || better;
+            if (movable_[at(node)] != 0 && fresh_[at(node)] != 0 && moves_-- > 0)
+              better = move(node) || better;
       if (!better)
         return;
     }
@@ -113,6 +117,7 @@ private:
   std::vector<std::vector<std::size_t>> around_; ///< tetrahedra of each node
   std::vector<char> fresh_; ///< something beside the node has moved since it was tried
   std::vector<Vec3> ways_;
+  std::int64_t moves_; ///< that are left
 };
 
 } // namespace

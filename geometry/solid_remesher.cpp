@@ -23,7 +23,7 @@ namespace billet::geometry {
 
 namespace {
 
-constexpr double most_tetrahedra = 1e6;
+constexpr double most_tetrahedra = 2e5;
 constexpr double degree = std::numbers::pi / 180.0;
 
 /// Nodes are moved until tetrahedra are as good as this (`shape_quality`).

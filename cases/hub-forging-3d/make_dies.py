@@ -5,6 +5,7 @@ The hub has a boss about z and four arms along x and y; z = 0, x = 0 and y = 0 a
 """
 
 import math
+import pathlib
 
 LAND = 4.5                                    # half the thickness between the arms
 BOSS_RADIUS, BOSS_DEPTH, BOSS_DRAFT = 13.0, 7.5, 9.0
@@ -70,7 +71,7 @@ def preform(turns=10):
 
 
 def write(name, facets):
-    with open(name, "w", encoding="ascii") as out:
+    with open(pathlib.Path(__file__).resolve().parent / name, "w", encoding="ascii") as out:
         out.write(f"solid {name}\n")
         for facet in facets:
             out.write("facet normal 0 0 0\nouter loop\n")

@@ -15,7 +15,6 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
-#include <random>
 #include <set>
 #include <string>
 #include <vector>
