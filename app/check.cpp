@@ -135,8 +135,9 @@ void print_remeshing(const process::RemeshSettings& remesh,
     when +=
         fmt::format(", a face lies {:.3g} {} deep in a tool", *remesh.penetration, units.length);
   const geometry::RemeshSizes sizes = process.remesh_sizes();
-  fmt::print("remeshing with tri6 when {}; sides of {:.4g} to {:.4g} {}\n", when, sizes.min,
-             sizes.max, units.length);
+  const bool plane = process.scene().mesh.dimension() == 2;
+  fmt::print("remeshing with {} when {}; {} of {:.4g} to {:.4g} {}\n", plane ? "tri6" : "tet10",
+             when, plane ? "sides" : "edges", sizes.min, sizes.max, units.length);
 }
 
 void print_activity(const process::Scene& scene,

@@ -3,6 +3,7 @@
 #include "contact/contact_term.h"
 
 #include <algorithm>
+#include <array>
 
 namespace billet::contact {
 
@@ -39,31 +40,42 @@ PointHistory ContactTerm::between(const ToolState& before,
                                   const PointSource& source,
                                   const geometry::Projection& foot,
                                   double depth) const {
-  const PointHistory& a = before.history[source.points[0]];
-  const PointHistory& b = before.history[source.points[1]];
-  const double t = source.share;
+  const auto old = [&](std::size_t i) -> const PointHistory& {
+    return before.history[source.points[i]];
+  };
   PointHistory history;
-  history.sliding = (1.0 - t) * a.sliding + t * b.sliding;
+  std::array<double, 3> weights = source.weights;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0.0)
+      history.sliding += weights[i] * old(i).sliding;
   if (!foot.found() || foot.gap > off_outside * depth || -foot.gap > off_inside * depth)
     return history;
-  const bool closed = t < 0.5 ? a.closed() : b.closed();
-  if (!closed) {
+  if (!before.history[source.nearest()].closed()) {
     history.offset = std::max(0.0, -foot.gap); // touches without pressure, if at all
     return history;
   }
-  // At the end of the contact only one of the two has something to say.
-  const double share = !a.closed() ? 1.0 : !b.closed() ? 0.0 : t;
-  const auto mean = [&](double u, double v) { return (1.0 - share) * u + share * v; };
+  // At the end of the contact only those that touch have something to say.
+  double touching = 0.0;
+  bool all = true;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0.0) {
+      all = all && old(i).closed();
+      touching += old(i).closed() ? weights[i] : 0.0;
+    }
+  for (std::size_t i = 0; i < weights.size() && !all; ++i)
+    weights[i] = old(i).closed() ? weights[i] / touching : 0.0;
   history.normal = foot.normal;
-  history.pressure = mean(a.pressure, b.pressure);
-  history.limit = mean(a.limit, b.limit);
-  history.stiffness = mean(a.stiffness, b.stiffness);
-  history.multiplier = mean(a.multiplier, b.multiplier);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] == 0.0)
+      continue;
+    const PointHistory& from = old(i);
+    history.pressure += weights[i] * from.pressure;
+    history.limit += weights[i] * from.limit;
+    history.stiffness += weights[i] * from.stiffness;
+    history.multiplier += weights[i] * from.multiplier;
+    history.shear += weights[i] * turn(from.shear, from.normal, foot.normal);
+  }
   history.offset = -foot.gap - (history.pressure - history.multiplier) / penalty().normal;
-  if (share < 1.0)
-    history.shear += (1.0 - share) * turn(a.shear, a.normal, foot.normal);
-  if (share > 0.0)
-    history.shear += share * turn(b.shear, b.normal, foot.normal);
   return history;
 }
 

@@ -114,6 +114,13 @@ inline std::vector<mechanics::RefPoint<2>> piece(mechanics::SimplexRule<2, 6> ru
 
 } // namespace
 
+std::size_t PointSource::nearest() const {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    best = weights[i] > 0.0 && weights[i] >= weights[best] ? i : best;
+  return points[best];
+}
+
 ContactSurface::ContactSurface(const mechanics::Mesh& mesh,
                                const mechanics::Bulk& bulk,
                                const mechanics::BlockPattern& pattern,
@@ -191,6 +198,16 @@ std::vector<double> ContactSurface::line_coordinates() const {
     std::vector<double> coordinates;
     for (int i = 0; i < decltype(rule)::points; ++i)
       coordinates.push_back(decltype(rule)::point(i)[0]);
+    return coordinates;
+  });
+}
+
+std::vector<Vec2> ContactSurface::face_coordinates() const {
+  return visit_contact_face(kind_, form_, [](auto shape, auto rule) {
+    std::vector<Vec2> coordinates;
+    if constexpr (decltype(shape)::dim == 2)
+      for (int i = 0; i < decltype(rule)::points; ++i)
+        coordinates.emplace_back(decltype(rule)::point(i)[0], decltype(rule)::point(i)[1]);
     return coordinates;
   });
 }

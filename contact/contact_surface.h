@@ -54,10 +54,17 @@ struct Footprint {
   std::size_t n_corners = 0;
 };
 
-/// Where a point of a new mesh's contact surface lies on the old one: between two of its points.
+/// Where a point of a new mesh's contact surface lies on the old one: between some of its points.
 struct PointSource {
-  std::array<std::size_t, 2> points; ///< of the old surface, on the same boundary
-  double share;                      ///< of the second one, in [0, 1] [-]
+  std::array<std::size_t, 3> points{}; ///< of the old surface, on the same boundary
+  std::array<double, 3> weights{};     ///< their sum is 1; 0: has nothing to say [-]
+
+  /// @param share  of the second point, in [0, 1]
+  [[nodiscard]] static PointSource between(std::size_t first, std::size_t second, double share) {
+    return {{first, second, second}, {1.0 - share, share, 0.0}};
+  }
+  /// The point with the largest weight, the last of equals.
+  [[nodiscard]] std::size_t nearest() const;
 };
 
 /// Faces and points; constant during a mesh's life.
@@ -93,6 +100,8 @@ public:
   void positions(std::span<const double> x, std::span<Vec3> out) const;
   /// Coordinates of a face's points on its line, in [-1, 1], shape (points()); in the plane only.
   [[nodiscard]] std::vector<double> line_coordinates() const;
+  /// Coordinates of a face's points on the reference face, shape (points()); in space only.
+  [[nodiscard]] std::vector<Vec2> face_coordinates() const;
   /// Areas that the points stand for, shape (n_points) [mm^2].
   void areas(std::span<const double> x, std::span<double> out) const;
   /// How the traction at a point is shared by the nodes of its face.

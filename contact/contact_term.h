@@ -98,7 +98,7 @@ public:
   /// Goes on where a term on an earlier mesh of the same part stood: its sums, its penalty, which
   /// tools act. After `start`.
   ///
-  /// @param sources  for each of this term's points the two of the other's that it lies between
+  /// @param sources  for each of this term's points those of the other's that it lies between
   void go_on_from(const ContactTerm& before, std::span<const PointSource> sources);
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
@@ -227,7 +227,7 @@ private:
   [[nodiscard]] bool follows(const DriveUnknown& drive, double time) const {
     return acts(drive.tool, time) && (drive.turns || held_[drive.tool] == 0);
   }
-  /// History of a point that lies between two points of an earlier surface.
+  /// History of a point that lies between points of an earlier surface.
   ///
   /// @param depth  of the element beneath [mm]
   [[nodiscard]] PointHistory between(const ToolState& before,

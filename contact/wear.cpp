@@ -67,9 +67,12 @@ void Wear::change_surface(const ContactSurface& surface, std::span<const PointSo
       continue;
     std::vector<double> depth;
     depth.reserve(sources.size());
-    for (const PointSource& source : sources)
-      depth.push_back((1.0 - source.share) * worn->depth[source.points[0]] +
-                      source.share * worn->depth[source.points[1]]);
+    for (const PointSource& source : sources) {
+      double mean = 0.0;
+      for (std::size_t i = 0; i < source.points.size(); ++i)
+        mean += source.weights[i] * worn->depth[source.points[i]];
+      depth.push_back(mean);
+    }
     worn->depth = std::move(depth);
   }
 }

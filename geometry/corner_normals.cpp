@@ -41,9 +41,12 @@ private:
 
 class FanBuilder {
 public:
-  FanBuilder(const TriangleMesh& mesh, double feature_angle)
-      : mesh_(mesh), feature_angle_(feature_angle), fans_(3 * mesh.triangles.size()),
-        parts_(mesh.triangles.size()), count_(mesh.triangles.size(), 0) {
+  FanBuilder(const TriangleMesh& mesh,
+             double feature_angle,
+             std::span<const std::array<std::int32_t, 2>> creases)
+      : mesh_(mesh), feature_angle_(feature_angle), creases_(creases),
+        fans_(3 * mesh.triangles.size()), parts_(mesh.triangles.size()),
+        count_(mesh.triangles.size(), 0) {
     const std::size_t n = mesh.triangles.size();
     normals_.corners.resize(n);
     normals_.is_tip.assign(n, {0, 0, 0});
@@ -82,6 +85,7 @@ private:
 
   const TriangleMesh& mesh_;
   double feature_angle_;
+  std::span<const std::array<std::int32_t, 2>> creases_;
   CornerNormals normals_;
   std::vector<std::vector<std::size_t>> members_; // corners of each fan
   Sets fans_;                                     // of corners 3 t + i
@@ -102,7 +106,8 @@ void FanBuilder::join(std::span<const EdgeUse> uses) {
   normals_.neighbours[t][s] = uses[1].triangle;
   normals_.neighbours[u][r] = uses[0].triangle;
   const double turn = angle_between(normals_.faces[t], normals_.faces[u]);
-  if (turn > feature_angle_) {
+  const std::array ends{uses[0].low, uses[0].high};
+  if (turn > feature_angle_ || std::binary_search(creases_.begin(), creases_.end(), ends)) {
     normals_.is_sharp[t][s] = normals_.is_sharp[u][r] = 1;
     return;
   }
@@ -284,7 +289,13 @@ void FanBuilder::finish_fan(std::span<const std::size_t> corners) {
 } // namespace
 
 CornerNormals corner_normals(const TriangleMesh& mesh, double feature_angle) {
-  return FanBuilder(mesh, feature_angle).build();
+  return corner_normals(mesh, feature_angle, {});
+}
+
+CornerNormals corner_normals(const TriangleMesh& mesh,
+                             double feature_angle,
+                             std::span<const std::array<std::int32_t, 2>> creases) {
+  return FanBuilder(mesh, feature_angle, creases).build();
 }
 
 } // namespace billet::geometry

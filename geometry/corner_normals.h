@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace billet::geometry {
@@ -35,5 +36,12 @@ struct CornerNormals {
 /// @param feature_angle  edges that turn by more stay sharp [rad], >= 0
 /// @pre complaints(health(mesh)) is empty
 [[nodiscard]] CornerNormals corner_normals(const TriangleMesh& mesh, double feature_angle);
+
+/// The same, and further edges stay sharp.
+///
+/// @param creases  point numbers of their ends, the smaller first, sorted
+[[nodiscard]] CornerNormals corner_normals(const TriangleMesh& mesh,
+                                           double feature_angle,
+                                           std::span<const std::array<std::int32_t, 2>> creases);
 
 } // namespace billet::geometry

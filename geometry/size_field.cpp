@@ -13,17 +13,18 @@ constexpr std::uint32_t leaf = 8;
 
 } // namespace
 
-SizeField::SizeField(std::vector<SizeSample> samples, double max, double growth)
+template <class Point>
+FieldOfSizes<Point>::FieldOfSizes(std::vector<SizeSample> samples, double max, double growth)
     : samples_(std::move(samples)), max_(max), growth_(growth) {
   std::erase_if(samples_, [max](const SizeSample& sample) { return sample.size >= max; });
   if (!samples_.empty())
     divide(0, static_cast<std::uint32_t>(samples_.size()));
 }
 
-void SizeField::divide(std::uint32_t begin, std::uint32_t end) {
+template <class Point> void FieldOfSizes<Point>::divide(std::uint32_t begin, std::uint32_t end) {
   const std::size_t number = nodes_.size();
-  Node node{Vec2::Constant(std::numeric_limits<double>::infinity()),
-            Vec2::Constant(-std::numeric_limits<double>::infinity()),
+  Node node{Point::Constant(std::numeric_limits<double>::infinity()),
+            Point::Constant(-std::numeric_limits<double>::infinity()),
             max_,
             begin,
             end,
@@ -36,8 +37,10 @@ void SizeField::divide(std::uint32_t begin, std::uint32_t end) {
   nodes_.push_back(node);
   if (end - begin <= leaf)
     return;
-  const Vec2 extent = node.high - node.low;
-  const int axis = extent.x() >= extent.y() ? 0 : 1;
+  const Point extent = node.high - node.low;
+  Eigen::Index axis = 0;
+  for (Eigen::Index i = 1; i < extent.size(); ++i)
+    axis = extent[i] > extent[axis] ? i : axis;
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(
       samples_.begin() + begin, samples_.begin() + middle, samples_.begin() + end,
@@ -47,7 +50,7 @@ void SizeField::divide(std::uint32_t begin, std::uint32_t end) {
   divide(middle, end);
 }
 
-double SizeField::operator()(const Vec2& x) const {
+template <class Point> double FieldOfSizes<Point>::operator()(const Point& x) const {
   double least = max_;
   const auto bound = [&](const Node& node) {
     return node.least + growth_ * (x - x.cwiseMax(node.low).cwiseMin(node.high)).norm();
@@ -72,5 +75,8 @@ double SizeField::operator()(const Vec2& x) const {
   }
   return least;
 }
+
+template class FieldOfSizes<Vec2>;
+template class FieldOfSizes<Vec3>;
 
 } // namespace billet::geometry

@@ -13,6 +13,7 @@
 #include "mechanics/domain_meshes.h"
 #include "mechanics/loads.h"
 #include "mechanics/mesh_check.h"
+#include "mechanics/mesh_edges.h"
 #include "mechanics/mesh_generators.h"
 
 #include <fmt/format.h>
@@ -337,8 +338,8 @@ void add_stages(const Case& content, process::Scene& scene) {
   }
 }
 
-/// Whether nodes are all there are, or sides and corners of the boundary: those a new mesh has,
-/// too.
+/// Whether nodes are all there are, or faces, edges and corners of the boundary: those a new mesh
+/// has, too.
 bool on_boundary(const Mesh& mesh,
                  const std::vector<Face>& boundary,
                  const std::vector<Index>& nodes) {
@@ -349,9 +350,13 @@ bool on_boundary(const Mesh& mesh,
   for (const Face& face : boundary) {
     const bool whole = std::all_of(face.nodes.begin(), face.nodes.end(),
                                    [&](Index a) { return wanted[idx(a)] != 0; });
-    for (std::size_t a = 0; a < face.nodes.size(); ++a)
-      if (whole || a < 2)
+    const std::size_t n = mechanics::corners_per_face(mesh.kind);
+    for (std::size_t a = 0; a < face.nodes.size(); ++a) {
+      const bool on_edge = a >= n && mesh.dimension() == 3 && wanted[idx(face.nodes[a - n])] != 0 &&
+                           wanted[idx(face.nodes[(a - n + 1) % n])] != 0;
+      if (whole || a < n || on_edge)
         found[idx(face.nodes[a])] = 1;
+    }
   }
   return nodes.size() == mesh.points.size() ||
          std::all_of(nodes.begin(), nodes.end(), [&](Index a) { return found[idx(a)] != 0; });
@@ -365,10 +370,10 @@ void require_remeshable(const Case& content,
     throw Error(Fault::case_file, place, "remesh: " + what + " not available in this version",
                 remedy);
   };
-  if (content.analysis == Analysis::solid)
-    refuse("parts in space are", "leave [remesh] out");
-  if (content.remesh->element && *content.remesh->element != "tri6")
-    refuse(fmt::format("element = \"{}\" is", *content.remesh->element), "element = \"tri6\"");
+  const std::string element = content.analysis == Analysis::solid ? "tet10" : "tri6";
+  if (content.remesh->element && *content.remesh->element != element)
+    refuse(fmt::format("element = \"{}\" is", *content.remesh->element),
+           fmt::format("element = \"{}\"", element));
   for (const Load& load : content.loads)
     if (!std::holds_alternative<PressureLoad>(load.kind))
       refuse("tractions and body forces are", "use pressure, or leave [remesh] out");

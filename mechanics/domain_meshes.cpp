@@ -69,4 +69,13 @@ Mesh tetrahedron_mesh(const geometry::SolidMesh& domain) {
   return quadratic_mesh(ElementKind::tet10, domain.points, flat(domain.tetrahedra));
 }
 
+Mesh tetrahedron_mesh(const geometry::RemeshedSolid& solid) {
+  Mesh mesh = tetrahedron_mesh(solid.mesh);
+  const std::map<Side, Index> middle_of = middles(mesh);
+  for (const geometry::RemeshedSolid::Edge& edge : solid.edges)
+    mesh.points[static_cast<std::size_t>(middle_of.at(side(edge.corners[0], edge.corners[1])))] =
+        edge.middle;
+  return mesh;
+}
+
 } // namespace billet::mechanics

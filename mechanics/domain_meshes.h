@@ -6,6 +6,7 @@
 
 #include "geometry/mesher_2d.h"
 #include "geometry/mesher_3d.h"
+#include "geometry/solid_remesher.h"
 #include "mechanics/mesh.h"
 
 namespace billet::mechanics {
@@ -18,5 +19,8 @@ namespace billet::mechanics {
 
 /// tet10 with straight edges; no node sets.
 [[nodiscard]] Mesh tetrahedron_mesh(const geometry::SolidMesh& domain);
+
+/// tet10; the middle nodes of the boundary are those of its edges, edges inside are straight.
+[[nodiscard]] Mesh tetrahedron_mesh(const geometry::RemeshedSolid& solid);
 
 } // namespace billet::mechanics

@@ -39,6 +39,12 @@ int corners_per_element(ElementKind kind) {
   return 0;
 }
 
+std::size_t corners_per_face(ElementKind kind) {
+  if (dimension(kind) == 2)
+    return 2;
+  return kind == ElementKind::tet10 ? 3 : 4;
+}
+
 bool is_quadratic(ElementKind kind) { return nodes_per_element(kind) != corners_per_element(kind); }
 
 bool is_simplex(ElementKind kind) {

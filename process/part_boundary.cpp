@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <variant>
 
 namespace billet::process {
@@ -21,54 +20,14 @@ constexpr double sides_of_zone = 6.0;
 
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
-/// Which nodes are in each of several lists.
-std::vector<std::vector<char>> flags(const std::vector<const std::vector<Index>*>& lists,
-                                     std::size_t n) {
-  std::vector<std::vector<char>> result;
-  for (const std::vector<Index>* list : lists) {
-    result.emplace_back(n, char{0});
-    for (const Index node : *list)
-      result.back()[idx(node)] = 1;
-  }
-  return result;
-}
-
-/// What each node carries.
-struct NodeFlags {
-  std::vector<std::vector<char>> supports;
-  std::vector<std::vector<char>> sets;
-};
-
-NodeFlags node_flags(const Scene& scene) {
-  std::vector<const std::vector<Index>*> supports;
-  for (const Support& support : scene.supports)
-    supports.push_back(&support.nodes);
-  std::vector<const std::vector<Index>*> sets;
-  for (const auto& [name, nodes] : scene.mesh.node_sets)
-    sets.push_back(&nodes);
-  return {flags(supports, scene.mesh.points.size()), flags(sets, scene.mesh.points.size())};
-}
-
-std::vector<char> on_all(const std::vector<std::vector<char>>& flags, const Face& face) {
-  std::vector<char> result;
-  for (const std::vector<char>& each : flags)
-    result.push_back(static_cast<char>(std::all_of(face.nodes.begin(), face.nodes.end(),
-                                                   [&](Index a) { return each[idx(a)] != 0; })));
-  return result;
-}
-
-bool same_nodes(const Face& a, const Face& b) { return a.nodes == b.nodes; }
-
 /// Walks faces of the boundary of a scene and puts them into chains.
 class Chains {
 public:
   Chains(const Scene& scene, std::span<const double> x, std::span<const int> touching)
-      : scene_(scene), x_(x), nodes_(node_flags(scene)),
+      : scene_(scene), x_(x), attachments_(scene, touching),
         faces_(mechanics::boundary_faces(scene.mesh)) {
     for (std::size_t f = 0; f < faces_.size(); ++f)
       by_start_[faces_[f].nodes[0]] = f;
-    for (std::size_t f = 0; f < scene.contact_faces.size(); ++f)
-      touching_[scene.contact_faces[f].nodes] = touching[f];
   }
 
   [[nodiscard]] PartBoundary boundary(const std::vector<char>& kept) {
@@ -80,7 +39,7 @@ public:
       for (auto next = by_start_.begin(); next != by_start_.end();) {
         const Face& face = faces_[next->second];
         by_start_.erase(next);
-        const Attachment attached = attachment(face);
+        const Attachment attached = attachments_.of(face);
         const auto [part, is_new] =
             numbers.try_emplace(attached, static_cast<std::int32_t>(numbers.size()));
         if (is_new)
@@ -113,21 +72,6 @@ private:
                                  : Vec2(0.5 * (place(face.nodes[0]) + place(face.nodes[1])));
   }
 
-  [[nodiscard]] Attachment attachment(const Face& face) const {
-    Attachment result{on_all(nodes_.supports, face), {}, on_all(nodes_.sets, face)};
-    for (const LoadSpec& load : scene_.loads) {
-      const auto* pressure = std::get_if<PressureOn>(&load);
-      result.loads.push_back(static_cast<char>(
-          pressure != nullptr && std::any_of(pressure->faces.begin(), pressure->faces.end(),
-                                             [&](const Face& f) { return same_nodes(f, face); })));
-    }
-    const auto touched = touching_.find(face.nodes);
-    result.contact = touched != touching_.end();
-    if (result.contact)
-      result.tool = touched->second;
-    return result;
-  }
-
   /// Nodes of tools, supports and the axis stay on their lines.
   [[nodiscard]] bool held(const Face& face, const Attachment& attached) const {
     return attached.tool >= 0 ||
@@ -143,7 +87,7 @@ private:
     for (const Index node : corners) {
       unsigned mask = 0;
       for (std::size_t s = 0; s < scene_.supports.size(); ++s)
-        if (nodes_.supports[s][idx(node)] != 0)
+        if (attachments_.nodes().supports[s][idx(node)] != 0)
           mask |= 1U << static_cast<unsigned>(scene_.supports[s].component);
       result.push_back(static_cast<unsigned char>(mask));
     }
@@ -165,56 +109,17 @@ private:
             return true;
         return false;
       };
-      if (lone(nodes_.supports, before.supports, after.supports) ||
-          lone(nodes_.sets, before.sets, after.sets))
+      if (lone(attachments_.nodes().supports, before.supports, after.supports) ||
+          lone(attachments_.nodes().sets, before.sets, after.sets))
         loop.keep[i] = 1;
     }
   }
 
   const Scene& scene_;
   std::span<const double> x_;
-  NodeFlags nodes_;
+  Attachments attachments_;
   std::vector<Face> faces_;
   std::map<Index, std::size_t> by_start_;
-  std::map<std::vector<Index>, int> touching_;
-};
-
-/// Nodes gathered for a list, without double ones.
-struct NodeList {
-  std::set<Index> nodes;
-
-  [[nodiscard]] std::vector<Index> sorted() const { return {nodes.begin(), nodes.end()}; }
-};
-
-/// The node lists of a scene on its new mesh.
-class NodeLists {
-public:
-  NodeLists(const std::vector<const std::vector<Index>*>& old, Index n_old, Index n_new)
-      : old_(old), lists_(old.size()) {
-    for (std::size_t s = 0; s < old.size(); ++s)
-      if (static_cast<Index>(old[s]->size()) == n_old) // the whole part
-        for (Index node = 0; node < n_new; ++node)
-          lists_[s].nodes.insert(node);
-  }
-
-  void add(const std::vector<char>& flags, const Face& face) {
-    for (std::size_t s = 0; s < lists_.size(); ++s)
-      if (flags[s] != 0)
-        lists_[s].nodes.insert(face.nodes.begin(), face.nodes.end());
-  }
-
-  /// The new node that stands for a kept corner is in the lists that this one was in.
-  void add_corner(Index old_node, Index node) {
-    for (std::size_t s = 0; s < lists_.size(); ++s)
-      if (std::find(old_[s]->begin(), old_[s]->end(), old_node) != old_[s]->end())
-        lists_[s].nodes.insert(node);
-  }
-
-  [[nodiscard]] std::vector<Index> operator[](std::size_t s) const { return lists_[s].sorted(); }
-
-private:
-  std::vector<const std::vector<Index>*> old_;
-  std::vector<NodeList> lists_;
 };
 
 /// The corner of the old boundary in a place; -1: it lies within a side.
@@ -279,7 +184,7 @@ std::int32_t ContactStops::part_at(const BoundaryPlace& at) const {
 contact::PointSource ContactStops::between(std::int32_t loop, double way, std::int32_t part) const {
   const std::vector<Stop>& stops = stops_[idx(loop)];
   if (stops.empty()) // a loop that had no contact face has none now
-    return {{0, 0}, 0.0};
+    return contact::PointSource::between(0, 0, 0.0);
   const double total = round(loop);
   const double at = std::fmod(way + total, total);
   const auto after = std::upper_bound(stops.begin(), stops.end(), at,
@@ -287,12 +192,13 @@ contact::PointSource ContactStops::between(std::int32_t loop, double way, std::i
   const Stop& next = after == stops.end() ? stops.front() : *after;
   const Stop& last = after == stops.begin() ? stops.back() : *std::prev(after);
   if (last.part == part && next.part != part)
-    return {{last.point, last.point}, 0.0};
+    return contact::PointSource::between(last.point, last.point, 0.0);
   if (next.part == part && last.part != part)
-    return {{next.point, next.point}, 0.0};
+    return contact::PointSource::between(next.point, next.point, 0.0);
   const double span = std::fmod(next.way - last.way + total, total);
   const double gone = std::fmod(at - last.way + total, total);
-  return {{last.point, next.point}, span > 0.0 ? std::clamp(gone / span, 0.0, 1.0) : 0.0};
+  return contact::PointSource::between(last.point, next.point,
+                                       span > 0.0 ? std::clamp(gone / span, 0.0, 1.0) : 0.0);
 }
 
 PartBoundary part_boundary(const Scene& scene,
@@ -373,18 +279,9 @@ RemeshedPart remesh_part(const Scene& scene,
   for (std::size_t s = 0; s < domain.mesh.boundary.size(); ++s)
     side_of[{domain.mesh.boundary[s].corners[0], domain.mesh.boundary[s].corners[1]}] = s;
 
-  std::vector<const std::vector<Index>*> old_supports;
-  for (const Support& support : scene.supports)
-    old_supports.push_back(&support.nodes);
-  std::vector<const std::vector<Index>*> old_sets;
-  for (const auto& [name, nodes] : scene.mesh.node_sets)
-    old_sets.push_back(&nodes);
-  NodeLists supports(old_supports, scene.mesh.n_points(), part.mesh.n_points());
-  NodeLists sets(old_sets, scene.mesh.n_points(), part.mesh.n_points());
-  part.loads = scene.loads;
-  for (LoadSpec& load : part.loads)
-    if (auto* pressure = std::get_if<PressureOn>(&load))
-      pressure->faces.clear();
+  NodeLists supports = support_lists(scene, part.mesh.n_points());
+  NodeLists sets = set_lists(scene, part.mesh.n_points());
+  part.loads = loads_without_faces(scene);
 
   const auto place_after = [&](std::size_t s) -> BoundaryPlace {
     // Sides of a loop follow each other; the last one ends where the first one begins.
@@ -400,8 +297,8 @@ RemeshedPart remesh_part(const Scene& scene,
   for (const Face& face : mechanics::boundary_faces(part.mesh)) {
     const std::size_t s = side_of.at({face.nodes[0], face.nodes[1]});
     const Attachment& attached = boundary.attachments[idx(domain.mesh.boundary[s].segment)];
-    supports.add(attached.supports, face);
-    sets.add(attached.sets, face);
+    supports.add(attached.supports, face.nodes);
+    sets.add(attached.sets, face.nodes);
     for (std::size_t l = 0; l < part.loads.size(); ++l)
       if (attached.loads[l] != 0)
         std::get<PressureOn>(part.loads[l]).faces.push_back(face);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "geometry/domain_remesher.h"
+#include "process/attachments.h"
 #include "process/scene.h"
 
 #include <array>
@@ -19,17 +20,6 @@
 #include <vector>
 
 namespace billet::process {
-
-/// What hangs on a side, each as flags in the order of the scene.
-struct Attachment {
-  std::vector<char> supports; ///< both its ends are held by the support
-  std::vector<char> loads;    ///< the pressure acts on it
-  std::vector<char> sets;     ///< its nodes are in the set
-  bool contact = false;       ///< a candidate face
-  int tool = -1;              ///< that touches it; -1: none
-
-  auto operator<=>(const Attachment&) const = default;
-};
 
 /// A side of the boundary.
 struct SideNumber {
@@ -43,7 +33,7 @@ struct PartBoundary {
   std::vector<std::vector<Index>> corners; ///< node numbers, of each loop
   /// Components of each of these nodes that a support prescribes: 1 for x, 2 for y, or both.
   std::vector<std::vector<unsigned char>> fixed;
-  std::vector<Attachment> attachments;     ///< of each part of the boundary
+  std::vector<Attachment> attachments; ///< of each part of the boundary
   /// Side of each face, by its first two nodes.
   std::map<std::pair<Index, Index>, SideNumber> sides;
 };
@@ -67,14 +57,15 @@ struct PartBoundary {
 
 /// What the scene has on a new mesh of the part.
 struct RemeshedPart {
-  mechanics::Mesh mesh; ///< tri6
+  mechanics::Mesh mesh; ///< tri6, in space tet10
   std::vector<Support> supports;
   std::vector<LoadSpec> loads;
   std::vector<mechanics::Face> contact_faces;
-  std::vector<int> tools; ///< that touch the contact faces; -1: none
-  /// Where each contact face begins, has its middle and ends on the old boundary.
+  std::vector<int> tools; ///< that touch the contact faces; -1: none; in the plane only
+  /// Where each contact face begins, has its middle and ends on the old boundary; in the plane
+  /// only.
   std::vector<std::array<geometry::BoundaryPlace, 3>> places;
-  double old_measure = 0.0; ///< area, or its integral times x [mm^2, mm^3]
+  double old_measure = 0.0; ///< area, or its integral times x, or volume [mm^2, mm^3]
   double measure = 0.0;     ///< likewise, of the new mesh
 };
 

@@ -16,17 +16,20 @@
 #include "process/scene.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+namespace billet::geometry {
+struct SolidSizes;
+}
+
 namespace billet::process {
 
-class ContactStops;
-struct PartBoundary;
-struct RemeshedPart;
+struct NewPart;
 
 /// Energies of the run so far [N mm].
 struct EnergyBalance {
@@ -216,8 +219,10 @@ public:
   [[nodiscard]] std::span<const Refusal> refusals() const { return refusals_; }
   /// Remeshings of the run, in their order.
   [[nodiscard]] std::span<const RemeshReport> remeshings() const { return remeshings_; }
-  /// Sizes that the part would be meshed with now; the scene has settings for that.
+  /// Sizes that the part would be meshed with now, in the plane or in space; the scene has settings
+  /// for that.
   [[nodiscard]] geometry::RemeshSizes remesh_sizes() const;
+  [[nodiscard]] geometry::SolidSizes solid_sizes() const;
   [[nodiscard]] int increments() const { return increment_; }
   [[nodiscard]] int iterations() const { return iterations_; }
   [[nodiscard]] int cutbacks() const { return cutbacks_; }
@@ -293,17 +298,37 @@ private:
   /// @return why it could not be done; empty: it was. Then nothing has changed
   [[nodiscard]] std::string remesh(const std::string& cause,
                                    const std::vector<Observer*>& observers);
-  void exchange_mesh(const PartBoundary& boundary, RemeshedPart part, RemeshReport& report);
+  void exchange_mesh(NewPart part, RemeshReport& report);
+  /// The part on a new mesh; nothing of the run has changed.
+  /// @throws Error(Fault::geometry) if it cannot be meshed
+  [[nodiscard]] NewPart new_part() const;
+  [[nodiscard]] NewPart new_plane_part() const;
+  [[nodiscard]] NewPart new_solid_part() const;
   /// The tool that touches each contact face; -1: none.
   [[nodiscard]] std::vector<int> touching_tools() const;
-  /// Puts nodes of the new boundary on the tool that their side lies on.
-  [[nodiscard]] geometry::Settle onto_tools(const PartBoundary& boundary) const;
-  /// The nearest point of a tool that a support lets a node go to; none: it is out of reach, or
-  /// the place lies off the tool by more than `most_gap` [mm].
+  /// What the case asks for, and what it leaves open from the mesh at the start [mm].
+  struct UsualSizes {
+    double usual, at_contact, min, max;
+  };
+  [[nodiscard]] UsualSizes usual_sizes() const;
+  /// Size asked for at a place by tools that are near. [mm]
+  [[nodiscard]] std::function<double(const Vec3&)> wanted_size(double turn, double growth) const;
+  /// How a node of the new boundary may go to a tool.
+  struct WayToTool {
+    double most_gap = 0.0; ///< that it is off a tool that it touches [mm]
+    unsigned fixed = 0;    ///< components that stay: 1 for x, 2 for y, 4 for z
+  };
+  /// The nearest point of a tool that the node may go to; none: it is out of reach or further off.
+  [[nodiscard]] std::optional<Vec3>
+  onto_tool(std::size_t tool, const Vec3& x, const WayToTool& way) const;
+  /// A node of the new boundary put on the tools that old contact points beside it touch, and out
+  /// of the others.
   ///
-  /// @param fixed  components that stay: 1 for x, 2 for y, or both
-  [[nodiscard]] std::optional<Vec2>
-  onto_tool(std::size_t tool, const Vec2& x, double most_gap, unsigned fixed) const;
+  /// @param tool  the only one that may be touched, -1: none; empty: any
+  [[nodiscard]] Vec3 settled(const contact::PointSource& source,
+                             const Vec3& x,
+                             std::optional<int> tool,
+                             const WayToTool& way) const;
   /// Solves for equilibrium on the new mesh without moving on. (P.17)
   void restore_balance(RemeshReport& report);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);

@@ -55,7 +55,8 @@ std::vector<PointSource> sources_between(const ContactBench& old, const ContactB
     while (i + 2 < order.size() && from[order[i + 1]][0] < p[0])
       ++i;
     const double a = from[order[i]][0], b = from[order[i + 1]][0];
-    sources.push_back({{order[i], order[i + 1]}, std::clamp((p[0] - a) / (b - a), 0.0, 1.0)});
+    sources.push_back(
+        PointSource::between(order[i], order[i + 1], std::clamp((p[0] - a) / (b - a), 0.0, 1.0)));
   }
   return sources;
 }
@@ -86,8 +87,8 @@ struct Exchange {
                                const std::function<double(const PointResult&)>& of) const {
     const auto results = old.term.results();
     const PointSource& source = sources[k];
-    return (1.0 - source.share) * of(results[source.points[0]]) +
-           source.share * of(results[source.points[1]]);
+    return source.weights[0] * of(results[source.points[0]]) +
+           source.weights[1] * of(results[source.points[1]]);
   }
 
   ContactBench old;
@@ -185,7 +186,7 @@ TEST(ChangeOfSurface, PressesNowhereThatWasOpen) {
     const PointSource& source = on.sources[k];
     const PointResult& a = old[source.points[0]];
     const PointResult& b = old[source.points[1]];
-    const PointResult& nearer = source.share < 0.5 ? a : b;
+    const PointResult& nearer = source.weights[1] < 0.5 ? a : b;
     if (nearer.pressure == 0.0) {
       EXPECT_EQ(results[k].pressure, 0.0);
       ++open;
@@ -245,7 +246,7 @@ TEST(ChangeOfSurface, KeepsWhatIsWorn) {
   for (std::size_t k = 0; k < after.size(); ++k) {
     const PointSource& source = on.sources[k];
     const double mean =
-        (1.0 - source.share) * before[source.points[0]] + source.share * before[source.points[1]];
+        source.weights[0] * before[source.points[0]] + source.weights[1] * before[source.points[1]];
     EXPECT_NEAR(after[k], mean, rounding * mean);
   }
   EXPECT_EQ(wear.map(0)->volume(), volume);

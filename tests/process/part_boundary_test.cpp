@@ -392,9 +392,9 @@ TEST(PointSources, LieOnEitherSideOfTheNewPoint) {
         const double first = way_to(old.points[sources[k].points[0]]);
         const double second = way_to(old.points[sources[k].points[1]]);
         widest = std::max(widest, ahead(first, second));
-        ASSERT_GE(sources[k].share, 0.0);
-        ASSERT_LE(sources[k].share, 1.0);
-        const double there = first + sources[k].share * ahead(first, second);
+        ASSERT_GE(sources[k].weights[1], 0.0);
+        ASSERT_LE(sources[k].weights[1], 1.0);
+        const double there = first + sources[k].weights[1] * ahead(first, second);
         EXPECT_NEAR(std::remainder(there - way_to(anew.points[k]), perimeter), 0.0,
                     1e-9 * perimeter)
             << k;
@@ -416,7 +416,7 @@ TEST(PointSources, BeyondTheLastPointAreThatPoint) {
       point_sources(stops, part.places, anew.of.line_coordinates());
   int beyond = 0;
   for (std::size_t k = 0; k < sources.size(); ++k) {
-    const Vec3& nearest = old.points[sources[k].points[sources[k].share < 0.5 ? 0 : 1]];
+    const Vec3& nearest = old.points[sources[k].points[sources[k].weights[1] < 0.5 ? 0 : 1]];
     for (const Vec3& other : old.points)
       EXPECT_LE((anew.points[k] - nearest).norm(), (anew.points[k] - other).norm() + 1e-9);
     const double gap =

@@ -1,0 +1,220 @@
+#include "geometry/patch_mesher.h"
+
+#include "geometry/base/error.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_error_code.h>
+#include <CGAL/Mesh_polyhedron_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/exude_mesh_3.h>
+#include <CGAL/make_mesh_3.h>
+#include <CGAL/perturb_mesh_3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <unordered_map>
+#include <utility>
+
+namespace billet::geometry {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Polyhedron = CGAL::Mesh_polyhedron_3<Kernel>::type;
+using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel>;
+using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Sequential_tag>::type;
+using Complex = CGAL::
+    Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
+using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
+using Vertex = Triangulation::Vertex_handle;
+
+constexpr double facet_angle = 25.0; ///< smallest on the surface [degrees]; above 30 may not end
+constexpr double radius_over_edge = 2.0; ///< of a tetrahedron; below 2 may not end
+constexpr double sliver = 14.0;          ///< dihedral angle to be reached [degrees]
+
+/// Bounds over the size asked for: of the length of an edge on a line, of the radius of the circle
+/// around a facet, of that of the sphere around a tetrahedron, and of how far a facet may lie off
+/// the surface. The edges of the mesh then are as long as asked for, on the whole.
+constexpr double line_share = 1.1;
+constexpr double facet_share = 0.75;
+constexpr double cell_share = 0.85;
+constexpr double sag_share = 0.1;
+
+/// CGAL's name for a patch; 0 is none.
+int patch_name(std::int32_t patch) { return patch + 1; }
+
+Kernel::Point_3 point(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+
+Polyhedron polyhedron(const PatchedSurface& surface) {
+  std::vector<Kernel::Point_3> points;
+  for (const Vec3& p : surface.mesh.points)
+    points.push_back(point(p));
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const auto& [a, b, c] : surface.mesh.triangles)
+    triangles.push_back(
+        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+  Polyhedron result;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, result);
+  std::size_t t = 0;
+  for (auto facet = result.facets_begin(); facet != result.facets_end(); ++facet)
+    facet->set_patch_id(patch_name(surface.patch[t++]));
+  return result;
+}
+
+/// A line as CGAL takes it.
+struct Polyline {
+  std::vector<Kernel::Point_3> points;
+  std::vector<int> patches;
+};
+
+/// Property maps from a line to its points and to the patches beside it.
+struct PointsOf {
+  using key_type = Polyline;
+  using value_type = std::vector<Kernel::Point_3>;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+  friend reference get(PointsOf /*map*/, const Polyline& line) { return line.points; }
+};
+struct PatchesOf {
+  using key_type = Polyline;
+  using value_type = std::vector<int>;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+  friend reference get(PatchesOf /*map*/, const Polyline& line) { return line.patches; }
+};
+
+/// @return number of the line of each of the domain's curves
+std::unordered_map<int, std::int32_t> add_lines(Domain& domain, const PatchedSurface& surface) {
+  std::vector<Polyline> lines;
+  for (const FeatureLine& line : surface.lines) {
+    Polyline& added = lines.emplace_back();
+    for (const Vec3& x : line.points)
+      added.points.push_back(point(x));
+    for (const std::int32_t patch : line.patches)
+      added.patches.push_back(patch_name(patch));
+  }
+  std::vector<Domain::Curve_index> names;
+  domain.add_features_and_incidences(lines.begin(), lines.end(), PointsOf(), PatchesOf(),
+                                     std::back_inserter(names));
+  std::unordered_map<int, std::int32_t> numbers;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    numbers[names[i]] = static_cast<std::int32_t>(i);
+  for (const Vec3& x : surface.corners)
+    domain.add_corner(point(x));
+  return numbers;
+}
+
+/// The field of sizes times a factor, as CGAL asks for it.
+struct Field {
+  using FT = Kernel::FT;
+  using Index = Domain::Index;
+
+  FT operator()(const Kernel::Point_3& x, int /*dimension*/, const Index& /*index*/) const {
+    return factor * (*size)(Vec3(x.x(), x.y(), x.z()));
+  }
+
+  const SpaceSize* size;
+  double factor;
+};
+
+class Extraction {
+public:
+  explicit Extraction(const Complex& complex) : complex_(complex) {}
+
+  [[nodiscard]] PatchedSolid solid(const std::unordered_map<int, std::int32_t>& line_of) {
+    for (auto cell = complex_.cells_in_complex_begin(); cell != complex_.cells_in_complex_end();
+         ++cell)
+      add(cell);
+    for (auto edge = complex_.edges_in_complex_begin(); edge != complex_.edges_in_complex_end();
+         ++edge) {
+      const auto a = number_.find(edge->first->vertex(edge->second));
+      const auto b = number_.find(edge->first->vertex(edge->third));
+      if (a == number_.end() || b == number_.end())
+        continue;
+      const auto [low, high] = std::minmax(a->second, b->second);
+      solid_.edges.push_back({{low, high}, line_of.at(complex_.curve_index(*edge))});
+    }
+    std::sort(solid_.edges.begin(), solid_.edges.end(),
+              [](const auto& p, const auto& q) { return p.corners < q.corners; });
+    return std::move(solid_);
+  }
+
+private:
+  void add(Complex::Cell_handle cell) {
+    std::array<std::int32_t, 4> corners{};
+    for (std::size_t i = 0; i < 4; ++i)
+      corners[i] = number(cell->vertex(static_cast<int>(i)));
+    // Sides of a cell, counter-clockwise seen from outside; side i is opposite to corner i.
+    constexpr std::array<std::array<std::size_t, 3>, 4> sides{
+        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int side = static_cast<int>(i);
+      if (complex_.is_in_complex(cell->neighbor(side)))
+        continue;
+      const auto& [a, b, c] = sides[i];
+      solid_.facets.push_back({{corners[a], corners[b], corners[c]},
+                               complex_.surface_patch_index(cell, side) - patch_name(0)});
+    }
+    solid_.mesh.tetrahedra.push_back(corners);
+  }
+
+  std::int32_t number(Vertex vertex) {
+    const auto [place, is_new] =
+        number_.try_emplace(vertex, static_cast<std::int32_t>(solid_.mesh.points.size()));
+    if (is_new)
+      solid_.mesh.points.emplace_back(CGAL::to_double(vertex->point().x()),
+                                      CGAL::to_double(vertex->point().y()),
+                                      CGAL::to_double(vertex->point().z()));
+    return place->second;
+  }
+
+  struct Address {
+    std::size_t operator()(Vertex vertex) const {
+      return reinterpret_cast<std::size_t>(&*vertex) / sizeof(*vertex);
+    }
+  };
+
+  const Complex& complex_;
+  PatchedSolid solid_;
+  std::unordered_map<Vertex, std::int32_t, Address> number_;
+};
+
+} // namespace
+
+PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, double most) {
+  // Where the refinement starts is drawn at random; the same every time.
+  CGAL::get_default_random() = CGAL::Random(0);
+  Domain domain(polyhedron(surface), &CGAL::get_default_random());
+  const std::unordered_map<int, std::int32_t> line_of = add_lines(domain, surface);
+  namespace with = CGAL::parameters;
+  const Criteria criteria(
+      with::edge_size = Field{&size, line_share}, with::facet_angle = facet_angle,
+      with::facet_size = Field{&size, facet_share}, with::facet_distance = Field{&size, sag_share},
+      with::cell_radius_edge_ratio = radius_over_edge, with::cell_size = Field{&size, cell_share});
+  CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;
+  with::internal::Mesh_3_options options;
+  constexpr double tetrahedra_a_vertex = 4.0; // or more
+  options.maximal_number_of_vertices = static_cast<std::size_t>(most / tetrahedra_a_vertex);
+  options.pointer_to_error_code = &code;
+  auto complex = CGAL::make_mesh_3<Complex>(domain, criteria, with::no_perturb(), with::no_exude(),
+                                            with::manifold(), options);
+  if (code != CGAL::CGAL_MESH_3_NO_ERROR)
+    throw Error(Fault::limit, "",
+                fmt::format("a mesh of those sizes would have more than {:.0e} tetrahedra", most),
+                "give larger sizes");
+  CGAL::perturb_mesh_3(complex, domain, with::sliver_bound = sliver);
+  CGAL::exude_mesh_3(complex, with::sliver_bound = sliver);
+  PatchedSolid solid = Extraction(complex).solid(line_of);
+  if (solid.mesh.tetrahedra.empty())
+    throw Error(Fault::geometry, "", "the body could not be meshed");
+  return solid;
+}
+
+} // namespace billet::geometry

@@ -1,0 +1,199 @@
+#include "geometry/solid_quality.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+namespace billet::geometry {
+
+namespace {
+
+constexpr int most_rounds = 12;      // through all poor tetrahedra
+constexpr double most_moves = 4.0;   // of nodes, over the number of tetrahedra: a bound of the time
+constexpr double first_step = 0.25;  // over the shortest edge at a node
+constexpr double least_step = 0.004; // likewise
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Directions in which a node is tried: along the axes and into the octants.
+std::vector<Vec3> directions() {
+  std::vector<Vec3> result;
+  for (const double sign : {1.0, -1.0})
+    for (Eigen::Index i = 0; i < 3; ++i)
+      result.emplace_back(sign * Vec3::Unit(i));
+  for (int octant = 0; octant < 8; ++octant)
+    result.push_back(Vec3(octant & 1 ? 1.0 : -1.0, octant & 2 ? 1.0 : -1.0, octant & 4 ? 1.0 : -1.0)
+                         .normalized());
+  return result;
+}
+
+class Improver {
+public:
+  Improver(SolidMesh& mesh, const std::vector<char>& movable, const Confine& confine, double wanted)
+      : mesh_(mesh), movable_(movable), confine_(confine), wanted_(wanted),
+        around_(mesh.points.size()), fresh_(mesh.points.size(), 1), ways_(directions()),
+        moves_(
+            static_cast<std::int64_t>(most_moves * static_cast<double>(mesh.tetrahedra.size()))) {
+    for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e)
+      for (const std::int32_t node : mesh.tetrahedra[e])
+        around_[at(node)].push_back(e);
+  }
+
+  void run() {
+    for (int round = 0; round < most_rounds; ++round) {
+      bool better = false;
+      for (std::size_t e = 0; e < mesh_.tetrahedra.size(); ++e)
+        if (quality(e) < wanted_)
+          for (const std::int32_t node : mesh_.tetrahedra[e])
+            if (movable_[at(node)] != 0 && fresh_[at(node)] != 0 && moves_-- > 0)
+              better = move(node) || better;
+      if (!better)
+        return;
+    }
+  }
+
+private:
+  [[nodiscard]] double quality(std::size_t e) const {
+    std::array<Vec3, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i)
+      corners[i] = mesh_.points[at(mesh_.tetrahedra[e][i])];
+    return shape_quality(corners);
+  }
+
+  [[nodiscard]] double worst_around(std::int32_t node, double enough) const {
+    double worst = std::numeric_limits<double>::infinity();
+    for (const std::size_t e : around_[at(node)]) {
+      worst = std::min(worst, quality(e));
+      if (worst <= enough)
+        break;
+    }
+    return worst;
+  }
+
+  [[nodiscard]] double shortest_edge(std::int32_t node) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const std::size_t e : around_[at(node)])
+      for (const std::int32_t other : mesh_.tetrahedra[e])
+        if (other != node)
+          shortest = std::min(shortest, (mesh_.points[at(other)] - mesh_.points[at(node)]).norm());
+    return shortest;
+  }
+
+  bool move(std::int32_t node) {
+    constexpr double gain = 1e-3;
+    Vec3& x = mesh_.points[at(node)];
+    double worst = worst_around(node, -std::numeric_limits<double>::infinity());
+    const double before = worst;
+    const double edge = shortest_edge(node);
+    for (double step = first_step; step > least_step; step *= 0.5) {
+      const Vec3 start = x;
+      Vec3 best = x;
+      for (const Vec3& way : ways_) {
+        x = confine_(node, start + step * edge * way);
+        const double now = worst_around(node, worst);
+        if (now > worst + gain) {
+          worst = now;
+          best = x;
+        }
+      }
+      x = best;
+    }
+    fresh_[at(node)] = 0;
+    if (worst > before)
+      for (const std::size_t e : around_[at(node)])
+        for (const std::int32_t other : mesh_.tetrahedra[e])
+          fresh_[at(other)] = static_cast<char>(other != node || fresh_[at(other)] != 0);
+    return worst > before;
+  }
+
+  SolidMesh& mesh_;
+  const std::vector<char>& movable_;
+  const Confine& confine_;
+  double wanted_;
+  std::vector<std::vector<std::size_t>> around_; ///< tetrahedra of each node
+  std::vector<char> fresh_; ///< something beside the node has moved since it was tried
+  std::vector<Vec3> ways_;
+  std::int64_t moves_; ///< that are left
+};
+
+} // namespace
+
+double smallest_dihedral(const std::array<Vec3, 4>& x) {
+  const double volume6 = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]);
+  if (!(volume6 > 0.0))
+    return volume6 < 0.0 ? -1.0 : 0.0;
+  std::array<Vec3, 4> normals; // of the face opposite to each corner, outward
+  constexpr std::array<std::array<std::size_t, 3>, 4> sides{
+      {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [a, b, c] = sides[i];
+    normals[i] = (x[b] - x[a]).cross(x[c] - x[a]);
+  }
+  double least = std::numbers::pi;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      least = std::min(least, std::numbers::pi - std::atan2(normals[i].cross(normals[j]).norm(),
+                                                            normals[i].dot(normals[j])));
+  return least;
+}
+
+double shape_quality(const std::array<Vec3, 4>& x) {
+  static const double regular = std::acos(1.0 / 3.0);
+  const double angle = smallest_dihedral(x) / regular;
+  if (!(angle > 0.0))
+    return angle;
+  const double volume6 = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]);
+  double least = angle;
+  for (std::size_t i = 0; i < 4; ++i) {
+    double lengths = 1.0;
+    for (std::size_t j = 1; j < 4; ++j)
+      lengths *= (x[(i + j) % 4] - x[i]).norm();
+    least = std::min(least, std::numbers::sqrt2 * volume6 / lengths);
+  }
+  return least;
+}
+
+double bent_jacobian(const std::array<Vec3, 4>& x, const std::array<Vec3, 6>& m) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> ends{
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  const double straight = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]);
+  if (!(straight > 0.0))
+    return std::min(straight, 0.0);
+  // Derivatives by the four barycentric coordinates l: shapes l (2 l - 1) and 4 l_a l_b.
+  const auto jacobian = [&](const std::array<double, 4>& l) {
+    std::array<Vec3, 4> d;
+    for (std::size_t i = 0; i < 4; ++i)
+      d[i] = (4.0 * l[i] - 1.0) * x[i];
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto& [a, b] = ends[e];
+      d[a] += 4.0 * l[b] * m[e];
+      d[b] += 4.0 * l[a] * m[e];
+    }
+    return (d[1] - d[0]).cross(d[2] - d[0]).dot(d[3] - d[0]);
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::array<double, 4> l{};
+    l[i] = 1.0;
+    least = std::min(least, jacobian(l));
+  }
+  for (const auto& [a, b] : ends) {
+    std::array<double, 4> l{};
+    l[a] = l[b] = 0.5;
+    least = std::min(least, jacobian(l));
+  }
+  return least / straight;
+}
+
+void improve(SolidMesh& mesh,
+             const std::vector<char>& movable,
+             const Confine& confine,
+             double wanted) {
+  Improver(mesh, movable, confine, wanted).run();
+}
+
+} // namespace billet::geometry

@@ -1,0 +1,204 @@
+#include "geometry/solid_remesher.h"
+
+#include "geometry/base/error.h"
+#include "geometry/boundary_surface.h"
+#include "geometry/mesh_health.h"
+#include "geometry/mesh_parts.h"
+#include "geometry/patch_mesher.h"
+#include "geometry/self_intersection.h"
+#include "geometry/size_field.h"
+#include "geometry/solid_shell.h"
+#include "geometry/wall_widths.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace billet::geometry {
+
+namespace {
+
+constexpr double most_tetrahedra = 2e5;
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// Nodes are moved until tetrahedra are as good as this (`shape_quality`).
+constexpr double wanted_quality = 0.25;
+/// A mesh whose faces are at these angles and whose tetrahedra are as good is taken at once, ...
+constexpr double good_angle = 10.0 * degree;
+constexpr double good_quality = 0.12;
+/// ... and one with less than this angle is not taken at all.
+constexpr double least_angle = 2.0 * degree;
+
+/// A mesh that is not good is made again with sizes smaller by this factor, so many times in all.
+constexpr double finer = 0.8;
+constexpr int most_attempts = 3;
+
+/// Rounds of drawing bent edges to their chords; half of the bend is left by each.
+constexpr int most_straightenings = 8;
+
+/// A straight mesh encloses the volume of the old triangles to this share, or something is missing.
+constexpr double volume_share = 0.1;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+[[noreturn]] void refuse(const std::string& what, const Vec3& x) {
+  throw Error(Fault::geometry, "",
+              fmt::format("{} near ({:.6g}, {:.6g}, {:.6g})", what, x.x(), x.y(), x.z()));
+}
+
+void require_sound(const SolidSizes& sizes) {
+  const bool sound = sizes.min > 0.0 && sizes.max >= sizes.min && std::isfinite(sizes.max) &&
+                     sizes.turn > 0.0 && sizes.growth > 0.0 && sizes.across > 0.0;
+  if (!sound)
+    throw Error(Fault::geometry, "",
+                fmt::format("sizes of a mesh from {} to {}, turn {}, growth {}, {} across",
+                            sizes.min, sizes.max, sizes.turn, sizes.growth, sizes.across),
+                "give 0 < min <= max and positive values");
+}
+
+void require_sound(const SolidBoundary& boundary) {
+  const std::size_t n = boundary.mesh.triangles.size();
+  if (n == 0 || boundary.part.size() != n || boundary.hold.size() != n ||
+      boundary.keep.size() != boundary.mesh.points.size())
+    throw Error(Fault::geometry, "", "the boundary of the body lacks triangles or their data");
+  for (const Vec3& x : boundary.mesh.points)
+    if (!x.allFinite())
+      throw Error(Fault::geometry, "", "a node of the boundary is not finite");
+  const MeshHealth state = health(boundary.mesh);
+  if (state.degenerate_at)
+    refuse("a face of the boundary has no area", *state.degenerate_at);
+  if (state.non_manifold_at)
+    refuse("more than two faces of the boundary meet", *state.non_manifold_at);
+  if (state.non_manifold_vertex_at)
+    refuse("the boundary touches itself", *state.non_manifold_vertex_at);
+  if (state.border_at)
+    refuse("the boundary is open", *state.border_at);
+  if (!state.closed() || state.inside_out())
+    throw Error(Fault::geometry, "", "the boundary is turned inside out");
+  const SelfIntersections cuts = self_intersections(boundary.mesh, parts_of(boundary.mesh), 0.0);
+  if (cuts.cut_at)
+    refuse("the boundary cuts itself", *cuts.cut_at);
+  if (cuts.overlap_at)
+    refuse("pieces of the part overlap", *cuts.overlap_at);
+}
+
+PatchedSurface patched(const BoundarySurface& surface) {
+  const FeatureLines& lines = surface.lines();
+  const std::vector<Vec3>& points = surface.boundary().mesh.points;
+  PatchedSurface result{surface.boundary().mesh, lines.patch, {}, {}};
+  for (std::size_t i = 0; i < lines.chains.size(); ++i) {
+    FeatureLine& line = result.lines.emplace_back();
+    line.patches = lines.patches[i];
+    line.points.push_back(points[at(lines.chains[i].front().ends[0])]);
+    for (const LinePiece& piece : lines.chains[i])
+      line.points.push_back(points[at(piece.ends[1])]);
+  }
+  for (const std::int32_t point : lines.lone_corners)
+    result.corners.push_back(points[at(point)]);
+  return result;
+}
+
+/// What is asked for along the boundary by its curvature, by thin places and by the caller. (G.45)
+SpaceSizeField size_field(const BoundarySurface& surface, const SolidSizes& sizes) {
+  std::vector<SpaceSizeSample> samples;
+  const TriangleMesh& mesh = surface.boundary().mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vec3 middle = (mesh.points[at(a)] + mesh.points[at(b)] + mesh.points[at(c)]) / 3.0;
+    double size = sizes.max;
+    if (sizes.wanted)
+      size = std::min(size, sizes.wanted(middle));
+    const double curvature = surface.curvature(static_cast<std::int32_t>(t));
+    if (curvature * size > sizes.turn)
+      size = sizes.turn / curvature;
+    samples.push_back({middle, std::max(size, sizes.min)});
+  }
+  for (const WallWidth& wall : wall_widths(mesh, sizes.across * sizes.max))
+    samples.push_back({wall.at, std::max(wall.width / sizes.across, sizes.min)});
+  return {std::move(samples), sizes.max, sizes.growth};
+}
+
+double enclosed(const TriangleMesh& mesh) { return health(mesh).volume; }
+
+/// One mesh, with what speaks against it.
+struct Attempt {
+  std::optional<SolidShell> shell;
+  double quality = -1.0;
+  double angle = -1.0; ///< [rad]
+  std::string flaw;
+  Vec3 where = Vec3::Zero();
+};
+
+Attempt attempt(const BoundarySurface& surface,
+                const SpaceSize& size,
+                double volume,
+                const SettleSolid& settle) {
+  Attempt made;
+  made.shell.emplace(surface, mesh_patches(patched(surface), size, most_tetrahedra));
+  SolidShell& shell = *made.shell;
+  if (shell.flaw()) {
+    made.flaw = "the new boundary is not closed";
+    made.where = *shell.flaw();
+    return made;
+  }
+  const double old_volume = enclosed(surface.boundary().mesh);
+  if (std::abs(shell.volume() - old_volume) > volume_share * old_volume) {
+    made.flaw = "a thin place was lost";
+    made.where = shell.worst_place();
+    return made;
+  }
+  shell.slide(wanted_quality);
+  if (settle)
+    shell.settle(settle);
+  shell.restore_volume(volume);
+  shell.smooth(wanted_quality);
+  for (int round = 0; round < most_straightenings && shell.straighten(); ++round)
+    shell.restore_volume(volume);
+  made.angle = shell.smallest_angle();
+  made.quality = shell.quality();
+  if (made.angle < least_angle || shell.smallest_jacobian() <= 0.0) {
+    made.flaw = "no sound tetrahedra are found";
+    made.where = shell.worst_place();
+  }
+  return made;
+}
+
+} // namespace
+
+RemeshedSolid remesh_solid(const SolidBoundary& boundary,
+                           const SolidSizes& sizes,
+                           double volume,
+                           const SettleSolid& settle) {
+  require_sound(sizes);
+  require_sound(boundary);
+  const BoundarySurface surface(boundary, sizes.max);
+  const SpaceSizeField field = size_field(surface, sizes);
+  Attempt best;
+  double share = 1.0;
+  for (int i = 0; i < most_attempts; ++i, share *= finer) {
+    Attempt next = attempt(
+        surface, [&](const Vec3& x) { return share * field(x); }, volume, settle);
+    const bool better = !best.shell || (next.flaw.empty() && !best.flaw.empty()) ||
+                        (next.flaw.empty() == best.flaw.empty() && next.quality > best.quality);
+    if (better) {
+      best.shell.reset();
+      best.shell.emplace(std::move(*next.shell));
+      best.angle = next.angle;
+      best.quality = next.quality;
+      best.flaw = std::move(next.flaw);
+      best.where = next.where;
+    }
+    if (best.flaw.empty() && best.angle >= good_angle && best.quality >= good_quality)
+      break;
+  }
+  if (!best.flaw.empty())
+    refuse(best.flaw, best.where);
+  return std::move(*best.shell).result();
+}
+
+} // namespace billet::geometry

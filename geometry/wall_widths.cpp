@@ -1,0 +1,63 @@
+#include "geometry/wall_widths.h"
+
+#include "geometry/triangle_shape.h"
+#include "geometry/triangle_surface.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+namespace billet::geometry {
+
+namespace {
+
+/// The two places where a ball touches lie opposite to each other, seen from its middle, if the
+/// cosine between them is below this: 140 degrees. Else it sits in an edge.
+constexpr double opposite = -0.766;
+
+/// A ball that shrinks by less than this has its size.
+constexpr double settled = 1e-3;
+constexpr int most_rounds = 30;
+
+/// Diameter of the largest ball in the direction n that touches at x and again opposite to it.
+std::optional<double>
+ball_at(const RigidSurface& surface, const Vec3& x, const Vec3& n, double most) {
+  double radius = 0.5 * most;
+  std::optional<Vec3> beyond; // where the ball touches besides
+  for (int round = 0; round < most_rounds; ++round) {
+    const Vec3 middle = x + radius * n;
+    Projection foot;
+    surface.project(std::span(&middle, 1), 2.0 * radius, std::span(&foot, 1));
+    const Vec3 way = foot.foot - x;
+    if (!foot.found() || (foot.foot - middle).norm() > (1.0 - settled) * radius)
+      break;
+    if (way.dot(n) <= 0.0)
+      return std::nullopt; // rounding
+    beyond = foot.foot;
+    radius = 0.5 * way.squaredNorm() / way.dot(n);
+  }
+  if (!beyond)
+    return std::nullopt; // wider than asked for
+  const double cosine = (*beyond - (x + radius * n)).normalized().dot(-n);
+  return cosine < opposite ? std::optional(2.0 * radius) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<WallWidth> wall_widths(const TriangleMesh& mesh, double most) {
+  const SurfacePtr surface = make_triangle_surface(mesh);
+  std::vector<WallWidth> widths;
+  for (const auto& triangle : mesh.triangles) {
+    const Vec3 middle =
+        (corner(mesh, triangle, 0) + corner(mesh, triangle, 1) + corner(mesh, triangle, 2)) / 3.0;
+    const Vec3 normal = doubled_area(mesh, triangle).stableNormalized();
+    for (const double side : {-1.0, 1.0})
+      if (const std::optional<double> width = ball_at(*surface, middle, side * normal, most))
+        widths.push_back({middle, *width});
+  }
+  return widths;
+}
+
+} // namespace billet::geometry

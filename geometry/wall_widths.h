@@ -1,0 +1,26 @@
+// How thin a body is, and how narrow the gaps are beside it. Internal to geometry/.
+//
+// Units   mm. Theory: docs/theory/geometry.md (G.45).
+
+#pragma once
+
+#include "geometry/base/vector.h"
+#include "geometry/triangle_mesh.h"
+
+#include <vector>
+
+namespace billet::geometry {
+
+/// A place on a surface, and the width of the wall or of the gap there.
+struct WallWidth {
+  Vec3 at;      ///< the middle of a triangle [mm]
+  double width; ///< [mm]
+};
+
+/// Widths below `most` of walls and gaps, by the largest balls that touch the surface at the
+/// triangles' middles and again on the other side, from within and from without.
+///
+/// @pre the surface is closed; complaints(health(mesh)) is empty
+[[nodiscard]] std::vector<WallWidth> wall_widths(const TriangleMesh& mesh, double most);
+
+} // namespace billet::geometry

@@ -1,0 +1,213 @@
+// The part as it is meshed anew: its boundary, sizes, and tools that nodes lie on. (P.14)
+
+#include "geometry/solid_remesher.h"
+#include "process/part_boundary.h"
+#include "process/remeshing.h"
+#include "process/run.h"
+#include "process/solid_part.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace billet::process {
+
+namespace {
+
+std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
+Vec3 in_space(const Vec2& x) { return {x.x(), x.y(), 0.0}; }
+
+/// Faces that touch a tool are off it by up to this share of their length.
+constexpr double off = 0.05;
+
+/// Length of the old side that holds a place [mm].
+double chord_at(const PartBoundary& boundary, const geometry::BoundaryPlace& place) {
+  const std::vector<Vec2>& corners = boundary.loops[idx(place.loop)].corners;
+  return (corners[(idx(place.side) + 1) % corners.size()] - corners[idx(place.side)]).norm();
+}
+
+} // namespace
+
+std::vector<int> Process::touching_tools() const {
+  std::vector<int> touching(scene_.contact_faces.size(), -1);
+  if (contact_)
+    for (std::size_t t = 0; t < scene_.tools.size(); ++t)
+      for (const contact::ClosedPoint& at : contact_->closed()[t])
+        touching[at.point / idx(surface_->points())] = static_cast<int>(t);
+  return touching;
+}
+
+Process::UsualSizes Process::usual_sizes() const {
+  const RemeshSettings& settings = *scene_.remesh;
+  const double usual = settings.size.value_or(side_);
+  const double at_contact = settings.size_contact.value_or(usual);
+  return {usual, at_contact, settings.size_min.value_or(0.25 * std::min(usual, at_contact)),
+          settings.size_max.value_or(usual)};
+}
+
+std::function<double(const Vec3&)> Process::wanted_size(double turn, double growth) const {
+  std::vector<std::size_t> acting;
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t)
+    if (contact_ && contact_->acts(t, time_))
+      acting.push_back(t);
+  return [this, acting, sizes = usual_sizes(), turn, growth](const Vec3& x) {
+    double size = sizes.usual;
+    for (const std::size_t t : acting) {
+      const Vec3 at = contact_->pose(t, time_, x_).to_tool(x);
+      geometry::Projection foot;
+      constexpr double reach = 4.0; // sizes
+      scene_.tools[t].surface->project(std::span(&at, 1), reach * sizes.usual, std::span(&foot, 1));
+      if (!foot.found())
+        continue;
+      // Sides turn with the tool's surface, as far as it is near.
+      const double curvature = foot.dnormal_dx.norm();
+      const double here =
+          std::min(sizes.at_contact, curvature > 0.0 ? turn / curvature : sizes.at_contact);
+      size = std::min(size, std::max(here, sizes.min) + growth * std::abs(foot.gap));
+    }
+    return size;
+  };
+}
+
+geometry::RemeshSizes Process::remesh_sizes() const {
+  geometry::RemeshSizes sizes;
+  sizes.min = usual_sizes().min;
+  sizes.max = usual_sizes().max;
+  sizes.wanted = [wanted = wanted_size(sizes.turn, sizes.growth)](const Vec2& x) {
+    return wanted(in_space(x));
+  };
+  return sizes;
+}
+
+geometry::SolidSizes Process::solid_sizes() const {
+  geometry::SolidSizes sizes;
+  sizes.min = usual_sizes().min;
+  sizes.max = usual_sizes().max;
+  sizes.wanted = wanted_size(sizes.turn, sizes.growth);
+  return sizes;
+}
+
+std::optional<Vec3>
+Process::onto_tool(std::size_t tool, const Vec3& x, const WayToTool& way) const {
+  const geometry::Pose pose = contact_->pose(tool, time_, x_);
+  Vec3 there = x;
+  constexpr int most_steps = 20;
+  constexpr double near = 1e-10, flat = 0.2;
+  for (int step = 0; step < most_steps; ++step) {
+    const Vec3 at = pose.to_tool(there);
+    geometry::Projection foot;
+    scene_.tools[tool].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
+    if (!foot.found() || (step == 0 && foot.gap > way.most_gap))
+      return std::nullopt;
+    Vec3 move = pose.to_space(foot.foot) - there;
+    if (way.fixed == 0)
+      return Vec3(there + move);
+    if (std::abs(foot.gap) <= near * side_)
+      return there;
+    for (int i = 0; i < 3; ++i)
+      if ((way.fixed >> static_cast<unsigned>(i) & 1U) != 0)
+        move[i] = 0.0;
+    if (move.norm() < flat * std::abs(foot.gap))
+      return std::nullopt;
+    there += foot.gap * foot.gap / move.squaredNorm() * move; // into the tangent plane of the foot
+  }
+  return std::nullopt;
+}
+
+Vec3 Process::settled(const contact::PointSource& source,
+                      const Vec3& x,
+                      std::optional<int> tool,
+                      const WayToTool& way) const {
+  Vec3 result = x;
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (!contact_->acts(t, time_))
+      continue;
+    // What touches with nothing near it stays, but not inside the tool.
+    const bool closed = tool.value_or(static_cast<int>(t)) == static_cast<int>(t) &&
+                        contact_->closed_on(t, source.nearest());
+    if (const std::optional<Vec3> there =
+            onto_tool(t, result, {closed ? way.most_gap : 0.0, way.fixed}))
+      result = *there;
+  }
+  return result;
+}
+
+NewPart Process::new_part() const {
+  return scene_.mesh.dimension() == 2 ? new_plane_part() : new_solid_part();
+}
+
+NewPart Process::new_plane_part() const {
+  const PartBoundary boundary =
+      part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  const auto stops = std::make_shared<const ContactStops>(boundary, scene_.contact_faces,
+                                                          surface_ ? surface_->line_coordinates()
+                                                                   : std::vector<double>());
+  const bool revolved = scene_.analysis == mechanics::Analysis::axisymmetric;
+  geometry::Settle settle;
+  if (contact_)
+    settle = [this, &boundary, stops, revolved](
+                 std::int32_t part, const geometry::BoundaryPlace& place, const Vec2& x) -> Vec2 {
+      const Attachment& attached = boundary.attachments[idx(part)];
+      if (!attached.contact)
+        return x;
+      unsigned fixed = fixed_components(scene_, boundary, part, place);
+      if (revolved && x.x() == 0.0)
+        fixed |= 1U;
+      constexpr unsigned both = 3;
+      if (fixed == both)
+        return x;
+      return settled(stops->around(place), in_space(x), attached.tool,
+                     {off * chord_at(boundary, place), fixed})
+          .head<2>();
+    };
+  geometry::RemeshSizes sizes = remesh_sizes();
+  sizes.at = contact_sizes(boundary);
+  RemeshedPart part = remesh_part(scene_, boundary, sizes, settle);
+  return {part, [stops, places = part.places](const contact::ContactSurface& surface,
+                                              std::span<const double> /*x*/) {
+            return point_sources(*stops, places, surface.line_coordinates());
+          }};
+}
+
+NewPart Process::new_solid_part() const {
+  const SolidPart old = solid_part(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  const auto neighbours = std::make_shared<const ContactNeighbours>(
+      old, surface_ ? surface_->face_coordinates() : std::vector<Vec2>());
+  const auto supported = [&](std::span<const std::int32_t> parts, Vec3 x, const Vec3& on) {
+    for (const std::int32_t part : parts)
+      for (std::size_t s = 0; s < scene_.supports.size(); ++s)
+        if (old.attachments[idx(part)].supports[s] != 0)
+          x[scene_.supports[s].component] = on[scene_.supports[s].component];
+    return x;
+  };
+  const auto settle = [&](std::span<const std::int32_t> parts, const geometry::SurfacePlace& place,
+                          const Vec3& x) -> Vec3 {
+    const auto& [a, b, c] = old.boundary.mesh.triangles[idx(place.triangle)];
+    const std::vector<Vec3>& points = old.boundary.mesh.points;
+    const Vec3& first = points[idx(a)];
+    const Vec3 on = first + place.v * (points[idx(b)] - first) + place.w * (points[idx(c)] - first);
+    const bool may_touch = contact_ && std::any_of(parts.begin(), parts.end(), [&](auto part) {
+                             return old.attachments[idx(part)].contact;
+                           });
+    Vec3 result = supported(parts, x, on);
+    // On a support and a tool at once: a few turns lead to where they meet.
+    constexpr int turns = 4;
+    for (int i = 0; may_touch && i < turns; ++i)
+      result = supported(parts, settled(neighbours->around(on), result, {}, {side_}), on);
+    return result;
+  };
+  RemeshedPart part = remesh_part(scene_, old, solid_sizes(), settle);
+  return {std::move(part),
+          [neighbours](const contact::ContactSurface& surface, std::span<const double> x) {
+            std::vector<Vec3> points(surface.n_points());
+            surface.positions(x, points);
+            std::vector<contact::PointSource> sources;
+            for (const Vec3& point : points)
+              sources.push_back(neighbours->around(point));
+            return sources;
+          }};
+}
+
+} // namespace billet::process

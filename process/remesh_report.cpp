@@ -1,0 +1,53 @@
+// What a remeshing may change, and what is said of it. (P.16)
+
+#include "process/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace billet::process {
+
+namespace {
+
+/// What a remeshing may change (RM-01): of the volume, of a tool's force, of the plastic work.
+constexpr double volume_budget = 1e-4;
+constexpr double force_budget = 1e-2;
+constexpr double work_budget = 5e-3;
+
+} // namespace
+
+double RemeshReport::Pair::change() const {
+  return before != 0.0 ? std::abs(after - before) / std::abs(before) : std::abs(after);
+}
+
+double RemeshReport::force_jump() const {
+  double largest = 0.0;
+  double jump = 0.0;
+  for (const Pair& force : forces) {
+    largest = std::max(largest, force.before);
+    jump = std::max(jump, std::abs(force.after - force.before));
+  }
+  return largest > 0.0 ? jump / largest : 0.0;
+}
+
+std::vector<std::string> RemeshReport::complaints() const {
+  std::vector<std::string> lines;
+  const auto check = [&](const char* what, double change, double budget) {
+    if (change > budget)
+      lines.push_back(fmt::format("warning: remeshing {} changed the {} by {:.2g} %, more than "
+                                  "{:.2g} %",
+                                  number, what, 100.0 * change, 100.0 * budget));
+  };
+  check("volume", volume.change(), volume_budget);
+  check("plastic work", plastic_work.change(), work_budget);
+  if (balanced)
+    check("force on a tool", force_jump(), force_budget);
+  else
+    lines.push_back(fmt::format(
+        "warning: remeshing {} was not followed by equilibrium before time went on", number));
+  return lines;
+}
+
+} // namespace billet::process

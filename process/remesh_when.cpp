@@ -1,0 +1,91 @@
+// When the part is meshed anew. (P.15)
+
+#include "mechanics/mesh_check.h"
+#include "mechanics/mesh_edges.h"
+#include "process/remeshing.h"
+#include "process/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace billet::process {
+
+namespace {
+
+std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
+/// Without a limit of the case: a face that lies deeper in a tool, relative to the element beneath,
+/// and twice as deep as when the mesh was new, is too coarse for it.
+constexpr double deep = 0.1;
+
+/// A mesh has to have lost this share of its first quality before it is replaced.
+constexpr double worn_share = 0.7;
+
+std::vector<Vec3> as_points(std::span<const double> x, int dim) {
+  std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
+  return points;
+}
+
+} // namespace
+
+double worst_quality(const mechanics::Mesh& mesh, std::span<const double> x) {
+  const std::vector<double> all =
+      mechanics::element_qualities(mesh, as_points(x, mesh.dimension()));
+  return *std::min_element(all.begin(), all.end());
+}
+
+double mean_side(const mechanics::Mesh& mesh) {
+  double measure = 0.0;
+  for (Index e = 0; e < mesh.n_elements(); ++e) {
+    std::vector<Vec3> points;
+    for (const Index node : mesh.cell(e))
+      points.push_back(mesh.points[idx(node)]);
+    measure += mechanics::element_measure(mesh.kind, points);
+  }
+  const bool plane = mesh.dimension() == 2;
+  const double of_simplex = plane ? std::numbers::sqrt3 / 4.0 : 1.0 / (6.0 * std::numbers::sqrt2);
+  const double share = mechanics::is_simplex(mesh.kind) ? of_simplex : 1.0;
+  const double mean = measure / (share * mesh.n_elements());
+  return plane ? std::sqrt(mean) : std::cbrt(mean);
+}
+
+void Process::start_remeshing() {
+  side_ = mean_side(scene_.mesh);
+  mesh_quality_ = worst_quality(scene_.mesh, positions());
+  mesh_strain_.assign(bulk_->states().size(), 0.0);
+}
+
+bool Process::may_remesh() const {
+  return scene_.remesh && fading_until_ <= time_ && increment_ > mesh_increment_;
+}
+
+std::string Process::remeshing_due() const {
+  if (!may_remesh())
+    return {};
+  const RemeshSettings& settings = *scene_.remesh;
+  const double quality = worst_quality(scene_.mesh, positions());
+  const double limit = std::min({settings.quality, worn_share * mesh_quality_, refused_quality_});
+  if (quality < limit)
+    return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
+  constexpr double rounding = 1e-9;
+  if (settings.interval && time_ - mesh_time_ >= *settings.interval * (1.0 - rounding))
+    return "interval";
+  if (settings.penetration ? penetration_.bound > *settings.penetration
+                           : penetration_.share > std::max(deep, 2.0 * mesh_share_))
+    return fmt::format("penetration {:.3g}", penetration_.bound);
+  if (settings.strain) {
+    double grown = 0.0;
+    for (std::size_t k = 0; k < mesh_strain_.size(); ++k)
+      grown = std::max(grown, bulk_->states()[k].plastic_strain - mesh_strain_[k]);
+    if (grown > *settings.strain)
+      return fmt::format("plastic strain {:.2g} since the last mesh", grown);
+  }
+  return {};
+}
+
+} // namespace billet::process
