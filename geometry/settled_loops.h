@@ -3,7 +3,7 @@
 // A side that a tool has sunk into between its nodes has to go a long way for its length: if only
 // the nodes of new sides went there, corners and middles would run into each other. So such sides
 // are divided first and all that they are divided into is moved. Theory: docs/theory/geometry.md
-// (G.45).
+// (G.49).
 //
 // Units   mm.
 
