@@ -166,8 +166,7 @@ std::vector<Broken> later_versions() {
                {"velocity = [0, -1]", "velocity = [0, 0, -1]"},
                {"[time]", "[[support]]\nwhere = \"z = 0\"\nfix = [\"z\"]\n"
                           "[remesh]\nelement = \"tri6\"\n[time]"}},
-              {"case.toml: remesh: element = \"tri6\" is not available in this version",
-               "element = \"tet10\""}),
+              {"remesh.element: found \"tri6\", allowed is", "\"tet10\""}),
       one("remeshing_when_who_knows", "[time]", "[remesh]\nwhen = { qualty = 0.2 }\n[time]",
           {"remesh.when.qualty: unknown key (did you mean 'quality'?)"}, "when ="),
       one("wear_of_less_than_a_stroke", punch_friction,
