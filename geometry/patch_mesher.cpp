@@ -1,19 +1,9 @@
 #include "geometry/patch_mesher.h"
 
 #include "geometry/base/error.h"
+#include "geometry/mesh_3.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_error_code.h>
-#include <CGAL/Mesh_polyhedron_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
-#include <CGAL/Random.h>
-#include <CGAL/exude_mesh_3.h>
-#include <CGAL/make_mesh_3.h>
-#include <CGAL/perturb_mesh_3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,18 +16,10 @@ namespace billet::geometry {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Polyhedron = CGAL::Mesh_polyhedron_3<Kernel>::type;
-using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel>;
-using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Sequential_tag>::type;
-using Complex = CGAL::
-    Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
-using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
-using Vertex = Triangulation::Vertex_handle;
-
-constexpr double facet_angle = 25.0; ///< smallest on the surface [degrees]; above 30 may not end
-constexpr double radius_over_edge = 2.0; ///< of a tetrahedron; below 2 may not end
-constexpr double sliver = 14.0;          ///< dihedral angle to be reached [degrees]
+using mesh_3::Complex;
+using mesh_3::Domain;
+using mesh_3::Kernel;
+using mesh_3::Vertex;
 
 /// Bounds over the size asked for: of the length of an edge on a line, of the radius of the circle
 /// around a facet, of that of the sphere around a tetrahedron, and of how far a facet may lie off
@@ -50,18 +32,8 @@ constexpr double sag_share = 0.1;
 /// CGAL's name for a patch; 0 is none.
 int patch_name(std::int32_t patch) { return patch + 1; }
 
-Kernel::Point_3 point(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
-
-Polyhedron polyhedron(const PatchedSurface& surface) {
-  std::vector<Kernel::Point_3> points;
-  for (const Vec3& p : surface.mesh.points)
-    points.push_back(point(p));
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (const auto& [a, b, c] : surface.mesh.triangles)
-    triangles.push_back(
-        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
-  Polyhedron result;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, result);
+mesh_3::Polyhedron polyhedron(const PatchedSurface& surface) {
+  mesh_3::Polyhedron result = mesh_3::polyhedron(surface.mesh);
   std::size_t t = 0;
   for (auto facet = result.facets_begin(); facet != result.facets_end(); ++facet)
     facet->set_patch_id(patch_name(surface.patch[t++]));
@@ -96,7 +68,7 @@ std::unordered_map<int, std::int32_t> add_lines(Domain& domain, const PatchedSur
   for (const FeatureLine& line : surface.lines) {
     Polyline& added = lines.emplace_back();
     for (const Vec3& x : line.points)
-      added.points.push_back(point(x));
+      added.points.push_back(mesh_3::to_cgal(x));
     for (const std::int32_t patch : line.patches)
       added.patches.push_back(patch_name(patch));
   }
@@ -107,7 +79,7 @@ std::unordered_map<int, std::int32_t> add_lines(Domain& domain, const PatchedSur
   for (std::size_t i = 0; i < names.size(); ++i)
     numbers[names[i]] = static_cast<std::int32_t>(i);
   for (const Vec3& x : surface.corners)
-    domain.add_corner(point(x));
+    domain.add_corner(mesh_3::to_cgal(x));
   return numbers;
 }
 
@@ -169,9 +141,7 @@ private:
     const auto [place, is_new] =
         number_.try_emplace(vertex, static_cast<std::int32_t>(solid_.mesh.points.size()));
     if (is_new)
-      solid_.mesh.points.emplace_back(CGAL::to_double(vertex->point().x()),
-                                      CGAL::to_double(vertex->point().y()),
-                                      CGAL::to_double(vertex->point().z()));
+      solid_.mesh.points.push_back(mesh_3::from_cgal(vertex));
     return place->second;
   }
 
@@ -189,15 +159,14 @@ private:
 } // namespace
 
 PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, double most) {
-  // Where the refinement starts is drawn at random; the same every time.
-  CGAL::get_default_random() = CGAL::Random(0);
-  Domain domain(polyhedron(surface), &CGAL::get_default_random());
+  Domain domain = mesh_3::seeded_domain(polyhedron(surface));
   const std::unordered_map<int, std::int32_t> line_of = add_lines(domain, surface);
   namespace with = CGAL::parameters;
-  const Criteria criteria(
-      with::edge_size = Field{&size, line_share}, with::facet_angle = facet_angle,
+  const mesh_3::Criteria criteria(
+      with::edge_size = Field{&size, line_share}, with::facet_angle = mesh_3::facet_angle,
       with::facet_size = Field{&size, facet_share}, with::facet_distance = Field{&size, sag_share},
-      with::cell_radius_edge_ratio = radius_over_edge, with::cell_size = Field{&size, cell_share});
+      with::cell_radius_edge_ratio = mesh_3::radius_over_edge,
+      with::cell_size = Field{&size, cell_share});
   CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;
   with::internal::Mesh_3_options options;
   constexpr double tetrahedra_a_vertex = 4.0; // or more
@@ -209,8 +178,7 @@ PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, 
     throw Error(Fault::limit, "",
                 fmt::format("a mesh of those sizes would have more than {:.0e} tetrahedra", most),
                 "give larger sizes");
-  CGAL::perturb_mesh_3(complex, domain, with::sliver_bound = sliver);
-  CGAL::exude_mesh_3(complex, with::sliver_bound = sliver);
+  mesh_3::remove_slivers(complex, domain);
   PatchedSolid solid = Extraction(complex).solid(line_of);
   if (solid.mesh.tetrahedra.empty())
     throw Error(Fault::geometry, "", "the body could not be meshed");
