@@ -15,7 +15,6 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/exude_mesh_3.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 
@@ -67,11 +66,10 @@ inline Domain seeded_domain(const Polyhedron& surface) {
   return Domain(surface, &CGAL::get_default_random());
 }
 
-/// Moves and weights vertices until few tetrahedra are flat.
+/// Moves vertices until few tetrahedra are flat. Exudation besides does not end on some bodies and
+/// makes others no better.
 inline void remove_slivers(Complex& complex, Domain& domain) {
-  namespace with = CGAL::parameters;
-  CGAL::perturb_mesh_3(complex, domain, with::sliver_bound = sliver);
-  CGAL::exude_mesh_3(complex, with::sliver_bound = sliver);
+  CGAL::perturb_mesh_3(complex, domain, CGAL::parameters::sliver_bound = sliver);
 }
 
 } // namespace billet::geometry::mesh_3

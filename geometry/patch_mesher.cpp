@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -156,6 +157,22 @@ private:
   std::unordered_map<Vertex, std::int32_t, Address> number_;
 };
 
+/// Where refinement does not end edges get ever shorter.
+Vec3 middle_of_shortest_edge(const mesh_3::Triangulation& triangulation) {
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 middle = Vec3::Zero();
+  for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
+       ++edge) {
+    const Vec3 a = mesh_3::from_cgal(edge->first->vertex(edge->second)),
+               b = mesh_3::from_cgal(edge->first->vertex(edge->third));
+    if ((b - a).squaredNorm() < least) {
+      least = (b - a).squaredNorm();
+      middle = 0.5 * (a + b);
+    }
+  }
+  return middle;
+}
+
 } // namespace
 
 PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, double most) {
@@ -165,6 +182,7 @@ PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, 
   const mesh_3::Criteria criteria(
       with::edge_size = Field{&size, line_share}, with::facet_angle = mesh_3::facet_angle,
       with::facet_size = Field{&size, facet_share}, with::facet_distance = Field{&size, sag_share},
+      with::facet_topology = CGAL::FACET_VERTICES_ON_SAME_SURFACE_PATCH,
       with::cell_radius_edge_ratio = mesh_3::radius_over_edge,
       with::cell_size = Field{&size, cell_share});
   CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;
@@ -172,12 +190,16 @@ PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, 
   constexpr double tetrahedra_a_vertex = 4.0; // or more
   options.maximal_number_of_vertices = static_cast<std::size_t>(most / tetrahedra_a_vertex);
   options.pointer_to_error_code = &code;
-  auto complex = CGAL::make_mesh_3<Complex>(domain, criteria, with::no_perturb(), with::no_exude(),
-                                            with::manifold(), options);
-  if (code != CGAL::CGAL_MESH_3_NO_ERROR)
-    throw Error(Fault::limit, "",
-                fmt::format("a mesh of those sizes would have more than {:.0e} tetrahedra", most),
+  auto complex =
+      CGAL::make_mesh_3<Complex>(domain, criteria, with::no_perturb(), with::no_exude(), options);
+  if (code != CGAL::CGAL_MESH_3_NO_ERROR) {
+    const Vec3 x = middle_of_shortest_edge(complex.triangulation());
+    throw Error(Fault::geometry, "",
+                fmt::format("a mesh of those sizes would have more than {:.3g} tetrahedra, the "
+                            "smallest near ({:.6g}, {:.6g}, {:.6g})",
+                            most, x.x(), x.y(), x.z()),
                 "give larger sizes");
+  }
   mesh_3::remove_slivers(complex, domain);
   PatchedSolid solid = Extraction(complex).solid(line_of);
   if (solid.mesh.tetrahedra.empty())

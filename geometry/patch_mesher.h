@@ -53,9 +53,13 @@ struct PatchedSolid {
 /// Length of the edges asked for at a place [mm], > 0.
 using SpaceSize = std::function<double(const Vec3&)>;
 
+/// The new boundary may touch itself where the sizes are larger than a gap or a wall is wide: to
+/// make it manifold is not left to the refinement, which does not end on some bodies.
+///
 /// @param most  tetrahedra that may be made
-/// @throws Error(Fault::geometry) if nothing could be meshed, Error(Fault::limit) if it would take
-///         more than `most` tetrahedra
+/// @throws Error(Fault::geometry) if nothing could be meshed, or with the place of the shortest
+/// edge
+///         if it would take more than `most` tetrahedra
 /// @pre the surface is closed, manifold, does not cut itself and faces outwards
 [[nodiscard]] PatchedSolid
 mesh_patches(const PatchedSurface& surface, const SpaceSize& size, double most);

@@ -13,11 +13,27 @@ namespace billet::geometry {
 namespace {
 
 constexpr int most_rounds = 12;      // through all poor tetrahedra
-constexpr double most_moves = 4.0;   // of nodes, over the number of tetrahedra: a bound of the time
+constexpr double most_moves = 2.0;   // of nodes, over the number of tetrahedra: a bound of the time
 constexpr double first_step = 0.25;  // over the shortest edge at a node
 constexpr double least_step = 0.004; // likewise
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Of the angles between two faces of a tetrahedron that is turned the right way round; the
+/// largest one is that of the smallest angle.
+double largest_cosine(const std::array<Vec3, 4>& x) {
+  // Normals of the faces opposite to each corner, outward, as long as twice the area.
+  const std::array<Vec3, 4> n{(x[2] - x[1]).cross(x[3] - x[1]), (x[3] - x[0]).cross(x[2] - x[0]),
+                              (x[1] - x[0]).cross(x[3] - x[0]), (x[2] - x[0]).cross(x[1] - x[0])};
+  std::array<double, 4> length{};
+  for (std::size_t i = 0; i < 4; ++i)
+    length[i] = n[i].norm();
+  double largest = -1.0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      largest = std::max(largest, -n[i].dot(n[j]) / (length[i] * length[j]));
+  return largest;
+}
 
 /// Directions in which a node is tried: along the axes and into the octants.
 std::vector<Vec3> directions() {
@@ -64,12 +80,17 @@ private:
     return shape_quality(corners);
   }
 
-  [[nodiscard]] double worst_around(std::int32_t node, double enough) const {
+  /// Quality of the worst tetrahedron around a node, or of one that is no better than `enough`;
+  /// that one is the first to be asked the next time.
+  double worst_around(std::int32_t node, double enough) {
+    std::vector<std::size_t>& around = around_[at(node)];
     double worst = std::numeric_limits<double>::infinity();
-    for (const std::size_t e : around_[at(node)]) {
+    for (std::size_t& e : around) {
       worst = std::min(worst, quality(e));
-      if (worst <= enough)
+      if (worst <= enough) {
+        std::swap(e, around.front());
         break;
+      }
     }
     return worst;
   }
@@ -94,7 +115,7 @@ private:
       Vec3 best = x;
       for (const Vec3& way : ways_) {
         x = confine_(node, start + step * edge * way);
-        const double now = worst_around(node, worst);
+        const double now = worst_around(node, worst + gain);
         if (now > worst + gain) {
           worst = now;
           best = x;
@@ -126,19 +147,7 @@ double smallest_dihedral(const std::array<Vec3, 4>& x) {
   const double volume6 = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]);
   if (!(volume6 > 0.0))
     return volume6 < 0.0 ? -1.0 : 0.0;
-  std::array<Vec3, 4> normals; // of the face opposite to each corner, outward
-  constexpr std::array<std::array<std::size_t, 3>, 4> sides{
-      {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& [a, b, c] = sides[i];
-    normals[i] = (x[b] - x[a]).cross(x[c] - x[a]);
-  }
-  double least = std::numbers::pi;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      least = std::min(least, std::numbers::pi - std::atan2(normals[i].cross(normals[j]).norm(),
-                                                            normals[i].dot(normals[j])));
-  return least;
+  return std::acos(std::min(largest_cosine(x), 1.0));
 }
 
 double shape_quality(const std::array<Vec3, 4>& x) {
@@ -147,14 +156,13 @@ double shape_quality(const std::array<Vec3, 4>& x) {
   if (!(angle > 0.0))
     return angle;
   const double volume6 = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]);
-  double least = angle;
-  for (std::size_t i = 0; i < 4; ++i) {
-    double lengths = 1.0;
-    for (std::size_t j = 1; j < 4; ++j)
-      lengths *= (x[(i + j) % 4] - x[i]).norm();
-    least = std::min(least, std::numbers::sqrt2 * volume6 / lengths);
-  }
-  return least;
+  // Squares of the lengths of the edges 01, 02, 03, 12, 13, 23, and the three at each corner.
+  const std::array<double, 6> l{(x[1] - x[0]).squaredNorm(), (x[2] - x[0]).squaredNorm(),
+                                (x[3] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(),
+                                (x[3] - x[1]).squaredNorm(), (x[3] - x[2]).squaredNorm()};
+  const double longest =
+      std::max({l[0] * l[1] * l[2], l[0] * l[3] * l[4], l[1] * l[3] * l[5], l[2] * l[4] * l[5]});
+  return std::min(angle, std::numbers::sqrt2 * volume6 / std::sqrt(longest));
 }
 
 double bent_jacobian(const std::array<Vec3, 4>& x, const std::array<Vec3, 6>& m) {

@@ -8,6 +8,7 @@
 #include "geometry/self_intersection.h"
 #include "geometry/size_field.h"
 #include "geometry/solid_shell.h"
+#include "geometry/triangle_shape.h"
 #include "geometry/wall_widths.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -34,9 +35,11 @@ constexpr double good_quality = 0.12;
 /// ... and one with less than this angle is not taken at all.
 constexpr double least_angle = 2.0 * degree;
 
-/// A mesh that is not good is made again with sizes smaller by this factor, so many times in all.
-constexpr double finer = 0.8;
-constexpr int most_attempts = 3;
+/// A mesh that is not good is made again with sizes smaller by this factor where it is poor, or
+/// where its boundary touches itself, so many times in all.
+constexpr double finer = 0.7;
+constexpr double finer_at_flaws = 0.4;
+constexpr int most_attempts = 4;
 
 /// Rounds of drawing bent edges to their chords; half of the bend is left by each.
 constexpr int most_straightenings = 8;
@@ -103,8 +106,25 @@ PatchedSurface patched(const BoundarySurface& surface) {
   return result;
 }
 
+/// Refinement does not end on two sheets of the surface before its edges are as short as the sheets
+/// are apart: a lap that closes is told at once.
+void require_room(const std::vector<WallWidth>& walls) {
+  constexpr double tetrahedra_a_square = 4.0; // or more, on a surface of that area
+  double needed = 0.0;
+  for (const WallWidth& wall : walls)
+    needed += tetrahedra_a_square * wall.area / (wall.width * wall.width);
+  if (needed < most_tetrahedra)
+    return;
+  const WallWidth& thinnest = *std::min_element(
+      walls.begin(), walls.end(), [](const auto& a, const auto& b) { return a.width < b.width; });
+  refuse(fmt::format("a wall or a gap of {:.3g} mm is too thin to be meshed", thinnest.width),
+         thinnest.at);
+}
+
 /// What is asked for along the boundary by its curvature, by thin places and by the caller. (G.45)
-SpaceSizeField size_field(const BoundarySurface& surface, const SolidSizes& sizes) {
+std::vector<SpaceSizeSample> size_samples(const BoundarySurface& surface,
+                                          const std::vector<WallWidth>& walls,
+                                          const SolidSizes& sizes) {
   std::vector<SpaceSizeSample> samples;
   const TriangleMesh& mesh = surface.boundary().mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -118,40 +138,56 @@ SpaceSizeField size_field(const BoundarySurface& surface, const SolidSizes& size
       size = sizes.turn / curvature;
     samples.push_back({middle, std::max(size, sizes.min)});
   }
-  for (const WallWidth& wall : wall_widths(mesh, sizes.across * sizes.max))
+  for (const WallWidth& wall : walls)
     samples.push_back({wall.at, std::max(wall.width / sizes.across, sizes.min)});
-  return {std::move(samples), sizes.max, sizes.growth};
+  return samples;
 }
 
 double enclosed(const TriangleMesh& mesh) { return health(mesh).volume; }
 
+/// Tetrahedra beyond which refinement is taken to have no end: several times as many as the sizes
+/// inside and along the boundary let expect.
+double tetrahedra_allowed(const SolidBoundary& boundary, const SpaceSizeField& size, double max) {
+  constexpr double a_cube = 6.0 * std::numbers::sqrt2, a_square = 8.0, times = 3.0;
+  const TriangleMesh& mesh = boundary.mesh;
+  double expected = a_cube * enclosed(mesh) / (max * max * max);
+  for (const auto& triangle : mesh.triangles) {
+    const double h = size(
+        (corner(mesh, triangle, 0) + corner(mesh, triangle, 1) + corner(mesh, triangle, 2)) / 3.0);
+    expected += a_square * 0.5 * doubled_area(mesh, triangle).norm() / (h * h);
+  }
+  return std::min(times * expected, most_tetrahedra);
+}
+
 /// One mesh, with what speaks against it.
 struct Attempt {
-  std::optional<SolidShell> shell;
+  std::unique_ptr<SolidShell> shell;
   double quality = -1.0;
-  double angle = -1.0; ///< [rad]
-  std::string flaw;
-  Vec3 where = Vec3::Zero();
+  std::string flaw;            ///< empty: it may be taken
+  std::vector<Vec3> poor = {}; ///< where it should be finer; empty: it is good
+  double share = finer;        ///< of the sizes there
 };
 
+bool is_better(const Attempt& a, const Attempt& b) {
+  return a.flaw.empty() == b.flaw.empty() ? a.quality > b.quality : a.flaw.empty();
+}
+
 Attempt attempt(const BoundarySurface& surface,
-                const SpaceSize& size,
+                const SpaceSizeField& size,
+                double most,
                 double volume,
                 const SettleSolid& settle) {
   Attempt made;
-  made.shell.emplace(surface, mesh_patches(patched(surface), size, most_tetrahedra));
+  made.shell = std::make_unique<SolidShell>(
+      surface, mesh_patches(
+                   patched(surface), [&](const Vec3& x) { return size(x); }, most));
   SolidShell& shell = *made.shell;
-  if (shell.flaw()) {
-    made.flaw = "the new boundary is not closed";
-    made.where = *shell.flaw();
-    return made;
-  }
+  if (!shell.flaws().empty())
+    return {std::move(made.shell), -1.0, "the new boundary touches itself", shell.flaws(),
+            finer_at_flaws};
   const double old_volume = enclosed(surface.boundary().mesh);
-  if (std::abs(shell.volume() - old_volume) > volume_share * old_volume) {
-    made.flaw = "a thin place was lost";
-    made.where = shell.worst_place();
-    return made;
-  }
+  if (std::abs(shell.volume() - old_volume) > volume_share * old_volume)
+    return {std::move(made.shell), -1.0, "a thin place was lost", surface.boundary().mesh.points};
   shell.slide(wanted_quality);
   if (settle)
     shell.settle(settle);
@@ -159,12 +195,10 @@ Attempt attempt(const BoundarySurface& surface,
   shell.smooth(wanted_quality);
   for (int round = 0; round < most_straightenings && shell.straighten(); ++round)
     shell.restore_volume(volume);
-  made.angle = shell.smallest_angle();
   made.quality = shell.quality();
-  if (made.angle < least_angle || shell.smallest_jacobian() <= 0.0) {
+  made.poor = shell.poor_places(good_angle, good_quality);
+  if (shell.smallest_angle() < least_angle || shell.smallest_jacobian() <= 0.0)
     made.flaw = "no sound tetrahedra are found";
-    made.where = shell.worst_place();
-  }
   return made;
 }
 
@@ -177,27 +211,30 @@ RemeshedSolid remesh_solid(const SolidBoundary& boundary,
   require_sound(sizes);
   require_sound(boundary);
   const BoundarySurface surface(boundary, sizes.max);
-  const SpaceSizeField field = size_field(surface, sizes);
+  const std::vector<WallWidth> walls = wall_widths(boundary.mesh, sizes.across * sizes.max);
+  require_room(walls);
+  std::vector<SpaceSizeSample> samples = size_samples(surface, walls, sizes);
+  const double most = tetrahedra_allowed(boundary, {samples, sizes.max, sizes.growth}, sizes.max);
   Attempt best;
-  double share = 1.0;
-  for (int i = 0; i < most_attempts; ++i, share *= finer) {
-    Attempt next = attempt(
-        surface, [&](const Vec3& x) { return share * field(x); }, volume, settle);
-    const bool better = !best.shell || (next.flaw.empty() && !best.flaw.empty()) ||
-                        (next.flaw.empty() == best.flaw.empty() && next.quality > best.quality);
-    if (better) {
-      best.shell.reset();
-      best.shell.emplace(std::move(*next.shell));
-      best.angle = next.angle;
-      best.quality = next.quality;
-      best.flaw = std::move(next.flaw);
-      best.where = next.where;
+  for (int i = 0; i < most_attempts; ++i) {
+    const SpaceSizeField field(samples, sizes.max, sizes.growth);
+    Attempt next;
+    try {
+      next = attempt(surface, field, most, volume, settle);
+    } catch (const Error&) {
+      if (best.shell == nullptr)
+        throw;
+      break; // finer yet would be no better
     }
-    if (best.flaw.empty() && best.angle >= good_angle && best.quality >= good_quality)
+    for (const Vec3& x : next.poor)
+      samples.push_back({x, next.share * field(x)});
+    if (best.shell == nullptr || is_better(next, best))
+      best = std::move(next);
+    if (best.flaw.empty() && best.poor.empty())
       break;
   }
   if (!best.flaw.empty())
-    refuse(best.flaw, best.where);
+    refuse(best.flaw, best.poor.front());
   return std::move(*best.shell).result();
 }
 

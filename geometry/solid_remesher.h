@@ -81,8 +81,8 @@ struct RemeshedSolid {
 /// @param volume  what the new mesh is to have [mm^3]
 /// @param settle  puts nodes of the boundary where they should be; empty: they stay on its surface
 /// @throws Error(Fault::geometry), with the place, if the boundary is open, cuts itself or cannot
-///         be meshed; Error(Fault::limit) if it would take more than two hundred thousand
-///         tetrahedra
+///         be meshed, or not with as many tetrahedra as the sizes let expect, two hundred thousand
+///         at most
 [[nodiscard]] RemeshedSolid remesh_solid(const SolidBoundary& boundary,
                                          const SolidSizes& sizes,
                                          double volume,

@@ -1,5 +1,6 @@
 #include "geometry/solid_shell.h"
 
+#include "geometry/mesh_health.h"
 #include "geometry/solid_quality.h"
 
 #include <Eigen/Geometry>
@@ -49,7 +50,7 @@ constexpr std::array<RulePoint, 6> rule() {
 SolidShell::SolidShell(const BoundarySurface& surface, PatchedSolid solid)
     : surface_(surface), solid_(std::move(solid)) {
   find_edges();
-  if (flaw_)
+  if (!flaws_.empty())
     return;
   find_seats();
   place_corners();
@@ -68,9 +69,11 @@ void SolidShell::find_edges() {
   for (const auto& [corners, count] : faces) {
     edges_.push_back({corners, Vec3::Zero()});
     edges_.back().middle = chord_middle(edges_.size() - 1);
-    if (count != 2 && !flaw_)
-      flaw_ = edges_.back().middle;
+    if (count != 2)
+      flaws_.push_back(edges_.back().middle);
   }
+  if (flaws_.empty())
+    find_pinches();
   for (const PatchedSolid::Facet& facet : solid_.facets) {
     facet_edges_.emplace_back();
     for (std::size_t i = 0; i < 3; ++i)
@@ -82,6 +85,14 @@ void SolidShell::find_edges() {
       tetra_edges_.back()[i] =
           edge_between(tetrahedron[tetra_ends[i][0]], tetrahedron[tetra_ends[i][1]]);
   }
+}
+
+void SolidShell::find_pinches() {
+  TriangleMesh boundary{solid_.mesh.points, {}};
+  for (const PatchedSolid::Facet& facet : solid_.facets)
+    boundary.triangles.push_back(facet.corners);
+  if (const auto pinch = health(boundary).non_manifold_vertex_at)
+    flaws_.push_back(*pinch);
 }
 
 std::int32_t SolidShell::edge_between(std::int32_t a, std::int32_t b) const {
@@ -388,17 +399,22 @@ double SolidShell::quality() const {
   return least;
 }
 
-Vec3 SolidShell::worst_place() const {
-  double least = std::numeric_limits<double>::infinity();
-  Vec3 place = Vec3::Zero();
+std::vector<Vec3> SolidShell::poor_places(double angle, double quality) const {
+  std::vector<std::pair<double, std::size_t>> poor;
   for (std::size_t e = 0; e < tetra_edges_.size(); ++e) {
-    const double quality = std::min(shape_quality(corners_of(e)), bend(e));
-    if (quality < least) {
-      least = quality;
-      place = corners_of(e)[0];
-    }
+    const std::array<Vec3, 4> corners = corners_of(e);
+    const double least = std::min(
+        {smallest_dihedral(corners) / angle, shape_quality(corners) / quality, 1.0 + bend(e)});
+    if (least < 1.0)
+      poor.emplace_back(least, e);
   }
-  return place;
+  std::sort(poor.begin(), poor.end());
+  std::vector<Vec3> places;
+  for (const auto& [least, e] : poor) {
+    const std::array<Vec3, 4> x = corners_of(e);
+    places.emplace_back(0.25 * (x[0] + x[1] + x[2] + x[3]));
+  }
+  return places;
 }
 
 double SolidShell::smallest_jacobian() const {

@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace billet::geometry {
@@ -24,8 +23,9 @@ public:
   /// Puts the nodes of the boundary onto the smooth surface.
   SolidShell(const BoundarySurface& surface, PatchedSolid solid);
 
-  /// The middle of an edge of the boundary that has not two faces; none: it is closed.
-  [[nodiscard]] const std::optional<Vec3>& flaw() const { return flaw_; }
+  /// Where the boundary touches itself or is open: middles of edges that have not two faces, nodes
+  /// at which faces meet that are not one fan. If there is any, nothing else may be asked.
+  [[nodiscard]] const std::vector<Vec3>& flaws() const { return flaws_; }
 
   /// Moves nodes inside and, along the surface, those of patches until the tetrahedra have the
   /// quality `wanted`, as far as that is possible.
@@ -46,8 +46,9 @@ public:
   [[nodiscard]] double quality() const;
   /// Smallest angle between two faces of a straight tetrahedron [rad].
   [[nodiscard]] double smallest_angle() const;
-  /// A corner of the worst tetrahedron [mm].
-  [[nodiscard]] Vec3 worst_place() const;
+  /// Centres of tetrahedra that have less than that angle [rad] or quality, or are bent inside out;
+  /// the worst first.
+  [[nodiscard]] std::vector<Vec3> poor_places(double angle, double quality) const;
   /// Smallest determinant of Jacobians over the straight ones [-].
   [[nodiscard]] double smallest_jacobian() const;
 
@@ -67,6 +68,7 @@ private:
   };
 
   void find_edges();
+  void find_pinches();
   void find_seats();
   void place_corners();
   void place_middles();
@@ -94,7 +96,7 @@ private:
   std::vector<Seat> seats_;                              ///< of all nodes
   std::vector<SurfacePlace> places_;                     ///< likewise; of no meaning inside
   std::vector<std::int32_t> old_line_piece_;             ///< of the edges, of those on lines
-  std::optional<Vec3> flaw_;
+  std::vector<Vec3> flaws_;
 };
 
 } // namespace billet::geometry

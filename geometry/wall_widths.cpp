@@ -19,6 +19,8 @@ constexpr double opposite = -0.766;
 
 /// A ball that shrinks by less than this has its size.
 constexpr double settled = 1e-3;
+/// Places nearer to each other than this share of the widest gap are the same.
+constexpr double same = 1e-9;
 constexpr int most_rounds = 30;
 
 /// Diameter of the largest ball in the direction n that touches at x and again opposite to it.
@@ -31,12 +33,15 @@ ball_at(const RigidSurface& surface, const Vec3& x, const Vec3& n, double most) 
     Projection foot;
     surface.project(std::span(&middle, 1), 2.0 * radius, std::span(&foot, 1));
     const Vec3 way = foot.foot - x;
-    if (!foot.found() || (foot.foot - middle).norm() > (1.0 - settled) * radius)
-      break;
+    if (!foot.found() || way.norm() < same * most)
+      break; // the ball touches at x only
     if (way.dot(n) <= 0.0)
       return std::nullopt; // rounding
+    const double smaller = 0.5 * way.squaredNorm() / way.dot(n);
+    if (smaller > (1.0 - settled) * radius)
+      break;
     beyond = foot.foot;
-    radius = 0.5 * way.squaredNorm() / way.dot(n);
+    radius = smaller;
   }
   if (!beyond)
     return std::nullopt; // wider than asked for
@@ -52,10 +57,10 @@ std::vector<WallWidth> wall_widths(const TriangleMesh& mesh, double most) {
   for (const auto& triangle : mesh.triangles) {
     const Vec3 middle =
         (corner(mesh, triangle, 0) + corner(mesh, triangle, 1) + corner(mesh, triangle, 2)) / 3.0;
-    const Vec3 normal = doubled_area(mesh, triangle).stableNormalized();
+    const Vec3 doubled = doubled_area(mesh, triangle), normal = doubled.stableNormalized();
     for (const double side : {-1.0, 1.0})
       if (const std::optional<double> width = ball_at(*surface, middle, side * normal, most))
-        widths.push_back({middle, *width});
+        widths.push_back({middle, *width, 0.5 * doubled.norm()});
   }
   return widths;
 }

@@ -15,6 +15,7 @@ namespace billet::geometry {
 struct WallWidth {
   Vec3 at;      ///< the middle of a triangle [mm]
   double width; ///< [mm]
+  double area;  ///< of the triangle [mm^2]
 };
 
 /// Widths below `most` of walls and gaps, by the largest balls that touch the surface at the

@@ -304,7 +304,6 @@ RemeshedPart remesh_part(const Scene& scene,
         std::get<PressureOn>(part.loads[l]).faces.push_back(face);
     if (attached.contact) {
       part.contact_faces.push_back(face);
-      part.tools.push_back(attached.tool);
       part.places.push_back({domain.corner_places[s], domain.middle_places[s], place_after(s)});
     }
     if (const Index corner = corner_at(boundary, domain.corner_places[s]); corner >= 0) {

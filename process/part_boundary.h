@@ -61,7 +61,6 @@ struct RemeshedPart {
   std::vector<Support> supports;
   std::vector<LoadSpec> loads;
   std::vector<mechanics::Face> contact_faces;
-  std::vector<int> tools; ///< that touch the contact faces; -1: none; in the plane only
   /// Where each contact face begins, has its middle and ends on the old boundary; in the plane
   /// only.
   std::vector<std::array<geometry::BoundaryPlace, 3>> places;

@@ -5,6 +5,7 @@
 #include "geometry/solid_remesher.h"
 #include "tests/geometry/round_meshes.h"
 #include "tests/geometry/sample_meshes.h"
+#include "tests/support/sound_solid.h"
 
 #include <gtest/gtest.h>
 
@@ -23,22 +24,6 @@ namespace billet::geometry {
 namespace {
 
 constexpr double rounding = 1e-12;
-
-SolidBoundary whole(TriangleMesh mesh) {
-  SolidBoundary boundary;
-  boundary.part.assign(mesh.triangles.size(), 0);
-  boundary.hold.assign(mesh.triangles.size(), 0);
-  boundary.keep.assign(mesh.points.size(), 0);
-  boundary.mesh = std::move(mesh);
-  return boundary;
-}
-
-SolidSizes edges_of(double size) {
-  SolidSizes sizes;
-  sizes.min = 0.25 * size;
-  sizes.max = size;
-  return sizes;
-}
 
 /// Each triangle in four, new points in the middles.
 TriangleMesh divided(const TriangleMesh& mesh, int times) {
@@ -62,28 +47,6 @@ TriangleMesh divided(const TriangleMesh& mesh, int times) {
     }
   }
   return result;
-}
-
-/// Every face of the boundary is one of a tetrahedron, all of them close it, and every tetrahedron
-/// is turned the right way round.
-void expect_sound(const RemeshedSolid& solid) {
-  std::set<std::array<std::int32_t, 3>> faces;
-  const auto key = [](std::array<std::int32_t, 3> face) {
-    std::sort(face.begin(), face.end());
-    return face;
-  };
-  for (const auto& [a, b, c, d] : solid.mesh.tetrahedra) {
-    const auto& x = solid.mesh.points;
-    const auto p = [&](std::int32_t i) { return x[static_cast<std::size_t>(i)]; };
-    EXPECT_GT((p(b) - p(a)).cross(p(c) - p(a)).dot(p(d) - p(a)), 0.0);
-    for (const auto& face : {std::array{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}})
-      if (const auto [place, added] = faces.insert(key(face)); !added)
-        faces.erase(place);
-  }
-  EXPECT_EQ(faces.size(), solid.facets.size());
-  for (const RemeshedSolid::Facet& facet : solid.facets)
-    EXPECT_TRUE(faces.contains(key(facet.corners)));
-  EXPECT_EQ(2 * solid.edges.size(), 3 * solid.facets.size());
 }
 
 double chords_off(const RemeshedSolid& solid, const std::function<double(const Vec3&)>& distance) {
