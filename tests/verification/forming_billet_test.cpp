@@ -23,8 +23,8 @@ struct Gate {
 void expect_force(const FinishedRun& done, const Gate& gate, const std::string& name) {
   const Entry& entry = done.at(gate.reduction * height);
   const Scene& scene = done.process->scene();
-  // Along the axis: a quarter in space also feels the shear that the other quarters balance, 16 %
-  // of it, which is 1.3 to 2.5 % of the sum of squares.
+  // Along the axis: a quarter in space also feels shear that the other quarters balance, which adds
+  // 2 to 4 % to the resultant.
   const double force = std::abs(entry.loads[0].force[up(scene.analysis)]) / 1e3;
   std::printf("%s at %.0f %%: F = %.2f kN (ref %.2f +- %.1f %%), R = %.3f\n", name.c_str(),
               100.0 * gate.reduction, force, gate.force, 100.0 * gate.tolerance,
