@@ -12,6 +12,7 @@ find_package(nlohmann_json REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_library(UMFPACK_LIBRARY umfpack REQUIRED)
 find_library(DMUMPS_LIBRARY dmumps_seq REQUIRED)
+find_library(SMUMPS_LIBRARY smumps_seq REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)
 find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 find_path(SUITESPARSE_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
@@ -19,5 +20,5 @@ find_path(MUMPS_INCLUDE mumps_seq/mpi.h REQUIRED)
 
 add_library(billet_sparse INTERFACE)
 target_include_directories(billet_sparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE} ${MUMPS_INCLUDE}/mumps_seq)
-target_link_libraries(billet_sparse INTERFACE ${CHOLMOD_LIBRARY} ${UMFPACK_LIBRARY} ${DMUMPS_LIBRARY}
+target_link_libraries(billet_sparse INTERFACE ${CHOLMOD_LIBRARY} ${UMFPACK_LIBRARY} ${DMUMPS_LIBRARY} ${SMUMPS_LIBRARY}
                                               ${METIS_LIBRARY} ${OPENBLAS_LIBRARY})

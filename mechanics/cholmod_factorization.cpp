@@ -27,7 +27,7 @@ private:
 class CholmodFactorization final : public Factorization {
 public:
   CholmodFactorization(const BlockPattern& pattern, std::span<const Index> order)
-      : rows_(pattern.columns), start_(pattern.row_start), n_(pattern.n_dofs()) {
+      : pattern_(&pattern) {
     cholmod_start(&common_);
     common_.supernodal = CHOLMOD_SUPERNODAL;
     common_.nmethods = 1;
@@ -57,8 +57,7 @@ public:
     const int ok = cholmod_factorize(&A, factor_, &common_);
     if (common_.status == CHOLMOD_OUT_OF_MEMORY)
       throw std::bad_alloc();
-    return ok != 0 && common_.status == CHOLMOD_OK &&
-           factor_->minor == static_cast<std::size_t>(n_);
+    return ok != 0 && common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
 
   void solve(std::span<double> rhs) override {
@@ -77,18 +76,24 @@ public:
     std::copy(x, x + rhs.size(), rhs.begin());
   }
 
+  void release() override {
+    if (factor_->xtype != CHOLMOD_PATTERN)
+      cholmod_change_factor(CHOLMOD_PATTERN, 1, 1, 1, 1, factor_, &common_);
+  }
+
   [[nodiscard]] FactorCost cost() const override { return {common_.fl, common_.lnz}; }
 
 private:
   /// The matrix as CHOLMOD sees it: its lower triangle by columns. Only read.
   [[nodiscard]] cholmod_sparse view(const double* values) {
     cholmod_sparse A{};
-    A.nrow = static_cast<std::size_t>(n_);
+    A.nrow = static_cast<std::size_t>(pattern_->n_dofs());
     A.ncol = A.nrow;
-    A.nzmax = rows_.size();
-    A.p = start_.data();
-    A.i = rows_.data();
-    A.x = const_cast<double*>(values); // NOLINT: the C interface has no const
+    A.nzmax = pattern_->n_entries();
+    // The C interface has no const.
+    A.p = const_cast<Index*>(pattern_->row_start.data()); // NOLINT
+    A.i = const_cast<Index*>(pattern_->columns.data());   // NOLINT
+    A.x = const_cast<double*>(values);                    // NOLINT
     A.stype = -1;
     A.itype = CHOLMOD_INT;
     A.xtype = values == nullptr ? CHOLMOD_PATTERN : CHOLMOD_REAL;
@@ -98,9 +103,7 @@ private:
     return A;
   }
 
-  std::vector<Index> rows_;
-  std::vector<Index> start_;
-  Index n_;
+  const BlockPattern* pattern_;
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
   cholmod_dense* solution_ = nullptr;

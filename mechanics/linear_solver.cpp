@@ -33,20 +33,10 @@ int most_solves(const FactorCost& cost) {
   return solves < fewest ? 0 : static_cast<int>(solves);
 }
 
-/// Where the transpose of every entry lies, shape (n_entries).
-std::vector<Index> transposed_entries(const BlockPattern& pattern) {
-  // Rows are walked in order, so the transpose is the next entry of its row not met so far.
-  std::vector<Index> transposed(pattern.n_entries());
-  std::vector<Index> next(pattern.row_start.begin(), pattern.row_start.end() - 1);
-  for (std::size_t k = 0; k < transposed.size(); ++k)
-    transposed[k] = next[static_cast<std::size_t>(pattern.columns[k])]++;
-  return transposed;
-}
-
 /// Relative residual that counts as exact: what a factorization and its refinement are held to.
 constexpr double exact = 1e-10;
 
-/// Iterations with the symmetric part: more cost more than MUMPS' LU does beyond Cholesky.
+/// Iterations with a neighbour of the matrix: more cost more than an LU does.
 constexpr int most_iterations = 24;
 
 /// The symmetric part that fails is tried again with the next system, then after 2, 6, ... 30.
@@ -108,12 +98,20 @@ Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorizat
   return *factorization;
 }
 
+void LinearSolver::release_all_but(const Factorization& factorization) {
+  constexpr double few = 1e7; // entries: less memory than the matrices of a small problem take
+  for (const auto* other : {&cholmod_, &mumps_symmetric_, &mumps_single_, &mumps_, &umfpack_})
+    if (*other && other->get() != &factorization && (*other)->cost().entries > few)
+      (*other)->release();
+}
+
 bool LinearSolver::factorize(Factorization& factorization,
                              std::string_view method,
                              const SparseMatrix& matrix) {
   const Stopwatch watch(work_.factorization);
   constexpr double large = 1e9; // operations: below them threads wait longer than they work
   last_ = nullptr;
+  release_all_but(factorization);
   const bool share = settings_.threads > 1 && factorization.cost().flops > large;
   if (share)
     set_blas_threads(settings_.threads);
@@ -125,7 +123,7 @@ bool LinearSolver::factorize(Factorization& factorization,
   work_.flops += cost.flops;
   work_.last_method = method;
   work_.last_flops = cost.flops;
-  work_.last_factor_bytes = cost.entries * sizeof(double);
+  work_.last_factor_bytes = cost.entries * static_cast<double>(cost.entry_size);
   if (done)
     last_ = &factorization;
   return done;
@@ -216,7 +214,7 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
                                                double tolerance) {
   if (held_ == Held::current)
     return back_substitute(*last_, "again", matrix, rhs, x);
-  if (held_ == Held::symmetric_part) {
+  if (held_ == Held::neighbour) {
     const GmresReport report = iterate(matrix, rhs, x, std::max(tolerance, exact), most_iterations);
     if (report.converged)
       return SolveReport{"again", report.residual};
@@ -225,18 +223,40 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
 }
 
 void LinearSolver::take_symmetric_part(const SparseMatrix& matrix) {
-  if (transposed_.empty())
-    transposed_ = transposed_entries(*pattern_);
   symmetric_part_.pattern = pattern_;
   symmetric_part_.values = matrix.values;
   auto& values = symmetric_part_.values;
   for (const EntryPart& part : matrix.unsymmetric)
     values[static_cast<std::size_t>(part.entry)] -= part.value;
+  // Rows are walked in order, so the transpose is the next entry of its row not met so far.
+  std::vector<Index> next(pattern_->row_start.begin(), pattern_->row_start.end() - 1);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto other = static_cast<std::size_t>(transposed_[k]);
+    const auto other =
+        static_cast<std::size_t>(next[static_cast<std::size_t>(pattern_->columns[k])]++);
     if (other > k)
       values[k] = values[other] = 0.5 * (values[k] + values[other]);
   }
+}
+
+Outcome<SolveReport> LinearSolver::solve_with_neighbour(Factorization& factorization,
+                                                        std::string_view method,
+                                                        const SparseMatrix& neighbour,
+                                                        const SparseMatrix& matrix,
+                                                        std::span<const double> rhs,
+                                                        std::span<double> x,
+                                                        double tolerance) {
+  if (!factorize(factorization, method, neighbour))
+    return Failure{"no factorization (" + std::string(method) + ")"};
+  const bool small =
+      most_solves(factorization.cost()) == 0; // a correction less than exact saves nothing
+  const GmresReport report =
+      iterate(matrix, rhs, x, small ? exact : std::max(tolerance, exact), most_iterations);
+  if (!report.converged) {
+    last_ = nullptr;
+    return Failure{"no convergence (" + std::string(method) + ")"};
+  }
+  held_ = Held::neighbour;
+  return SolveReport{method, report.residual};
 }
 
 Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix& matrix,
@@ -245,17 +265,15 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
                                                              double tolerance) {
   take_symmetric_part(matrix);
   Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(*pattern_, order_); });
-  if (!factorize(cholesky, "cholmod-gmres", symmetric_part_))
-    return Failure{"the symmetric part of the tangent is not positive definite"};
-  const bool small =
-      most_solves(cholesky.cost()) == 0; // a correction less than exact saves nothing
-  const GmresReport report =
-      iterate(matrix, rhs, x, small ? exact : std::max(tolerance, exact), most_iterations);
-  if (!report.converged)
-    return Failure{"the tangent is too far from symmetric"};
-  ++work_.nearly_symmetric;
-  held_ = Held::symmetric_part;
-  return SolveReport{"cholmod-gmres", report.residual};
+  const auto outcome =
+      solve_with_neighbour(cholesky, "cholmod-gmres", symmetric_part_, matrix, rhs, x, tolerance);
+  if (outcome)
+    ++work_.nearly_symmetric;
+  else
+    symmetric_part_.values = {}; // LU needs the memory
+  failures_ = outcome ? 0 : std::min(failures_ + 1, most_failures);
+  wait_ = outcome ? 0 : (1 << failures_) - 2;
+  return outcome;
 }
 
 Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,
@@ -273,10 +291,16 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
   }
   if (!symmetric && fast && wait_-- <= 0) {
     auto outcome = solve_with_symmetric_part(matrix, rhs, x, tolerance);
-    failures_ = outcome ? 0 : std::min(failures_ + 1, most_failures);
-    wait_ = outcome ? 0 : (1 << failures_) - 2;
     if (outcome)
       return outcome;
+  }
+  if (!symmetric && fast && single_serves_ && most_solves(cholmod_->cost()) > 0) {
+    Factorization& lu =
+        prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
+    auto outcome = solve_with_neighbour(lu, "mumps-lu-gmres", matrix, matrix, rhs, x, exact);
+    if (outcome)
+      return outcome;
+    single_serves_ = false;
   }
   if (settings_.choice != SolverChoice::umfpack) {
     Factorization& mumps = prepared(symmetric ? mumps_symmetric_ : mumps_,

@@ -3,9 +3,10 @@
 // The unknowns are ordered once per mesh (METIS on the node graph). A symmetric matrix goes to
 // CHOLMOD's supernodal Cholesky factorization and, when a pivot is not positive, to MUMPS' LDL^T.
 // An unsymmetric one is solved by GMRES with the Cholesky factorization of a symmetric neighbour
-// (SparseMatrix::unsymmetric), and by MUMPS' LU where that does not converge; UMFPACK stands
-// in when MUMPS fails. Every solution's residual is checked and refined once where it is too large.
-// docs/decisions/0010-symmetric-neighbour.md
+// (SparseMatrix::unsymmetric), and by MUMPS' LU where that does not converge: in large problems the
+// LU is one in single precision, with GMRES around it. UMFPACK stands in when MUMPS fails. Every
+// solution's residual is checked and refined once where it is too large.
+// docs/decisions/0010-symmetric-neighbour.md, 0013-memory-of-factorizations.md
 
 #pragma once
 
@@ -31,8 +32,9 @@ struct SolverSettings {
 
 /// What the last solution did, for the log and the summary.
 struct SolveReport {
-  std::string_view method;      ///< "cholmod", "cholmod-gmres", "mumps-ldlt", "mumps-lu",
-                                ///< "umfpack"; "gmres": with an earlier factorization
+  std::string_view method;      ///< "cholmod", "cholmod-gmres", "mumps-ldlt", "mumps-lu-gmres" (in
+                                ///< single precision), "mumps-lu", "umfpack"; "gmres": with an
+                                ///< earlier factorization
   double relative_residual = 0; ///< of the linear system
 };
 
@@ -57,11 +59,13 @@ struct SolverWork {
 
 /// Work of a factorization.
 struct FactorCost {
-  double flops = 0.0;   ///< floating-point operations
-  double entries = 0.0; ///< of the factors
+  double flops = 0.0;                      ///< floating-point operations
+  double entries = 0.0;                    ///< of the factors
+  std::size_t entry_size = sizeof(double); ///< [byte]
 };
 
-/// One factorization method over one pattern; a detail of linear_solver.cpp and its companions.
+/// One factorization method over one pattern, which outlives it; a detail of linear_solver.cpp and
+/// its companions.
 class Factorization {
 public:
   virtual ~Factorization() = default;
@@ -69,6 +73,8 @@ public:
   [[nodiscard]] virtual bool factorize(const SparseMatrix& matrix) = 0;
   /// Overwrites the right-hand side with the solution.
   virtual void solve(std::span<double> rhs) = 0;
+  /// Gives the factors' memory back. The next factorization takes it anew.
+  virtual void release() = 0;
   /// Work of the last factorization, as counted by the method; before it what analysis expects.
   [[nodiscard]] virtual FactorCost cost() const = 0;
 };
@@ -81,6 +87,9 @@ public:
 /// @param symmetric  LDL^T of the lower triangle instead of LU
 [[nodiscard]] std::unique_ptr<Factorization>
 make_mumps(const BlockPattern& pattern, std::span<const Index> order, bool symmetric);
+/// LU in single precision: for solutions that are iterated upon.
+[[nodiscard]] std::unique_ptr<Factorization> make_single_mumps(const BlockPattern& pattern,
+                                                               std::span<const Index> order);
 [[nodiscard]] std::unique_ptr<Factorization> make_umfpack(const BlockPattern& pattern,
                                                           std::span<const Index> order);
 
@@ -114,6 +123,8 @@ private:
   /// Makes a factorization of the pattern where there is none so far.
   template <class Make>
   Factorization& prepared(std::unique_ptr<Factorization>& factorization, Make make);
+  /// Large factors are held one at a time: Cholesky's and an LU's together are too much.
+  void release_all_but(const Factorization& factorization);
   [[nodiscard]] bool
   factorize(Factorization& factorization, std::string_view method, const SparseMatrix& matrix);
   [[nodiscard]] Outcome<SolveReport> solve_with(Factorization& factorization,
@@ -126,6 +137,14 @@ private:
                                                      const SparseMatrix& matrix,
                                                      std::span<const double> rhs,
                                                      std::span<double> x);
+  /// By GMRES with the factorization of a matrix close by, or one in single precision.
+  [[nodiscard]] Outcome<SolveReport> solve_with_neighbour(Factorization& factorization,
+                                                          std::string_view method,
+                                                          const SparseMatrix& neighbour,
+                                                          const SparseMatrix& matrix,
+                                                          std::span<const double> rhs,
+                                                          std::span<double> x,
+                                                          double tolerance);
   /// By the Cholesky factorization of the symmetric neighbour. (C.40)
   [[nodiscard]] Outcome<SolveReport> solve_with_symmetric_part(const SparseMatrix& matrix,
                                                                std::span<const double> rhs,
@@ -149,16 +168,17 @@ private:
   std::vector<Index> order_;
   std::unique_ptr<Factorization> cholmod_;
   std::unique_ptr<Factorization> mumps_symmetric_;
+  std::unique_ptr<Factorization> mumps_single_;
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
   Factorization* last_ = nullptr; ///< holds a factorization of an earlier matrix
   /// ... and the matrix it is of.
-  enum class Held { earlier, symmetric_part, current } held_ = Held::earlier;
+  enum class Held { earlier, neighbour, current } held_ = Held::earlier;
   Gmres gmres_;
   SparseMatrix symmetric_part_;
-  std::vector<Index> transposed_; ///< where entry (j, i) lies, shape (n_entries)
-  int wait_ = 0;                  ///< systems to go before the symmetric part is tried again
-  int failures_ = 0;              ///< of the symmetric part, one after another
+  int wait_ = 0;              ///< systems to go before the symmetric part is tried again
+  int failures_ = 0;          ///< of the symmetric part, one after another
+  bool single_serves_ = true; ///< whether LU in single precision is worth a try
   std::vector<double> residual_;
   SolverWork work_;
 };

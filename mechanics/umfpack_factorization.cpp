@@ -13,7 +13,7 @@ namespace {
 class UmfpackFactorization final : public Factorization {
 public:
   UmfpackFactorization(const BlockPattern& pattern, std::span<const Index> order)
-      : start_(pattern.row_start), columns_(pattern.columns), order_(order.begin(), order.end()) {
+      : pattern_(&pattern), order_(order.begin(), order.end()) {
     umfpack_di_defaults(control_.data());
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
     control_[UMFPACK_PRL] = 0;
@@ -29,20 +29,26 @@ public:
     const int n = static_cast<int>(order_.size());
     values_ = matrix.values;
     if (symbolic_ == nullptr)
-      check(umfpack_di_qsymbolic(n, n, start_.data(), columns_.data(), values_.data(),
-                                 order_.data(), &symbolic_, control_.data(), nullptr));
+      check(umfpack_di_qsymbolic(n, n, pattern_->row_start.data(), pattern_->columns.data(),
+                                 values_.data(), order_.data(), &symbolic_, control_.data(),
+                                 nullptr));
     umfpack_di_free_numeric(&numeric_);
-    const int status =
-        check(umfpack_di_numeric(start_.data(), columns_.data(), values_.data(), symbolic_,
-                                 &numeric_, control_.data(), info_.data()));
+    const int status = check(umfpack_di_numeric(pattern_->row_start.data(),
+                                                pattern_->columns.data(), values_.data(), symbolic_,
+                                                &numeric_, control_.data(), info_.data()));
     return status == UMFPACK_OK;
   }
 
   void solve(std::span<double> rhs) override {
     // UMFPACK reads our rows as its columns: it holds the transpose.
     const std::vector<double> b(rhs.begin(), rhs.end());
-    umfpack_di_solve(UMFPACK_At, start_.data(), columns_.data(), values_.data(), rhs.data(),
-                     b.data(), numeric_, control_.data(), nullptr);
+    umfpack_di_solve(UMFPACK_At, pattern_->row_start.data(), pattern_->columns.data(),
+                     values_.data(), rhs.data(), b.data(), numeric_, control_.data(), nullptr);
+  }
+
+  void release() override {
+    umfpack_di_free_numeric(&numeric_);
+    values_ = {};
   }
 
   [[nodiscard]] FactorCost cost() const override {
@@ -56,8 +62,7 @@ private:
     return status;
   }
 
-  std::vector<Index> start_;
-  std::vector<Index> columns_;
+  const BlockPattern* pattern_;
   std::vector<Index> order_;
   std::vector<double> values_;
   std::array<double, UMFPACK_CONTROL> control_{};

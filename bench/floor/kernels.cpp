@@ -121,7 +121,7 @@ void assembly(ElementKind kind, Analysis analysis, int cells, bool plastic) {
 } // namespace
 } // namespace billet::bench
 
-int main() {
+int main(int argc, char**) {
   using namespace billet;
   using mechanics::Analysis;
   using mechanics::ElementKind;
@@ -129,12 +129,15 @@ int main() {
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
   std::printf("BLAS kernels %s\n", mechanics::blas_core().c_str());
   bench::matrix_products();
+  if (argc > 1) // --product
+    return 0;
   bench::memory();
   for (const bool plastic : {true, false}) {
     bench::assembly(ElementKind::quad4, Analysis::axisymmetric, 100, plastic);
     bench::assembly(ElementKind::quad8, Analysis::axisymmetric, 100, plastic);
     bench::assembly(ElementKind::hex8, Analysis::solid, 22, plastic);
     bench::assembly(ElementKind::hex20, Analysis::solid, 14, plastic);
+    bench::assembly(ElementKind::tet10, Analysis::solid, 10, plastic);
   }
   return 0;
 }

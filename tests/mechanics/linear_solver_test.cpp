@@ -114,6 +114,50 @@ TEST(LinearSolver, every_backend_agrees_with_the_dense_solution) {
   }
 }
 
+TEST(LinearSolver, every_backend_factorizes_anew_after_it_has_given_its_memory_back) {
+  using Make = std::unique_ptr<Factorization> (*)(const BlockPattern&, std::span<const Index>);
+  const Make ldlt = [](const BlockPattern& p, std::span<const Index> o) {
+    return make_mumps(p, o, true);
+  };
+  const Make lu = [](const BlockPattern& p, std::span<const Index> o) {
+    return make_mumps(p, o, false);
+  };
+  Problem problem(Sort::positive);
+  const auto order = fill_reducing_order(problem.pattern);
+  for (const Make make :
+       {Make(&make_cholmod), ldlt, lu, Make(&make_single_mumps), Make(&make_umfpack)}) {
+    const auto factorization = make(problem.pattern, order);
+    std::vector<double> first;
+    for (int turn = 0; turn < 3; ++turn) {
+      ASSERT_TRUE(factorization->factorize(problem.matrix));
+      problem.x = problem.rhs;
+      factorization->solve(problem.x);
+      if (turn == 0)
+        first = problem.x;
+      EXPECT_EQ(problem.x, first); // to the bit
+      factorization->release();
+      factorization->release(); // nothing left: no harm
+    }
+  }
+}
+
+TEST(LinearSolver, single_precision_has_seven_digits_in_any_unit) {
+  constexpr double digits = 1e-5;
+  for (const double unit : {1.0, 1e30, 1e-30, 1e60}) {
+    Problem problem(Sort::skew);
+    for (double& value : problem.matrix.values)
+      value *= unit;
+    problem.refresh();
+    const auto factorization =
+        make_single_mumps(problem.pattern, fill_reducing_order(problem.pattern));
+    ASSERT_TRUE(factorization->factorize(problem.matrix));
+    problem.x = problem.rhs;
+    factorization->solve(problem.x);
+    EXPECT_LE(problem.error(problem.x), digits) << unit;
+    EXPECT_EQ(factorization->cost().entry_size, sizeof(float));
+  }
+}
+
 TEST(LinearSolver, chooses_by_what_the_matrix_is) {
   struct Expected {
     Sort sort;
@@ -180,6 +224,77 @@ TEST(LinearSolver, takes_away_the_coupling_that_it_is_told_of) {
   ASSERT_TRUE(told.solve_again(problem.matrix, false, problem.rhs, again, 0.0));
   EXPECT_LE(problem.error(again), digits);
   EXPECT_EQ(told.work().factorizations, 1);
+}
+
+/// A skew matrix with so many operations an entry that LU is tried in single precision first.
+struct LargeProblem {
+  LargeProblem() {
+    support::Random random{5};
+    for (Index i = 0; i < pattern.n_dofs(); ++i)
+      for (Index k = row(i); k < row(i + 1); ++k) {
+        const Index j = pattern.columns[static_cast<std::size_t>(k)];
+        const double part = random.list(1, 1.0)[0];
+        matrix.values.push_back(i == j ? 30.0 : i < j ? 1.0 + part : -1.0 + part);
+      }
+    solution = random.list(static_cast<std::size_t>(pattern.n_dofs()), 1.0);
+  }
+  LargeProblem(const LargeProblem&) = delete;
+  LargeProblem& operator=(const LargeProblem&) = delete;
+
+  [[nodiscard]] Index row(Index i) const { return pattern.row_start[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] std::vector<double> rhs() const {
+    std::vector<double> product(solution.size());
+    matrix.multiply(solution, product);
+    return product;
+  }
+  /// Makes unknowns 0 and 1 a system of their own whose determinant single precision cannot see.
+  void couple_two_nearly_alike() {
+    for (Index i = 0; i < pattern.n_dofs(); ++i)
+      for (Index k = row(i); k < row(i + 1); ++k) {
+        const Index j = pattern.columns[static_cast<std::size_t>(k)];
+        if (i < 2 && j < 2)
+          matrix.values[static_cast<std::size_t>(k)] =
+              i == 1 && j == 1 ? 30.0 * (1.0 + 1e-9) : 30.0;
+        else if (i < 2 || j < 2)
+          matrix.values[static_cast<std::size_t>(k)] = 0.0;
+      }
+  }
+
+  BlockPattern pattern = block_pattern(box_mesh({.kind = ElementKind::hex8, .cells = {9, 9, 9}}));
+  SparseMatrix matrix{&pattern, {}};
+  std::vector<double> solution;
+};
+
+TEST(LinearSolver, large_unsymmetric_systems_are_solved_around_single_precision) {
+  LargeProblem problem;
+  LinearSolver solver(problem.pattern, {});
+  const std::vector<double> rhs = problem.rhs();
+  std::vector<double> x(rhs.size());
+  const auto report = solver.solve(problem.matrix, false, rhs, x);
+  ASSERT_TRUE(report) << report.error().reason;
+  EXPECT_EQ(report->method, "mumps-lu-gmres");
+  EXPECT_LE(report->relative_residual, 1e-10);
+  constexpr double digits = 1e-9; // a residual of 1e-10 at a condition of ten
+  for (std::size_t i = 0; i < x.size(); ++i)
+    ASSERT_NEAR(x[i], problem.solution[i], digits);
+  ASSERT_TRUE(solver.solve_again(problem.matrix, false, rhs, x, 0.0));
+  EXPECT_EQ(solver.work().last_method, "mumps-lu-gmres");
+  for (std::size_t i = 0; i < x.size(); ++i)
+    ASSERT_NEAR(x[i], problem.solution[i], digits);
+}
+
+TEST(LinearSolver, double_precision_stands_in_where_single_fails) {
+  LargeProblem problem;
+  problem.couple_two_nearly_alike();
+  LinearSolver solver(problem.pattern, {});
+  const std::vector<double> rhs = problem.rhs();
+  std::vector<double> x(rhs.size());
+  for (int turn = 0; turn < 2; ++turn) {
+    const auto report = solver.solve(problem.matrix, false, rhs, x);
+    ASSERT_TRUE(report) << report.error().reason;
+    EXPECT_EQ(report->method, "mumps-lu");
+    EXPECT_LE(report->relative_residual, 1e-10);
+  }
 }
 
 TEST(LinearSolver, comes_back_to_cholmod_after_an_indefinite_matrix) {

@@ -22,10 +22,13 @@ struct Gate {
 
 void expect_force(const FinishedRun& done, const Gate& gate, const std::string& name) {
   const Entry& entry = done.at(gate.reduction * height);
-  const double force = entry.loads[0].force.norm() / 1e3;
-  std::printf("%s at %.0f %%: F = %.1f kN (ref %.1f +- %.1f %%), R = %.3f\n", name.c_str(),
+  const Scene& scene = done.process->scene();
+  // Along the axis: a quarter in space also feels shear that the other quarters balance, which adds
+  // 2 to 4 % to the resultant.
+  const double force = std::abs(entry.loads[0].force[up(scene.analysis)]) / 1e3;
+  std::printf("%s at %.0f %%: F = %.2f kN (ref %.2f +- %.1f %%), R = %.3f\n", name.c_str(),
               100.0 * gate.reduction, force, gate.force, 100.0 * gate.tolerance,
-              largest_position(entry, done.process->scene().mesh.dimension(), 0));
+              largest_position(entry, scene.mesh.dimension(), 0));
   EXPECT_NEAR(force, gate.force, gate.tolerance * gate.force) << name;
 }
 
@@ -84,13 +87,10 @@ void check_solid(ElementKind kind, int n, double tolerance) {
 }
 
 TEST(Billet, AgreesInSpace) {
-  // Meshes far coarser than the reference's 12 x 12. hex20 comes down to it as the mesh is refined:
-  // at 30 % with the full rule 96.1, 95.1, 93.3 kN for 3, 4, 5 cells along the radius.
-  check_solid(ElementKind::hex8, 5, 0.04);
-  check_solid(ElementKind::hex20, 4, 0.075);
-  // 2.3 % too much at 15 %, 0.5 % at 30 %; tetrahedra without pattern (1834 of an STL) -0.4, -0.7
-  // %.
-  check_solid(ElementKind::tet10, 4, 0.03);
+  // Meshes far coarser than the reference's 12 x 12: decision 0008.
+  check_solid(ElementKind::hex8, 5, 0.03);
+  check_solid(ElementKind::hex20, 4, 0.03);
+  check_solid(ElementKind::tet10, 4, 0.02);
 }
 
 double force_at_twenty(const contact::Friction& law, contact::Form form) {
