@@ -511,8 +511,8 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
   add_tools(content, built, place);
   scene.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)
                                                 : candidates(scene, boundary);
-  scene.contact = {content.contact.form == ContactForm::mixed ? contact::Form::mixed
-                                                              : contact::Form::compatible,
+  scene.contact = {content.contact.form == ContactForm::compatible ? contact::Form::compatible
+                                                                   : contact::Form::mixed,
                    content.contact.penalty,
                    content.contact.penalty_tangent,
                    content.contact.method == ContactMethod::augmented ? contact::Method::augmented

@@ -80,7 +80,9 @@ enum class ContactMethod { penalty, augmented };
 enum class ContactIntegrator { radial, midpoint, exact };
 
 struct ContactSettings {
-  ContactForm form = ContactForm::mixed;
+  /// Absent, which no case is that was read: mixed, or compatible where the part is meshed anew in
+  /// the plane.
+  std::optional<ContactForm> form;
   ContactMethod method = ContactMethod::penalty;
   double penalty = 100.0;                ///< multiple of adjacent stiffness / element size [-]
   double penalty_tangent = 10.0;         ///< the same, tangential [-]

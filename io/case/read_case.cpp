@@ -63,6 +63,12 @@ void read_materials(TableReader& root, Case& content) {
   }
 }
 
+/// A new mesh would keep what the energy-free mode of mixed faces has made of the boundary.
+ContactForm default_form(const Case& content) {
+  return content.remesh && content.analysis != Analysis::solid ? ContactForm::compatible
+                                                               : ContactForm::mixed;
+}
+
 Case read_root(TableReader& root) {
   Case content;
   ReadContext& context = root.context();
@@ -85,6 +91,8 @@ Case read_root(TableReader& root) {
   root.optional("remesh", content.remesh, as_remesh);
   root.optional("output", content.output, as_output);
   root.finish();
+  if (!content.contact.form)
+    content.contact.form = default_form(content);
   return content;
 }
 

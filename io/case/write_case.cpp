@@ -57,8 +57,9 @@ std::string load_text(const Load& load, int size) {
 
 std::string contact_text(const ContactSettings& contact) {
   TomlTable table;
-  table.add("form", word_text(contact.form, contact_forms))
-      .add("method", word_text(contact.method, contact_methods))
+  if (contact.form)
+    table.add("form", word_text(*contact.form, contact_forms));
+  table.add("method", word_text(contact.method, contact_methods))
       .add("penalty", toml_text(contact.penalty))
       .add("penalty_tangent", toml_text(contact.penalty_tangent));
   add_if(table, "max_penetration", contact.max_penetration);

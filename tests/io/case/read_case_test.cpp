@@ -77,7 +77,7 @@ TEST(ReadCase, fills_in_the_defaults_of_the_format) {
   const Case content = read(space_case);
   EXPECT_EQ(content.units.name, "mm-N-s-MPa-degC");
   EXPECT_FALSE(content.temperature);
-  EXPECT_EQ(content.contact, ContactSettings{});
+  EXPECT_EQ(content.contact, ContactSettings{.form = ContactForm::mixed});
   EXPECT_EQ(content.contact.penalty, 100.0);
   EXPECT_EQ(content.contact.penalty_tangent, 10.0);
   EXPECT_EQ(content.solver.tolerance, 1e-6);
@@ -192,6 +192,23 @@ TEST(ReadCase, leaves_the_folder_of_the_case_only_when_asked) {
   EXPECT_THROW((void)read_case(file, {"workpiece.mesh.file=" + (folder / "part.msh").string()}),
                Error);
   EXPECT_NO_THROW((void)read_case(file, {}, {.allow_outside = true}));
+}
+
+TEST(ReadCase, takes_the_compatible_form_for_remeshing_in_the_plane_alone) {
+  const std::string bare = R"(
+    analysis = "%"
+    workpiece = { element = "quad8", material = "m", mesh = { box = [[0, 0], [1, 1]], cells = [1, 1] } }
+    material.m = { elastic = { young = 1, poisson = 0 } }
+    time = { end = 1 }
+  )";
+  const auto form = [&](const std::string& analysis, const std::string& more) {
+    std::string text = bare;
+    text.replace(text.find('%'), 1, analysis);
+    return *read(text + more).contact.form;
+  };
+  EXPECT_EQ(form("axisymmetric", ""), ContactForm::mixed);
+  EXPECT_EQ(form("axisymmetric", "[remesh]\n"), ContactForm::compatible);
+  EXPECT_EQ(form("axisymmetric", "[remesh]\n[contact]\nform = \"mixed\"\n"), ContactForm::mixed);
 }
 
 TEST(ReadCase, reads_remeshing) {
