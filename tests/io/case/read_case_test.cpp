@@ -77,7 +77,9 @@ TEST(ReadCase, fills_in_the_defaults_of_the_format) {
   const Case content = read(space_case);
   EXPECT_EQ(content.units.name, "mm-N-s-MPa-degC");
   EXPECT_FALSE(content.temperature);
-  EXPECT_EQ(content.contact, ContactSettings{.form = ContactForm::mixed});
+  ContactSettings contact;
+  contact.form = ContactForm::mixed;
+  EXPECT_EQ(content.contact, contact);
   EXPECT_EQ(content.contact.penalty, 100.0);
   EXPECT_EQ(content.contact.penalty_tangent, 10.0);
   EXPECT_EQ(content.solver.tolerance, 1e-6);
