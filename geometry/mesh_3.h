@@ -1,5 +1,6 @@
 // What CGAL's Mesh_3 needs in both meshers of solids: types, angles to be reached, surfaces as it
-// takes them. Internal to geometry/ and heavy: included by mesher_3d.cpp and patch_mesher.cpp only.
+// takes them, and the one place where its templates are made, for they take minutes. Internal to
+// geometry/: no other header may include it.
 //
 // Units   mm; angles in degrees.
 
@@ -15,8 +16,6 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/make_mesh_3.h>
-#include <CGAL/perturb_mesh_3.h>
 
 #include <array>
 #include <cstddef>
@@ -35,7 +34,6 @@ using Vertex = Triangulation::Vertex_handle;
 
 inline constexpr double facet_angle = 25.0;     ///< smallest on the surface; above 30 may not end
 inline constexpr double radius_over_edge = 2.0; ///< of a tetrahedron; below 2 may not end
-inline constexpr double sliver = 14.0;          ///< dihedral angle to be reached
 
 inline Kernel::Point_3 to_cgal(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
 
@@ -66,10 +64,16 @@ inline Domain seeded_domain(const Polyhedron& surface) {
   return Domain(surface, &CGAL::get_default_random());
 }
 
+/// Refines from scratch; `too_many` if it would take more vertices than `most`, or if 0, any
+/// number.
+struct Refined {
+  Complex complex;
+  bool too_many;
+};
+[[nodiscard]] Refined refined(const Domain& domain, const Criteria& criteria, std::size_t most);
+
 /// Moves vertices until few tetrahedra are flat. Exudation besides does not end on some bodies and
 /// makes others no better.
-inline void remove_slivers(Complex& complex, Domain& domain) {
-  CGAL::perturb_mesh_3(complex, domain, CGAL::parameters::sliver_bound = sliver);
-}
+void remove_slivers(Complex& complex, const Domain& domain);
 
 } // namespace billet::geometry::mesh_3

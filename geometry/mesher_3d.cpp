@@ -4,6 +4,7 @@
 #include "geometry/mesh_3.h"
 #include "geometry/solid_quality.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -73,10 +74,9 @@ SolidMesh mesh_solid(const TriangleMesh& surface, double size, double feature_an
                                   with::facet_size = size, with::facet_distance = sag * size,
                                   with::cell_radius_edge_ratio = mesh_3::radius_over_edge,
                                   with::cell_size = size);
-  auto complex =
-      CGAL::make_mesh_3<mesh_3::Complex>(domain, criteria, with::no_perturb(), with::no_exude());
-  mesh_3::remove_slivers(complex, domain);
-  SolidMesh mesh = extracted(complex);
+  mesh_3::Refined refined = mesh_3::refined(domain, criteria, 0);
+  mesh_3::remove_slivers(refined.complex, domain);
+  SolidMesh mesh = extracted(refined.complex);
   if (mesh.tetrahedra.empty())
     throw Error(Fault::geometry, "", "the body could not be meshed",
                 "give a size smaller than its thinnest wall");

@@ -3,7 +3,6 @@
 #include "geometry/base/error.h"
 #include "geometry/mesh_3.h"
 
-#include <CGAL/Mesh_error_code.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -185,23 +184,19 @@ PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, 
       with::facet_topology = CGAL::FACET_VERTICES_ON_SAME_SURFACE_PATCH,
       with::cell_radius_edge_ratio = mesh_3::radius_over_edge,
       with::cell_size = Field{&size, cell_share});
-  CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;
-  with::internal::Mesh_3_options options;
   constexpr double tetrahedra_a_vertex = 4.0; // or more
-  options.maximal_number_of_vertices = static_cast<std::size_t>(most / tetrahedra_a_vertex);
-  options.pointer_to_error_code = &code;
-  auto complex =
-      CGAL::make_mesh_3<Complex>(domain, criteria, with::no_perturb(), with::no_exude(), options);
-  if (code != CGAL::CGAL_MESH_3_NO_ERROR) {
-    const Vec3 x = middle_of_shortest_edge(complex.triangulation());
+  mesh_3::Refined refined =
+      mesh_3::refined(domain, criteria, static_cast<std::size_t>(most / tetrahedra_a_vertex));
+  if (refined.too_many) {
+    const Vec3 x = middle_of_shortest_edge(refined.complex.triangulation());
     throw Error(Fault::geometry, "",
                 fmt::format("a mesh of those sizes would have more than {:.3g} tetrahedra, the "
                             "smallest near ({:.6g}, {:.6g}, {:.6g})",
                             most, x.x(), x.y(), x.z()),
                 "give larger sizes");
   }
-  mesh_3::remove_slivers(complex, domain);
-  PatchedSolid solid = Extraction(complex).solid(line_of);
+  mesh_3::remove_slivers(refined.complex, domain);
+  PatchedSolid solid = Extraction(refined.complex).solid(line_of);
   if (solid.mesh.tetrahedra.empty())
     throw Error(Fault::geometry, "", "the body could not be meshed");
   return solid;
