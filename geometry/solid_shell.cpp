@@ -403,10 +403,11 @@ std::vector<Vec3> SolidShell::poor_places(double angle, double quality) const {
   std::vector<std::pair<double, std::size_t>> poor;
   for (std::size_t e = 0; e < tetra_edges_.size(); ++e) {
     const std::array<Vec3, 4> corners = corners_of(e);
-    const double least = std::min(
-        {smallest_dihedral(corners) / angle, shape_quality(corners) / quality, 1.0 + bend(e)});
-    if (least < 1.0)
-      poor.emplace_back(least, e);
+    const double least =
+        std::min(smallest_dihedral(corners) / angle, shape_quality(corners) / quality);
+    const double bent = bend(e);
+    if (least < 1.0 || bent <= 0.0)
+      poor.emplace_back(std::min(least, bent), e);
   }
   std::sort(poor.begin(), poor.end());
   std::vector<Vec3> places;

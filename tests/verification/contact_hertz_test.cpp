@@ -68,6 +68,24 @@ mechanics::Mesh block(ElementKind kind, double a) {
   return mesh;
 }
 
+/// What the contact points found, where they are and what each stands for.
+struct ContactPoints {
+  std::vector<contact::PointResult> results;
+  std::vector<Vec3> at;      ///< [mm]
+  std::vector<double> areas; ///< [mm^2]
+  std::size_t per_face;
+};
+
+ContactPoints contact_points(const Process& process) {
+  const contact::ContactSurface& surface = *process.surface();
+  ContactPoints points{process.contact()->results(), std::vector<Vec3>(surface.n_points()),
+                       std::vector<double>(surface.n_points()),
+                       static_cast<std::size_t>(surface.points())};
+  surface.positions(process.positions(), points.at);
+  surface.areas(process.positions(), points.areas);
+  return points;
+}
+
 /// Mean of Hertz's pressure between two radii.
 double mean_pressure(const Hertz& h, Analysis analysis, double from, double to) {
   constexpr int n = 400;
@@ -113,13 +131,7 @@ TEST_P(HertzContact, HasThePressureOfHertzOnEveryFace) {
   ASSERT_EQ(done.status, RunStatus::done);
   EXPECT_NEAR(done.last().loads[0].force.norm(), h.force, 1e-5 * h.force);
 
-  const contact::ContactSurface& surface = *done.process->surface();
-  const std::vector<contact::PointResult> points = done.process->contact()->results();
-  std::vector<Vec3> at(surface.n_points());
-  std::vector<double> areas(surface.n_points());
-  surface.positions(done.process->positions(), at);
-  surface.areas(done.process->positions(), areas);
-  const auto per_face = static_cast<std::size_t>(surface.points());
+  const auto [points, at, areas, per_face] = contact_points(*done.process);
   double worst = 0.0;
   double axis = 0.0;
   for (std::size_t f = 0; f * per_face < points.size(); ++f) {
@@ -217,17 +229,11 @@ SolidHertz solid_hertz(ElementKind kind, contact::Form form, int n) {
     return result;
   EXPECT_NEAR(done.last().loads[0].force[2], 0.25 * h.force, 1e-5 * h.force);
 
-  const contact::ContactSurface& surface = *done.process->surface();
-  const std::vector<contact::PointResult> points = done.process->contact()->results();
-  std::vector<Vec3> at(surface.n_points());
-  std::vector<double> areas(surface.n_points());
-  surface.positions(done.process->positions(), at);
-  surface.areas(done.process->positions(), areas);
+  const auto [points, at, areas, per_face] = contact_points(*done.process);
   double moment = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
     moment += points[i].pressure * areas[i] * at[i].head<2>().squaredNorm();
   result.radius = std::sqrt(2.5 * moment / (0.25 * h.force)) / a;
-  const auto per_face = static_cast<std::size_t>(surface.points());
   const std::size_t n_corners = kind == ElementKind::tet10 ? 3 : 4;
   int n_faces = 0, n_middle = 0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
