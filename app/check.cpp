@@ -125,8 +125,11 @@ std::string describe(const process::Scene& scene, const io::Case& content) {
 void print_remeshing(const process::RemeshSettings& remesh,
                      const process::Process& process,
                      const io::UnitSystem& units) {
+  const bool plane = process.scene().mesh.dimension() == 2;
   std::string when =
       fmt::format("an element is worse than {:.2g} or increments fail", remesh.quality);
+  if (plane && process.contact() != nullptr)
+    when += ", a tool touches on fewer than three sides";
   if (remesh.strain)
     when += fmt::format(", plastic strain has grown by {:.3g}", *remesh.strain);
   if (remesh.interval)
@@ -135,7 +138,6 @@ void print_remeshing(const process::RemeshSettings& remesh,
     when +=
         fmt::format(", a face lies {:.3g} {} deep in a tool", *remesh.penetration, units.length);
   const geometry::RemeshSizes sizes = process.remesh_sizes();
-  const bool plane = process.scene().mesh.dimension() == 2;
   fmt::print("remeshing with {} when {}; {} of {:.4g} to {:.4g} {}\n", plane ? "tri6" : "tet10",
              when, plane ? "sides" : "edges", sizes.min, sizes.max, units.length);
 }

@@ -10,4 +10,12 @@ function(billet_library name)
   target_sources(billet_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   set_target_properties(billet_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON LINKER_LANGUAGE CXX)
   target_link_libraries(billet_${name} PUBLIC ${ARGN} PRIVATE billet_warnings)
+  billet_precompile(billet_${name})
+endfunction()
+
+# billet_precompile(TARGET headers...): headers that nearly every source of the target includes, by
+# way of others, are compiled once. They are a third of the time a file takes. Every source still
+# includes what it needs: `./dev lint` compiles without.
+function(billet_precompile target)
+  target_precompile_headers(${target} PRIVATE <Eigen/Dense> <functional> <string> <vector> ${ARGN})
 endfunction()

@@ -18,6 +18,9 @@ using mechanics::Face;
 /// Sides that a zone of contact should have at least.
 constexpr double sides_of_zone = 6.0;
 
+/// With fewer, the pressure in a zone is not found.
+constexpr std::size_t least_sides_of_zone = 3;
+
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
 /// Walks faces of the boundary of a scene and puts them into chains.
@@ -230,31 +233,60 @@ unsigned char fixed_components(const Scene& scene,
   return static_cast<unsigned char>(mask);
 }
 
-std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary) {
-  std::vector<geometry::SizeAt> sizes;
-  for (const SideLoop& loop : boundary.loops) {
+namespace {
+
+/// Whether the boundary turns only a little at a corner of a loop.
+bool goes_straight_on(const SideLoop& loop, std::size_t corner) {
+  constexpr double straight = 0.866; // cos 30 degrees
+  const std::size_t n = loop.corners.size();
+  const Vec2& at = loop.corners[corner];
+  const Vec2 before = (at - loop.corners[(corner + n - 1) % n]).normalized();
+  const Vec2 after = (loop.corners[(corner + 1) % n] - at).normalized();
+  return before.dot(after) > straight;
+}
+
+} // namespace
+
+std::vector<ContactZone> contact_zones(const PartBoundary& boundary) {
+  std::vector<ContactZone> zones;
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
+    const SideLoop& loop = boundary.loops[l];
     const std::size_t n = loop.corners.size();
     const auto tool = [&](std::size_t i) { return boundary.attachments[idx(loop.part[i])].tool; };
-    const auto end = [&](std::size_t i) { return loop.corners[(i + 1) % n]; };
     // From a side where a zone begins; on a loop that is one zone, from any.
     std::size_t first = 0;
     while (first < n && tool(first) == tool((first + n - 1) % n))
       ++first;
     for (std::size_t k = 0; k < n;) {
       const std::size_t start = (first + k) % n;
-      double length = 0.0;
-      std::size_t sides = 0;
-      for (; k < n && tool((first + k) % n) == tool(start); ++k, ++sides) {
+      ContactZone zone{l, start, 0, tool(start), 0.0, false};
+      for (; k < n && tool((first + k) % n) == zone.tool; ++k, ++zone.n_sides) {
         const std::size_t i = (first + k) % n;
-        length += (end(i) - loop.corners[i]).norm();
+        zone.length += (loop.corners[(i + 1) % n] - loop.corners[i]).norm();
       }
-      if (tool(start) < 0)
+      if (zone.tool < 0)
         continue;
-      for (std::size_t j = 0; j < sides; ++j) {
-        const std::size_t i = (start + j) % n;
-        for (const Vec2& x : {loop.corners[i], loop.middles[i], end(i)})
-          sizes.push_back({x, length / sides_of_zone});
-      }
+      zone.ends_in_side = zone.n_sides < n && (goes_straight_on(loop, start) ||
+                                               goes_straight_on(loop, (first + k) % n));
+      zones.push_back(zone);
+    }
+  }
+  return zones;
+}
+
+bool ContactZone::too_short() const { return ends_in_side && n_sides < least_sides_of_zone; }
+
+double size_in_zone(const ContactZone& zone) { return zone.length / sides_of_zone; }
+
+std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary) {
+  std::vector<geometry::SizeAt> sizes;
+  for (const ContactZone& zone : contact_zones(boundary)) {
+    const SideLoop& loop = boundary.loops[zone.loop];
+    const std::size_t n = loop.corners.size();
+    for (std::size_t j = 0; j < zone.n_sides; ++j) {
+      const std::size_t i = (zone.first + j) % n;
+      for (const Vec2& x : {loop.corners[i], loop.middles[i], loop.corners[(i + 1) % n]})
+        sizes.push_back({x, size_in_zone(zone)});
     }
   }
   return sizes;

@@ -52,6 +52,24 @@ struct PartBoundary {
                                              std::int32_t part,
                                              const geometry::BoundaryPlace& place);
 
+/// Sides in turn that the same tool touches.
+struct ContactZone {
+  std::size_t loop;
+  std::size_t first; ///< side of the loop
+  std::size_t n_sides;
+  int tool;
+  double length;     ///< [mm]
+  bool ends_in_side; ///< somewhere the boundary goes on beyond it without a corner
+
+  /// Whether it has too few sides for the pressure in it.
+  [[nodiscard]] bool too_short() const;
+};
+
+[[nodiscard]] std::vector<ContactZone> contact_zones(const PartBoundary& boundary);
+
+/// Size of the sides of a zone of contact that lets it have six of them [mm].
+[[nodiscard]] double size_in_zone(const ContactZone& zone);
+
 /// Sizes that let the zone where a tool touches have at least six sides, where it is long or short.
 [[nodiscard]] std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary);
 

@@ -75,6 +75,7 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   try {
     part = new_part();
   } catch (const Error& error) {
+    refused_increment_ = increment_;
     refused_quality_ = 0.5 * worst_quality(scene_.mesh, positions());
     refusals_.push_back({time_, error.complaints().front().message});
     return refusals_.back().why;

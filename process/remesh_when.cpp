@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace billet::process {
@@ -20,6 +21,12 @@ std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 /// Without a limit of the case: a face that lies deeper in a tool, relative to the element beneath,
 /// and twice as deep as when the mesh was new, is too coarse for it.
 constexpr double deep = 0.1;
+
+/// Increments before a mesh that could not be made is tried again for another reason than quality.
+constexpr int rest_after_refusal = 5;
+
+/// A mesh that is only little finer is not worth its transfer.
+constexpr double worth_while = 1.5;
 
 /// A mesh has to have lost this share of its first quality before it is replaced.
 constexpr double worn_share = 0.7;
@@ -64,6 +71,33 @@ bool Process::may_remesh() const {
   return scene_.remesh && fading_until_ <= time_ && increment_ > mesh_increment_;
 }
 
+std::vector<ContactZone> Process::zones_of_contact() const {
+  if (!contact_ || scene_.mesh.dimension() != 2)
+    return {};
+  return contact_zones(part_boundary(scene_, positions(), touching_tools(), {}));
+}
+
+std::vector<ContactZone> Process::poorly_resolved_tools() const {
+  std::map<int, ContactZone> longest;
+  for (const ContactZone& zone : zones_of_contact())
+    if (const auto [known, is_new] = longest.try_emplace(zone.tool, zone);
+        !is_new && known->second.too_short())
+      known->second = zone;
+  std::vector<ContactZone> poor;
+  for (const auto& [tool, zone] : longest)
+    if (zone.too_short())
+      poor.push_back(zone);
+  return poor;
+}
+
+std::optional<ContactZone> Process::zone_to_refine() const {
+  for (const ContactZone& zone : zones_of_contact())
+    if (zone.too_short() && zone.length > worth_while * static_cast<double>(zone.n_sides) *
+                                              std::max(size_in_zone(zone), usual_sizes().min))
+      return zone;
+  return std::nullopt;
+}
+
 std::string Process::remeshing_due() const {
   if (!may_remesh())
     return {};
@@ -72,6 +106,8 @@ std::string Process::remeshing_due() const {
   const double limit = std::min({settings.quality, worn_share * mesh_quality_, refused_quality_});
   if (quality < limit)
     return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
+  if (refused_increment_ && increment_ <= *refused_increment_ + rest_after_refusal)
+    return {};
   constexpr double rounding = 1e-9;
   if (settings.interval && time_ - mesh_time_ >= *settings.interval * (1.0 - rounding))
     return "interval";
@@ -85,6 +121,9 @@ std::string Process::remeshing_due() const {
     if (grown > *settings.strain)
       return fmt::format("plastic strain {:.2g} since the last mesh", grown);
   }
+  if (const std::optional<ContactZone> zone = zone_to_refine())
+    return fmt::format("{} touches on {} side{}", scene_.tools[idx(zone->tool)].name, zone->n_sides,
+                       zone->n_sides == 1 ? "" : "s");
   return {};
 }
 

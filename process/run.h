@@ -29,6 +29,7 @@ struct SolidSizes;
 
 namespace billet::process {
 
+struct ContactZone;
 struct NewPart;
 
 /// Energies of the run so far [N mm].
@@ -218,6 +219,10 @@ public:
   /// All of them, in their order.
   [[nodiscard]] std::span<const Refusal> refusals() const { return refusals_; }
   /// Remeshings of the run, in their order.
+  /// Where tools touch now; in the plane only.
+  [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
+  /// Tools that touch in too short zones only: their forces can be far too high.
+  [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
   [[nodiscard]] std::span<const RemeshReport> remeshings() const { return remeshings_; }
   /// Sizes that the part would be meshed with now, in the plane or in space; the scene has settings
   /// for that.
@@ -288,6 +293,8 @@ private:
   [[nodiscard]] RunStatus
   run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers);
   [[nodiscard]] double next_landing(double stage_end) const;
+  /// A zone of contact that a new mesh would give more sides.
+  [[nodiscard]] std::optional<ContactZone> zone_to_refine() const;
   /// Notes what remeshing needs to know of the first mesh.
   void start_remeshing();
   /// Why the part should be meshed anew now; empty: it need not.
@@ -368,16 +375,17 @@ private:
   std::string penalty_event_;       ///< a change of the penalty since then
   std::vector<RemeshReport> remeshings_;
   std::vector<Refusal> refusals_;
-  double side_ = 0.0;                  ///< of the elements of the first mesh [mm]
-  double mesh_quality_ = 1.0;          ///< of the present mesh when it was new [-]
-  double mesh_time_ = 0.0;             ///< at which the present mesh was made [s]
-  int mesh_increment_ = 0;             ///< likewise
-  std::vector<double> mesh_strain_;    ///< plastic, at the points, likewise [-]
-  double mesh_share_ = 0.0;            ///< penetration_.share of its first increment [-]
-  double refused_quality_ = 1.0;       ///< at which the part could not be meshed anew [-]
-  mechanics::SolverWork earlier_work_; ///< on earlier meshes
-  PhaseTimes earlier_times_;           ///< likewise
-  std::string refusal_event_;          ///< a remeshing that was refused since then
+  double side_ = 0.0;                    ///< of the elements of the first mesh [mm]
+  double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
+  double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
+  int mesh_increment_ = 0;               ///< likewise
+  std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]
+  double mesh_share_ = 0.0;              ///< penetration_.share of its first increment [-]
+  std::optional<int> refused_increment_; ///< after which the last one could not be made
+  double refused_quality_ = 1.0;         ///< at which the part could not be meshed anew [-]
+  mechanics::SolverWork earlier_work_;   ///< on earlier meshes
+  PhaseTimes earlier_times_;             ///< likewise
+  std::string refusal_event_;            ///< a remeshing that was refused since then
   PhaseTimes times_;
   double analysis_before_run_ = 0.0; ///< time of it outside the iteration [s]
   double started_ = 0.0;

@@ -3,6 +3,7 @@
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
 #include "io/results/atomic_file.h"
+#include "process/part_boundary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -427,6 +428,14 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
         "contact.form = \"compatible\") lessens it",
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
+  for (const process::ContactZone& zone : process.poorly_resolved_tools())
+    lines.push_back(fmt::format(
+        "warning: at the end {} touches on {} side{} of elements only, {:.3g} {} long: too few for "
+        "its force, which can be far too high; {}",
+        process.scene().tools[static_cast<std::size_t>(zone.tool)].name, zone.n_sides,
+        zone.n_sides == 1 ? "" : "s", zone.length, content_->units.length,
+        content_->remesh ? "a smaller remesh.size_min would let a new mesh follow it"
+                         : "a finer mesh there or a [remesh] section mends that"));
   if (worn_)
     lines.push_back(fmt::format(
         "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "

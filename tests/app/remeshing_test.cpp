@@ -181,17 +181,33 @@ TEST_F(Remeshing, WouldHaveHelpedARunThatGoesBad) {
   EXPECT_GT(summary(helped).at("min_quality"), summary(bad).at("min_quality"));
 }
 
+TEST_F(Remeshing, WouldHaveHelpedARunThatTouchesOnOneSide) {
+  const std::string pressed_by_a_bar =
+      edited(upsetting, {{"analysis = \"axisymmetric\"", "analysis = \"plane-strain\""},
+                         {"plane = { point = [0, 7.5], normal = [0, -1] }",
+                          "circle = { centre = [0, 17.5], radius = 10 }"}});
+  const std::string advice = "at the end punch touches on 1 side of elements only, 2.5 mm long";
+  const auto coarse = run(pressed_by_a_bar, "coarse");
+  EXPECT_TRUE(warns(coarse, advice)) << summary(coarse).dump(1);
+  EXPECT_TRUE(warns(coarse, "a [remesh] section mends that"));
+  const auto fine = run(edited(pressed_by_a_bar, {{"cells = [2, 3]", "cells = [32, 3]"}}), "fine");
+  EXPECT_FALSE(warns(fine, "touches on")) << summary(fine).dump(1);
+  EXPECT_FALSE(warns(run(upsetting, "flat"), "touches on")) << "from corner to corner";
+}
+
 TEST_F(Remeshing, IsDescribedByCheck) {
   const Outcome plain = check(upsetting);
   EXPECT_TRUE(plain.prints(", no remeshing")) << plain.out;
   const Outcome usual = check(remeshed(""));
   EXPECT_TRUE(usual.prints("remeshing with tri6 when an element is worse than 0.2 or increments "
-                           "fail; sides of 0.625 to 2.5 mm"))
+                           "fail, a tool touches on fewer than three sides; sides of 0.625 to "
+                           "2.5 mm"))
       << usual.out;
   const Outcome all = check(remeshed("when = { quality = 0.1, strain = 0.5, interval = 0.03, "
                                      "penetration = 0.004 }\nsize = { default = 1, min = 0.3, "
                                      "max = 2 }"));
-  EXPECT_TRUE(all.prints("worse than 0.1 or increments fail, plastic strain has grown by 0.5, "
+  EXPECT_TRUE(all.prints("worse than 0.1 or increments fail, a tool touches on fewer than three "
+                         "sides, plastic strain has grown by 0.5, "
                          "every 0.03 s, a face lies 0.004 mm deep in a tool; sides of 0.3 to 2 mm"))
       << all.out;
 }

@@ -182,6 +182,55 @@ TEST(PartBoundary, ChangesItsPartWhereAToolBeginsToTouch) {
   }
 }
 
+/// The block's contact faces above: touched up to `end`, from `begin` on.
+std::vector<int> touched_above(const Scene& scene, double begin, double end) {
+  std::vector<int> touching;
+  for (const mechanics::Face& face : scene.contact_faces) {
+    const Vec3 middle = 0.5 * (scene.mesh.points[as_size(face.nodes[0])] +
+                               scene.mesh.points[as_size(face.nodes[1])]);
+    const bool touched = middle.y() > height - rounding && middle.x() > begin && middle.x() < end;
+    touching.push_back(touched ? 1 : -1);
+  }
+  return touching;
+}
+
+TEST(ContactZones, AreTheSidesInTurnThatAToolTouches) {
+  const Scene scene = block(ElementKind::quad8);
+  EXPECT_TRUE(contact_zones(untouched_boundary(scene)).empty());
+
+  const PartBoundary boundary = boundary_of(scene, touched_above(scene, 0.0, 4.0));
+  const std::vector<ContactZone> zones = contact_zones(boundary);
+  ASSERT_EQ(zones.size(), 1u);
+  EXPECT_EQ(zones[0].n_sides, 2u);
+  EXPECT_EQ(zones[0].tool, 1);
+  EXPECT_NEAR(zones[0].length, 4.0, rounding);
+  EXPECT_TRUE(zones[0].ends_in_side);
+  EXPECT_TRUE(zones[0].too_short());
+  EXPECT_NEAR(size_in_zone(zones[0]), 4.0 / 6.0, rounding);
+  const Vec2& begin = boundary.loops[0].corners[zones[0].first];
+  EXPECT_NEAR((begin - Vec2(4.0, height)).norm(), 0.0, rounding) << "the part is on the left";
+}
+
+TEST(ContactZones, AreTooShortOnlyWhereTheyCanGrow) {
+  const Scene scene = block(ElementKind::quad8);
+  const std::vector<ContactZone> longer =
+      contact_zones(boundary_of(scene, touched_above(scene, 0.0, 6.0)));
+  ASSERT_EQ(longer.size(), 1u);
+  EXPECT_EQ(longer[0].n_sides, 3u);
+  EXPECT_FALSE(longer[0].too_short());
+
+  std::vector<int> right; // a whole side of three, from corner to corner
+  for (const mechanics::Face& face : scene.contact_faces)
+    right.push_back(scene.mesh.points[as_size(face.nodes[0])].x() > width - rounding &&
+                            scene.mesh.points[as_size(face.nodes[1])].x() > width - rounding
+                        ? 0
+                        : -1);
+  const std::vector<ContactZone> whole = contact_zones(boundary_of(scene, right));
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_EQ(whole[0].n_sides, 3u);
+  EXPECT_FALSE(whole[0].ends_in_side);
+}
+
 TEST(PartBoundary, HoldsTheAxisOfABodyOfRevolution) {
   Scene scene = block(ElementKind::quad8, Analysis::axisymmetric);
   scene.supports.clear();

@@ -1,7 +1,9 @@
 // The part meshed anew in the midst of a run: what the run keeps, and what it says of it.
 
+#include "geometry/analytic_surfaces.h"
 #include "geometry/base/error.h"
 #include "mechanics/mesh_locator.h"
+#include "process/part_boundary.h"
 #include "process/run.h"
 #include "tests/support/contact_scenes.h"
 
@@ -421,6 +423,52 @@ TEST(Remeshing, ComesForWhateverItIsToldTo) {
     if (r.cause.starts_with("element quality")) {
       EXPECT_GT(r.quality.after, r.quality.before);
     }
+}
+
+/// A bar of radius 12 is pressed 0.1 deep into half a block of n x n elements.
+Scene bar_on_block(int n) {
+  Scene scene;
+  scene.analysis = Analysis::plane_strain;
+  scene.mesh = mechanics::box_mesh(
+      {ElementKind::quad8, Vec3::Zero(), Vec3(12, 12, 0), {n, n, 1}, {1, 1, 1}});
+  scene.material = billet_steel();
+  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
+  constexpr double radius = 12.0, depth = 0.1;
+  scene.tools.push_back(moving_tool(
+      "bar", geometry::make_circle(Vec3(0, 12.0 + radius, 0), radius, false), -Vec3::UnitY()));
+  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.contact.form = contact::Form::compatible;
+  scene.stages.push_back({"press", depth, {1}, false});
+  scene.landing_times = {0.05, 0.075};
+  return scene;
+}
+
+TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
+  const FinishedRun kept = run(bar_on_block(8));
+  const FinishedRun fine = run(bar_on_block(32));
+  Scene scene = bar_on_block(8);
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  EXPECT_EQ(done.process->remeshings().front().cause, "bar touches on 1 side");
+  EXPECT_LE(done.process->remeshings().size(), 3u);
+  EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
+  EXPECT_TRUE(fine.process->poorly_resolved_tools().empty());
+  ASSERT_EQ(kept.process->poorly_resolved_tools().size(), 1u);
+  EXPECT_EQ(kept.process->poorly_resolved_tools()[0].tool, 0);
+  double worst = 0.0, worst_kept = 0.0;
+  for (const double time : {0.05, 0.075, 0.1}) {
+    const auto off = [&](const FinishedRun& other) {
+      return std::abs(other.at(time).loads[0].force[1] / fine.at(time).loads[0].force[1] - 1.0);
+    };
+    worst = std::max(worst, off(done));
+    worst_kept = std::max(worst_kept, off(kept));
+  }
+  std::printf("  force off by %.1f %% with remeshing, %.1f %% on the mesh that is kept\n",
+              100.0 * worst, 100.0 * worst_kept);
+  EXPECT_LT(worst, 0.1);
+  EXPECT_GT(worst_kept, 2.0 * worst);
 }
 
 /// A frictionless die that is suddenly fast: increments of a second have too much strain.
