@@ -22,8 +22,7 @@ void on_signal(int number) { caught = number; }
 std::string bar(double share) {
   constexpr int width = 30;
   const int full = static_cast<int>(share * width);
-  return "[" + std::string(static_cast<std::size_t>(full), '=') +
-         std::string(static_cast<std::size_t>(width - full), ' ') + "]";
+  return fmt::format("[{:<{}}]", std::string(static_cast<std::size_t>(full), '='), width);
 }
 
 /// Progress is a courtesy: a run goes on when nobody can be told.

@@ -103,6 +103,7 @@ public:
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
                                                        mechanics::System& system) override;
+  [[nodiscard]] bool has_kinks() const override { return true; }
   void commit(const mechanics::Trial& trial) override;
 
   /// Where a tool's free degrees of freedom are in a vector of unknowns.

@@ -3,7 +3,7 @@
 // Finds positions at which the sum of all force terms vanishes at every free unknown while the
 // prescribed unknowns sit where they are told to. The tangent is exact, so the last iterations
 // converge quadratically; far from the solution a line search on the work of the correction keeps
-// the iteration together. Theory: docs/theory/mechanics.md (N.1)-(N.5).
+// the iteration together. Theory: docs/theory/mechanics.md (N.1)-(N.9).
 
 #pragma once
 
@@ -41,7 +41,8 @@ struct IterationRecord {
   double correction;       ///< largest correction over the largest displacement so far [-]
   double step;             ///< fraction of the correction taken [-]
   std::string_view solver; ///< factorization used
-  int contact_changes = 0; ///< contact points of another status than in the trial before
+  int contact_changes = 0; ///< contact points of another status than in the trial before, summed
+                           ///< over the trials of a line search
 };
 
 /// An increment solved.
@@ -118,6 +119,17 @@ private:
                                              const Trial& trial,
                                              std::vector<double>& x,
                                              double step);
+  /// The same part of the slope that terms with kinks have; the system is theirs alone then.
+  [[nodiscard]] double slope_of_kinks(std::span<ForceTerm* const> terms,
+                                      const Trial& trial,
+                                      std::vector<double>& x,
+                                      double step);
+  [[nodiscard]] Outcome<Evaluation> close_in(std::span<ForceTerm* const> terms,
+                                             const Trial& trial,
+                                             std::vector<double>& x,
+                                             double start,
+                                             const Evaluation& far,
+                                             double& step);
   [[nodiscard]] double slope() const;
   /// Cuts the correction to a share of what the increment has moved so far. (N.8)
   void limit_correction(std::span<const double> x_old, std::span<const double> x);
@@ -134,6 +146,7 @@ private:
   std::vector<double> correction_;
   std::vector<double> base_;
   std::vector<IterationRecord> records_;
+  int contact_changes_ = 0; ///< of the trials of this iteration
   NewtonTimes times_;
   bool settled_ = false; ///< the last correction did what a quadratic iteration should
 };

@@ -403,8 +403,9 @@ TEST(BrokenCase, needs_everything_that_has_no_default) {
 }
 
 TEST(BrokenCase, shows_no_control_characters_and_no_endless_text) {
-  const auto complaints = complaints_of(
-      replaced(plane_case, "\"quad8\"", "\"\\u001b[31m" + std::string(9999, 'x') + '"'));
+  std::string element = "\"\\u001b[31m";
+  element.append(9999, 'x').append(1, '"');
+  const auto complaints = complaints_of(replaced(plane_case, "\"quad8\"", element));
   ASSERT_EQ(complaints.size(), 1U);
   EXPECT_EQ(complaints[0].message.find('\x1b'), std::string::npos);
   EXPECT_LT(complaints[0].message.size(), 200U);
