@@ -104,7 +104,9 @@ protected:
     const Eigen::MatrixXd K = bench.tangent();
     const Count count = statuses(bench.term);
     double best = std::numeric_limits<double>::infinity();
-    for (const double h : {1e-6, 1e-7, 1e-8}) {
+    for (const double h : {1e-7, 1e-6, 1e-8}) {
+      if (best < tolerance)
+        break; // what is left of it is rounding
       bench.assemble(trial, 3.0);
       const Eigen::MatrixXd difference = differences(bench, trial, 3.0, h);
       if (difference.size() != 0)

@@ -445,7 +445,7 @@ Scene bar_on_block(int n) {
 
 TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
   const FinishedRun kept = run(bar_on_block(8));
-  const FinishedRun fine = run(bar_on_block(32));
+  const FinishedRun fine = run(bar_on_block(24));
   Scene scene = bar_on_block(8);
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
