@@ -10,6 +10,7 @@
 #include "contact/friction/coefficient_table.h"
 #include "geometry/base/vector.h"
 
+#include <concepts>
 #include <optional>
 #include <utility>
 
@@ -29,6 +30,13 @@ enum class Strength {
   von_mises, ///< its von Mises stress over sqrt(3): the paper's generalisation of eq 7
 };
 
+struct Friction;
+
+/// A law on its own. Whether a friction is a law must not be asked: the answer would depend on the
+/// constructor that asks (clang 14 goes round in circles).
+template <class Law>
+concept LoneFrictionLaw = !std::same_as<Law, Friction> && FrictionLaw<Law>;
+
 /// A law and its modifiers. Every law is a friction.
 struct Friction {
   AnyFrictionLaw law = Frictionless{};
@@ -38,7 +46,7 @@ struct Friction {
   std::optional<FrictionTensor> tensor = std::nullopt;
 
   Friction() = default;
-  template <FrictionLaw Law>
+  template <LoneFrictionLaw Law>
   Friction(Law one) : law(std::move(one)) {}            // NOLINT(google-explicit-constructor)
   Friction(AnyFrictionLaw one) : law(std::move(one)) {} // NOLINT(google-explicit-constructor)
 
