@@ -119,7 +119,7 @@ private:
                                              const Trial& trial,
                                              std::vector<double>& x,
                                              double step);
-  /// The same part of the slope that terms with kinks have; the system is theirs alone then.
+  /// What terms with kinks have in the slope after a step; the system is theirs alone then.
   [[nodiscard]] double slope_of_kinks(std::span<ForceTerm* const> terms,
                                       const Trial& trial,
                                       std::vector<double>& x,

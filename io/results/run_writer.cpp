@@ -434,7 +434,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "its force, which can be far too high; {}",
         process.scene().tools[static_cast<std::size_t>(zone.tool)].name, zone.n_sides,
         zone.n_sides == 1 ? "" : "s", zone.length, content_->units.length,
-        content_->remesh ? "a smaller remesh.size_min would let a new mesh follow it"
+        content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
                          : "a finer mesh there or a [remesh] section mends that"));
   if (worn_)
     lines.push_back(fmt::format(

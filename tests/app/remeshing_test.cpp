@@ -190,6 +190,9 @@ TEST_F(Remeshing, WouldHaveHelpedARunThatTouchesOnOneSide) {
   const auto coarse = run(pressed_by_a_bar, "coarse");
   EXPECT_TRUE(warns(coarse, advice)) << summary(coarse).dump(1);
   EXPECT_TRUE(warns(coarse, "a [remesh] section mends that"));
+  const auto bound = run(
+      edited(pressed_by_a_bar, {{"[time]", "[remesh]\nsize = { min = 2.5 }\n[time]"}}), "bound");
+  EXPECT_TRUE(warns(bound, "a smaller remesh.size.min would")) << summary(bound).dump(1);
   const auto fine = run(edited(pressed_by_a_bar, {{"cells = [2, 3]", "cells = [32, 3]"}}), "fine");
   EXPECT_FALSE(warns(fine, "touches on")) << summary(fine).dump(1);
   EXPECT_FALSE(warns(run(upsetting, "flat"), "touches on")) << "from corner to corner";
