@@ -1,11 +1,9 @@
 // The part meshed anew in the midst of a run: what the run keeps, and what it says of it.
 
 #include "geometry/analytic_surfaces.h"
-#include "geometry/base/error.h"
 #include "mechanics/mesh_locator.h"
-#include "process/part_boundary.h"
 #include "process/run.h"
-#include "tests/support/contact_scenes.h"
+#include "tests/support/remeshed_billet.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -21,29 +19,6 @@
 
 namespace billet::process {
 namespace {
-
-constexpr double height = 15.0;
-
-RemeshSettings every(double interval) {
-  RemeshSettings settings;
-  settings.interval = interval;
-  return settings;
-}
-
-/// The billet benchmark's half model (VALIDATION FRM-06) with n x n elements.
-Upsetting billet(ElementKind kind, int n, double reduction, const contact::Friction& friction) {
-  Upsetting u;
-  u.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3(10, height, 0), {n, n, 1}, {1, 1, 1}});
-  u.friction = friction;
-  u.reduction = reduction;
-  return u;
-}
-
-Scene remeshed(Upsetting u, const RemeshSettings& settings) {
-  Scene scene = upsetting_scene(std::move(u));
-  scene.remesh = settings;
-  return scene;
-}
 
 std::string name_of(ElementKind kind, Analysis analysis) {
   return std::string(mechanics::name(kind)) +
@@ -156,7 +131,7 @@ TEST(Remeshing, GivesTheForceAndTheBulgeOfTheBilletThatIsNot) {
   for (const int n : {6, 8}) {
     const auto scene = [n] {
       Scene s = upsetting_scene(billet(ElementKind::quad8, n, 0.3, contact::Sticking{}));
-      s.landing_times = {0.15 * height};
+      s.landing_times = {0.15 * billet_height};
       return s;
     };
     const FinishedRun plain = run(scene());
@@ -165,8 +140,8 @@ TEST(Remeshing, GivesTheForceAndTheBulgeOfTheBilletThatIsNot) {
     const FinishedRun done = run(std::move(with));
     ASSERT_EQ(done.status, RunStatus::done);
     for (const double reduction : {0.15, 0.3}) {
-      const Entry& a = plain.at(reduction * height);
-      const Entry& b = done.at(reduction * height);
+      const Entry& a = plain.at(reduction * billet_height);
+      const Entry& b = done.at(reduction * billet_height);
       const double force = b.loads[0].force.norm(), radius = largest_position(b, 2, 0);
       const double force_off = force / a.loads[0].force.norm() - 1.0;
       const double radius_off = radius / largest_position(a, 2, 0) - 1.0;
@@ -194,9 +169,9 @@ TEST(Remeshing, LeavesAHomogeneousStateAlone) {
     ASSERT_EQ(done.status, RunStatus::done);
     ASSERT_GE(done.process->remeshings().size(), 3u);
     const double h = largest_position(done.last(), 2, 1), R = largest_position(done.last(), 2, 0);
-    const double e = std::log(height / h);
+    const double e = std::log(billet_height / h);
     const double exact = // FRM-01
-        100.0 * std::numbers::pi * (700.0 + 300.0 * e) / (1.0 + 300.0 / 200e3) * height / h;
+        100.0 * std::numbers::pi * (700.0 + 300.0 * e) / (1.0 + 300.0 / 200e3) * billet_height / h;
     const double force = done.last().loads[0].force[1] / exact - 1.0;
     double low = 1e300, high = 0.0, off = 0.0;
     for (const mechanics::PointState& state : done.process->bulk().states()) {
@@ -206,15 +181,15 @@ TEST(Remeshing, LeavesAHomogeneousStateAlone) {
     // Displacements go on from mesh to mesh: origins are linear in the present place.
     const std::span<const double> x = done.process->positions(), x0 = done.process->origins();
     for (std::size_t i = 0; i < x.size(); i += 2)
-      off = std::max(
-          {off, std::abs(x0[i] - x[i] * 10.0 / R), std::abs(x0[i + 1] - x[i + 1] * height / h)});
+      off = std::max({off, std::abs(x0[i] - x[i] * 10.0 / R),
+                      std::abs(x0[i + 1] - x[i + 1] * billet_height / h)});
     std::printf("%s: force %+.1e, plastic strain %.7f to %.7f, origins %.1e off\n",
                 std::string(mechanics::name(kind)).c_str(), force, low, high, off);
     // The boundary is put onto the die, by the penetration: 4e-5 of an element. Four times that
     // was found to leave 1.3e-5, 1.2e-4 and 4e-5.
     EXPECT_LT(std::abs(force), 3e-5);
     EXPECT_LT(high - low, 3e-4 * high);
-    EXPECT_LT(off, 1e-4 * height);
+    EXPECT_LT(off, 1e-4 * billet_height);
   }
 }
 
@@ -374,12 +349,12 @@ TEST(Remeshing, DoesNotDependOnTheUnits) {
     u.material = {{200e3 * MPa, 0.3}, mechanics::Linear{700.0 * MPa, 300.0 * MPa}};
     Scene scene = remeshed(std::move(u), every(0.9));
     scene.tools[0].motion.velocity = Vec3(0.0, -mm, 0.0);
-    scene.stages[0].end = 0.2 * height;
+    scene.stages[0].end = 0.2 * billet_height;
     const FinishedRun done = run(std::move(scene));
     EXPECT_EQ(done.process->remeshings().size(), 3u);
     std::vector<double> all;
     for (const double x : done.process->positions())
-      all.push_back(x / (mm * height));
+      all.push_back(x / (mm * billet_height));
     for (const Entry& entry : done.recorder.entries)
       all.push_back(entry.loads[0].force[1] / (MPa * mm * mm) / 1e5);
     return all;
@@ -398,133 +373,6 @@ TEST(Remeshing, DoesNotDependOnTheUnits) {
   }
 }
 
-// ----------------------------------------------------------------- causes
-
-TEST(Remeshing, ComesForWhateverItIsToldTo) {
-  const auto first_cause = [](const std::function<void(RemeshSettings&)>& change) -> std::string {
-    RemeshSettings settings;
-    settings.penetration = 1e3; // never
-    change(settings);
-    const FinishedRun done =
-        run(remeshed(billet(ElementKind::quad8, 6, 0.3, contact::Sticking{}), settings));
-    return done.process->remeshings().empty() ? "" : done.process->remeshings()[0].cause;
-  };
-  EXPECT_EQ(first_cause([](RemeshSettings&) {}), "") << "a good mesh stays";
-  EXPECT_EQ(first_cause([](RemeshSettings& s) { s.interval = 2.0; }), "interval");
-  EXPECT_TRUE(first_cause([](RemeshSettings& s) { s.strain = 0.2; }).starts_with("plastic strain"));
-  EXPECT_TRUE(
-      first_cause([](RemeshSettings& s) { s.penetration = 0.01; }).starts_with("penetration"));
-  Upsetting bad = billet(ElementKind::quad4, 4, 0.5, contact::Sticking{});
-  RemeshSettings settings;
-  settings.quality = 0.9; // a new mesh is no better: worn counts from where it began
-  const FinishedRun done = run(remeshed(std::move(bad), settings));
-  ASSERT_FALSE(done.process->remeshings().empty());
-  for (const RemeshReport& r : done.process->remeshings())
-    if (r.cause.starts_with("element quality")) {
-      EXPECT_GT(r.quality.after, r.quality.before);
-    }
-}
-
-/// A bar of radius 12 is pressed 0.1 deep into half a block of n x n elements.
-Scene bar_on_block(int n) {
-  Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh(
-      {ElementKind::quad8, Vec3::Zero(), Vec3(12, 12, 0), {n, n, 1}, {1, 1, 1}});
-  scene.material = billet_steel();
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
-  constexpr double radius = 12.0, depth = 0.1;
-  scene.tools.push_back(moving_tool(
-      "bar", geometry::make_circle(Vec3(0, 12.0 + radius, 0), radius, false), -Vec3::UnitY()));
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
-  scene.contact.form = contact::Form::compatible;
-  scene.stages.push_back({"press", depth, {1}, false});
-  scene.landing_times = {0.05, 0.075};
-  return scene;
-}
-
-TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
-  const FinishedRun kept = run(bar_on_block(8));
-  const FinishedRun fine = run(bar_on_block(24));
-  Scene scene = bar_on_block(8);
-  scene.remesh = RemeshSettings{};
-  const FinishedRun done = run(std::move(scene));
-  ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  EXPECT_EQ(done.process->remeshings().front().cause, "bar touches on 1 side");
-  EXPECT_LE(done.process->remeshings().size(), 3u);
-  EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
-  EXPECT_TRUE(fine.process->poorly_resolved_tools().empty());
-  ASSERT_EQ(kept.process->poorly_resolved_tools().size(), 1u);
-  EXPECT_EQ(kept.process->poorly_resolved_tools()[0].tool, 0);
-  double worst = 0.0, worst_kept = 0.0;
-  for (const double time : {0.05, 0.075, 0.1}) {
-    const auto off = [&](const FinishedRun& other) {
-      return std::abs(other.at(time).loads[0].force[1] / fine.at(time).loads[0].force[1] - 1.0);
-    };
-    worst = std::max(worst, off(done));
-    worst_kept = std::max(worst_kept, off(kept));
-  }
-  std::printf("  force off by %.1f %% with remeshing, %.1f %% on the mesh that is kept\n",
-              100.0 * worst, 100.0 * worst_kept);
-  EXPECT_LT(worst, 0.1);
-  EXPECT_GT(worst_kept, 2.0 * worst);
-}
-
-/// A frictionless die that is suddenly fast: increments of a second have too much strain.
-Scene sudden_billet() {
-  Scene scene = upsetting_scene(billet(ElementKind::quad8, 3, 0.6, contact::Frictionless{}));
-  scene.tools[0].motion.velocity.reset();
-  scene.tools[0].motion.displacement = std::array{
-      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -0.15}, {2.0, -9.0}}), TimeFunction(0.0)};
-  scene.stages[0].end = 2.0;
-  scene.increments.first = scene.increments.max = 1.0;
-  return scene;
-}
-
-TEST(Remeshing, AnswersFailedIncrements) {
-  Scene scene = sudden_billet();
-  scene.remesh = RemeshSettings{};
-  const FinishedRun done = run(std::move(scene));
-  ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  EXPECT_EQ(done.process->remeshings()[0].cause, "failed increments");
-  EXPECT_EQ(done.process->remeshings()[0].increment, 1);
-  // The tries that failed have softened the contact. Those on the old mesh must not soften that of
-  // the new one: an increment was taken with a face half an element deep and an eighth of the
-  // force.
-  for (const Entry& entry : done.recorder.entries) {
-    const double h = largest_position(entry, 2, 1), e = std::log(height / h);
-    const double exact =
-        100.0 * std::numbers::pi * (700.0 + 300.0 * e) / (1.0 + 300.0 / 200e3) * height / h;
-    EXPECT_NEAR(entry.loads[0].force[1], exact, 2e-3 * exact) << entry.report.time;
-    EXPECT_LT(entry.report.penetration_share, 0.05);
-  }
-}
-
-TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
-  RemeshSettings tiny = every(0.9);
-  tiny.size = tiny.size_min = tiny.size_max = 1e-4; // more than ten million triangles
-  const FinishedRun plain =
-      run(upsetting_scene(billet(ElementKind::quad8, 4, 0.2, contact::Sticking{})));
-  const FinishedRun done =
-      run(remeshed(billet(ElementKind::quad8, 4, 0.2, contact::Sticking{}), tiny));
-  EXPECT_EQ(done.status, RunStatus::done);
-  EXPECT_TRUE(done.process->remeshings().empty());
-  EXPECT_EQ(done.last().positions, plain.last().positions) << "to the bit";
-
-  Scene scene = sudden_billet();
-  scene.remesh = tiny;
-  scene.increments.min = 0.2;
-  const FinishedRun ended = run(std::move(scene));
-  EXPECT_EQ(ended.status, RunStatus::not_converged);
-  ASSERT_EQ(ended.recorder.failures.size(), 1u);
-  EXPECT_NE(ended.recorder.failures[0].reason.find("; the part could not be meshed anew: "),
-            std::string::npos)
-      << ended.recorder.failures[0].reason;
-  EXPECT_EQ(ended.process->scene().mesh.kind, ElementKind::quad8);
-}
-
 // ------------------------------------------------- what hangs on the part
 
 TEST(Remeshing, KeepsAPressureOnItsFaces) {
@@ -532,11 +380,11 @@ TEST(Remeshing, KeepsAPressureOnItsFaces) {
     Scene scene;
     scene.analysis = Analysis::axisymmetric;
     scene.mesh = mechanics::box_mesh(
-        {ElementKind::quad8, Vec3::Zero(), Vec3(10, height, 0), {3, 4, 1}, {1, 1, 1}});
+        {ElementKind::quad8, Vec3::Zero(), Vec3(10, billet_height, 0), {3, 4, 1}, {1, 1, 1}});
     scene.material = billet_steel();
     scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
-    scene.loads.push_back(
-        PressureOn{faces_on(scene.mesh, 1, height), TimeFunction({{0.0, 0.0}, {1.0, 900.0}})});
+    scene.loads.push_back(PressureOn{faces_on(scene.mesh, 1, billet_height),
+                                     TimeFunction({{0.0, 0.0}, {1.0, 900.0}})});
     scene.stages.push_back({"press", 1.0, {}, false});
     if (remesh)
       scene.remesh = every(0.2);
@@ -555,7 +403,7 @@ TEST(Remeshing, KeepsAPressureOnItsFaces) {
   const double R = largest_position(plain.last(), 2, 0);
   EXPECT_NEAR(largest_position(done.last(), 2, 0), R, rounding * R);
   EXPECT_NEAR(largest_position(done.last(), 2, 1), largest_position(plain.last(), 2, 1),
-              rounding * height);
+              rounding * billet_height);
   EXPECT_NEAR(reaction(done), 900.0 * std::numbers::pi * R * R, 1e-6 * reaction(done));
   EXPECT_NEAR(done.process->energy().external, plain.process->energy().external,
               1e-6 * plain.process->energy().external)
@@ -584,7 +432,7 @@ TEST(Remeshing, CarriesTemperaturesOn) {
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
   ASSERT_GE(process.remeshings().size(), 3u);
   // Nine tenths of all plastic work is in the metal.
-  const double volume = 100.0 * std::numbers::pi * height;
+  const double volume = 100.0 * std::numbers::pi * billet_height;
   const double rise = 0.25 * process.energy().plastic / volume;
   std::printf("rise %.4f, of the work %.4f degC\n", mean(process) - 20.0, rise);
   EXPECT_NEAR(mean(process) - 20.0, rise, 5e-3 * rise);

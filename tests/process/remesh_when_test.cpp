@@ -1,0 +1,148 @@
+// When the part is meshed anew, and what becomes of a run where it cannot be.
+
+#include "geometry/analytic_surfaces.h"
+#include "process/part_boundary.h"
+#include "process/run.h"
+#include "tests/support/remeshed_billet.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace billet::process {
+namespace {
+
+TEST(Remeshing, ComesForWhateverItIsToldTo) {
+  const auto first_cause = [](const std::function<void(RemeshSettings&)>& change) -> std::string {
+    RemeshSettings settings;
+    settings.penetration = 1e3; // never
+    change(settings);
+    const FinishedRun done =
+        run(remeshed(billet(ElementKind::quad8, 6, 0.3, contact::Sticking{}), settings));
+    return done.process->remeshings().empty() ? "" : done.process->remeshings()[0].cause;
+  };
+  EXPECT_EQ(first_cause([](RemeshSettings&) {}), "") << "a good mesh stays";
+  EXPECT_EQ(first_cause([](RemeshSettings& s) { s.interval = 2.0; }), "interval");
+  EXPECT_TRUE(first_cause([](RemeshSettings& s) { s.strain = 0.2; }).starts_with("plastic strain"));
+  EXPECT_TRUE(
+      first_cause([](RemeshSettings& s) { s.penetration = 0.01; }).starts_with("penetration"));
+  Upsetting bad = billet(ElementKind::quad4, 4, 0.5, contact::Sticking{});
+  RemeshSettings settings;
+  settings.quality = 0.9; // a new mesh is no better: worn counts from where it began
+  const FinishedRun done = run(remeshed(std::move(bad), settings));
+  ASSERT_FALSE(done.process->remeshings().empty());
+  for (const RemeshReport& r : done.process->remeshings())
+    if (r.cause.starts_with("element quality")) {
+      EXPECT_GT(r.quality.after, r.quality.before);
+    }
+}
+
+/// A bar of radius 12 is pressed 0.1 deep into half a block of n x n elements.
+Scene bar_on_block(int n) {
+  Scene scene;
+  scene.analysis = Analysis::plane_strain;
+  scene.mesh = mechanics::box_mesh(
+      {ElementKind::quad8, Vec3::Zero(), Vec3(12, 12, 0), {n, n, 1}, {1, 1, 1}});
+  scene.material = billet_steel();
+  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
+  constexpr double radius = 12.0, depth = 0.1;
+  scene.tools.push_back(moving_tool(
+      "bar", geometry::make_circle(Vec3(0, 12.0 + radius, 0), radius, false), -Vec3::UnitY()));
+  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.contact.form = contact::Form::compatible;
+  scene.stages.push_back({"press", depth, {1}, false});
+  scene.landing_times = {0.05, 0.075};
+  return scene;
+}
+
+TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
+  const FinishedRun kept = run(bar_on_block(8));
+  const FinishedRun fine = run(bar_on_block(24));
+  Scene scene = bar_on_block(8);
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  EXPECT_EQ(done.process->remeshings().front().cause, "bar touches on 1 side");
+  EXPECT_LE(done.process->remeshings().size(), 3u);
+  EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
+  EXPECT_TRUE(fine.process->poorly_resolved_tools().empty());
+  ASSERT_EQ(kept.process->poorly_resolved_tools().size(), 1u);
+  EXPECT_EQ(kept.process->poorly_resolved_tools()[0].tool, 0);
+  double worst = 0.0, worst_kept = 0.0;
+  for (const double time : {0.05, 0.075, 0.1}) {
+    const auto off = [&](const FinishedRun& other) {
+      return std::abs(other.at(time).loads[0].force[1] / fine.at(time).loads[0].force[1] - 1.0);
+    };
+    worst = std::max(worst, off(done));
+    worst_kept = std::max(worst_kept, off(kept));
+  }
+  std::printf("  force off by %.1f %% with remeshing, %.1f %% on the mesh that is kept\n",
+              100.0 * worst, 100.0 * worst_kept);
+  EXPECT_LT(worst, 0.03);
+  EXPECT_GT(worst_kept, 2.0 * worst);
+}
+
+/// A frictionless die that is suddenly fast: increments of a second have too much strain.
+Scene sudden_billet() {
+  Scene scene = upsetting_scene(billet(ElementKind::quad8, 3, 0.6, contact::Frictionless{}));
+  scene.tools[0].motion.velocity.reset();
+  scene.tools[0].motion.displacement = std::array{
+      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -0.15}, {2.0, -9.0}}), TimeFunction(0.0)};
+  scene.stages[0].end = 2.0;
+  scene.increments.first = scene.increments.max = 1.0;
+  return scene;
+}
+
+TEST(Remeshing, AnswersFailedIncrements) {
+  Scene scene = sudden_billet();
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  EXPECT_EQ(done.process->remeshings()[0].cause, "failed increments");
+  EXPECT_EQ(done.process->remeshings()[0].increment, 1);
+  // The tries that failed have softened the contact. Those on the old mesh must not soften that of
+  // the new one: an increment was taken with a face half an element deep and an eighth of the
+  // force.
+  for (const Entry& entry : done.recorder.entries) {
+    const double h = largest_position(entry, 2, 1), e = std::log(billet_height / h);
+    const double exact =
+        100.0 * std::numbers::pi * (700.0 + 300.0 * e) / (1.0 + 300.0 / 200e3) * billet_height / h;
+    EXPECT_NEAR(entry.loads[0].force[1], exact, 2e-3 * exact) << entry.report.time;
+    EXPECT_LT(entry.report.penetration_share, 0.05);
+  }
+}
+
+TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
+  RemeshSettings tiny = every(0.9);
+  tiny.size = tiny.size_min = tiny.size_max = 1e-4; // more than ten million triangles
+  const FinishedRun plain =
+      run(upsetting_scene(billet(ElementKind::quad8, 4, 0.2, contact::Sticking{})));
+  const FinishedRun done =
+      run(remeshed(billet(ElementKind::quad8, 4, 0.2, contact::Sticking{}), tiny));
+  EXPECT_EQ(done.status, RunStatus::done);
+  EXPECT_TRUE(done.process->remeshings().empty());
+  EXPECT_EQ(done.last().positions, plain.last().positions) << "to the bit";
+
+  Scene scene = sudden_billet();
+  scene.remesh = tiny;
+  scene.increments.min = 0.2;
+  const FinishedRun ended = run(std::move(scene));
+  EXPECT_EQ(ended.status, RunStatus::not_converged);
+  ASSERT_EQ(ended.recorder.failures.size(), 1u);
+  EXPECT_NE(ended.recorder.failures[0].reason.find("; the part could not be meshed anew: "),
+            std::string::npos)
+      << ended.recorder.failures[0].reason;
+  EXPECT_EQ(ended.process->scene().mesh.kind, ElementKind::quad8);
+}
+
+} // namespace
+} // namespace billet::process
