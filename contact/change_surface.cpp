@@ -15,20 +15,26 @@ constexpr double off_inside = 0.5;
 
 } // namespace
 
-void ContactTerm::go_on_from(const ContactTerm& before, std::span<const PointSource> sources) {
-  enabled_ = before.enabled_;
-  held_ = before.held_;
-  work_ = before.work_;
-  times_ = before.times_;
-  // Tries that failed on the old mesh say nothing about contact on this one.
-  stiffening_ = stiffening_old_ = stiffening_next_ =
-      std::max(before.stiffening_old_, before.stiffening_next_);
+ContactState ContactTerm::state() const {
+  // Tries that failed on this mesh say nothing about contact on another one.
+  ContactState state{enabled_, held_, work_, std::max(stiffening_old_, stiffening_next_), {}};
+  for (const ToolState& tool : states_)
+    state.history.push_back(tool.history);
+  return state;
+}
+
+void ContactTerm::go_on_from(const ContactState& before, std::span<const PointSource> sources) {
+  enabled_ = before.enabled;
+  held_ = before.held;
+  work_ = before.work;
+  stiffening_ = stiffening_old_ = stiffening_next_ = before.stiffening;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     ToolState& state = states_[t];
+    state.touches = false;
     for (std::size_t k = 0; k < state.history.size(); ++k) {
       const Vec3 position = state.history[k].position;
       state.history[k] =
-          between(before.states_[t], sources[k], state.foot[k], surface_->depth(face_of(k)));
+          between(before.history[t], sources[k], state.foot[k], surface_->depth(face_of(k)));
       state.history[k].position = position;
       state.multiplier[k] = state.history[k].multiplier;
       state.touches = state.touches || state.history[k].closed();
@@ -36,13 +42,11 @@ void ContactTerm::go_on_from(const ContactTerm& before, std::span<const PointSou
   }
 }
 
-PointHistory ContactTerm::between(const ToolState& before,
+PointHistory ContactTerm::between(std::span<const PointHistory> before,
                                   const PointSource& source,
                                   const geometry::Projection& foot,
                                   double depth) const {
-  const auto old = [&](std::size_t i) -> const PointHistory& {
-    return before.history[source.points[i]];
-  };
+  const auto old = [&](std::size_t i) -> const PointHistory& { return before[source.points[i]]; };
   PointHistory history;
   std::array<double, 3> weights = source.weights;
   for (std::size_t i = 0; i < weights.size(); ++i)
@@ -50,7 +54,7 @@ PointHistory ContactTerm::between(const ToolState& before,
       history.sliding += weights[i] * old(i).sliding;
   if (!foot.found() || foot.gap > off_outside * depth || -foot.gap > off_inside * depth)
     return history;
-  if (!before.history[source.nearest()].closed()) {
+  if (!before[source.nearest()].closed()) {
     history.offset = std::max(0.0, -foot.gap); // touches without pressure, if at all
     return history;
   }

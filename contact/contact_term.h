@@ -60,6 +60,16 @@ struct ContactWork {
   double enforcement = 0.0;
 };
 
+/// Where contact stands at the end of an increment: what a term on another mesh of the same part
+/// needs to go on.
+struct ContactState {
+  std::vector<char> enabled; ///< tools that may act, one flag a tool
+  std::vector<char> held;    ///< driven tools that stay where they are, likewise
+  ContactWork work;
+  double stiffening = 1.0;                        ///< penalty over that of the case [-]
+  std::vector<std::vector<PointHistory>> history; ///< shape (n_tools, n_points)
+};
+
 /// How the free degrees of freedom of driven tools enter the equations: as lengths, so that one
 /// norm serves them and the nodes.
 struct DriveScale {
@@ -95,11 +105,13 @@ public:
   [[nodiscard]] bool closed_on(std::size_t tool, std::size_t point) const {
     return states_[tool].history[point].closed();
   }
+  /// Where it stands now; tries that failed since have softened or stiffened its penalty. (C.41)
+  [[nodiscard]] ContactState state() const;
   /// Goes on where a term on an earlier mesh of the same part stood: its sums, its penalty, which
   /// tools act. After `start`.
   ///
   /// @param sources  for each of this term's points those of the other's that it lies between
-  void go_on_from(const ContactTerm& before, std::span<const PointSource> sources);
+  void go_on_from(const ContactState& before, std::span<const PointSource> sources);
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
                                                        mechanics::System& system) override;
@@ -231,7 +243,7 @@ private:
   /// History of a point that lies between points of an earlier surface.
   ///
   /// @param depth  of the element beneath [mm]
-  [[nodiscard]] PointHistory between(const ToolState& before,
+  [[nodiscard]] PointHistory between(std::span<const PointHistory> before,
                                      const PointSource& source,
                                      const geometry::Projection& foot,
                                      double depth) const;

@@ -2,6 +2,7 @@
 
 #include "geometry/base/stopwatch.h"
 #include "mechanics/elements/elements.h"
+#include "mechanics/mesh_locator.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace billet::mechanics {
@@ -51,7 +53,7 @@ Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPa
       kernel_(element_kernel(mesh.kind, analysis)),
       scatter_(pattern, mesh.cells, nodes_per_element(mesh.kind)) {
   points_ = points_per_element(mesh.kind);
-  volumes_ = mesh_volumes();
+  volumes_ = volumes_at(node_positions(mesh));
   states_.resize(volumes_.size());
   trial_states_ = states_;
   if (material_.heating > 0.0)
@@ -59,11 +61,8 @@ Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPa
   increments_.resize(idx(mesh.n_elements()));
 }
 
-std::vector<double> Bulk::mesh_volumes() const {
+std::vector<double> Bulk::volumes_at(std::span<const double> x) const {
   const int dim = mesh_->dimension();
-  std::vector<double> x;
-  for (const Vec3& p : mesh_->points)
-    x.insert(x.end(), p.data(), p.data() + dim);
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> volumes(idx(mesh_->n_elements() * points_));
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
@@ -74,12 +73,13 @@ std::vector<double> Bulk::mesh_volumes() const {
   return volumes;
 }
 
-void Bulk::adopt(std::vector<PointState> states,
+void Bulk::adopt(std::span<const double> x,
+                 std::vector<PointState> states,
                  std::vector<double> temperatures,
                  double plastic_work) {
   assert(states.size() == volumes_.size());
   assert(temperatures.empty() || temperatures.size() == volumes_.size());
-  volumes_ = mesh_volumes();
+  volumes_ = volumes_at(x);
   for (std::size_t k = 0; k < volumes_.size(); ++k)
     volumes_[k] /= std::sqrt(states[k].b_e.determinant());
   states_ = std::move(states);
@@ -89,6 +89,16 @@ void Bulk::adopt(std::vector<PointState> states,
   else if (material_.heating > 0.0)
     temperatures_.assign(volumes_.size(), material_.temperature);
   plastic_work_ = plastic_work;
+}
+
+void Bulk::keep_volume(double sum) {
+  const double factor = sum / reference_volume();
+  for (double& volume : volumes_)
+    volume *= factor;
+}
+
+double Bulk::reference_volume() const {
+  return std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
 }
 
 ElementStatus Bulk::run_element(Index element, const Trial& trial, Scratch& scratch) {
@@ -181,26 +191,27 @@ void Bulk::commit(const Trial& trial) {
   states_ = trial_states_;
 }
 
-double Bulk::elastic_energy(std::span<const double> x) const {
+Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x) const {
   const int dim = pattern_->dim;
   const auto n = idx(points_);
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> current(n);
   std::vector<double> stored(states_.size());
   elastic_energies(material_.elasticity, states_, stored);
-  double sum = 0.0;
+  ElasticEnergy energy;
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
     gather(x, mesh_->cell(e), dim, local.data());
     point_volumes(mesh_->kind, analysis_, local.data(), current);
     const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
     for (std::size_t k = 0; k < n; ++k) {
+      const double half_bulk = 0.5 * material_.elasticity.bulk();
       const double log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
       const double own = 0.5 * std::log(states_[idx(e) * n + k].b_e.determinant());
-      sum += reference[k] * (stored[idx(e) * n + k] +
-                             0.5 * material_.elasticity.bulk() * (log_J * log_J - own * own));
+      energy.shape += reference[k] * (stored[idx(e) * n + k] - half_bulk * own * own);
+      energy.volume += reference[k] * half_bulk * log_J * log_J;
     }
   }
-  return sum;
+  return energy;
 }
 
 std::vector<Mat3> Bulk::stresses(std::span<const double> x) const {

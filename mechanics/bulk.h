@@ -25,13 +25,22 @@ public:
   [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override;
   void commit(const Trial& trial) override;
 
-  /// Starts from given states where the nodes of the mesh are: as reference volumes those that the
-  /// elastic ratios of volume sqrt(det b_e) ask for. (M.40)
+  /// Starts from given states: as reference volumes those that the elastic ratios of volume
+  /// sqrt(det b_e) ask for. (M.40)
   ///
+  /// @param x             where the nodes are, shape (n_dofs) or longer [mm]
   /// @param states        shape (n_elements, points)
   /// @param temperatures  likewise [degC]; empty: the material's
   /// @param plastic_work  done so far [N mm]
-  void adopt(std::vector<PointState> states, std::vector<double> temperatures, double plastic_work);
+  void adopt(std::span<const double> x,
+             std::vector<PointState> states,
+             std::vector<double> temperatures,
+             double plastic_work);
+
+  /// Scales the reference volumes to a sum: the mass of the part, whatever a new mesh lies off by.
+  void keep_volume(double sum);
+  /// Sum of the reference volumes [mm^3].
+  [[nodiscard]] double reference_volume() const;
 
   [[nodiscard]] const Material& material() const { return material_; }
   [[nodiscard]] Analysis analysis() const { return analysis_; }
@@ -76,7 +85,12 @@ public:
   /// Plastic work of all commits [N mm].
   [[nodiscard]] double plastic_work() const { return plastic_work_; }
   /// Elastic energy of the committed states [N mm].
-  [[nodiscard]] double elastic_energy(std::span<const double> x) const;
+  struct ElasticEnergy {
+    double shape = 0.0;  ///< of deviatoric strain
+    double volume = 0.0; ///< of pressure
+    [[nodiscard]] double sum() const { return shape + volume; }
+  };
+  [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x) const;
   /// Cauchy stress at every point of the committed states, shape (n_elements, points) [MPa].
   [[nodiscard]] std::vector<Mat3> stresses(std::span<const double> x) const;
   /// Current volume [mm^3].
@@ -84,8 +98,8 @@ public:
 
 private:
   struct Scratch;
-  /// Volumes of the points where the nodes of the mesh are, shape (n_elements, points) [mm^3].
-  [[nodiscard]] std::vector<double> mesh_volumes() const;
+  /// Volumes of the points, shape (n_elements, points) [mm^3].
+  [[nodiscard]] std::vector<double> volumes_at(std::span<const double> x) const;
   /// Forces and tangent of an element, in the scratch.
   ElementStatus run_element(Index element, const Trial& trial, Scratch& scratch);
   void add_element(Index element, System& system, const Scratch& scratch) const;

@@ -16,6 +16,8 @@ constexpr double rise_of_ceiling = 1.1;
 
 } // namespace
 
+double step_towards(double left, double dt) { return dt >= left ? left : std::min(dt, 0.5 * left); }
+
 void IncrementControl::accepted(double step, int iterations) {
   const double wanted = next_;
   const bool whole = step >= wanted; // else it tells little about the length wanted

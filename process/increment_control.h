@@ -12,6 +12,10 @@
 
 namespace billet::process {
 
+/// The step to take when `left` is left to a landing: two equal ones rather than a long and a tiny
+/// one.
+[[nodiscard]] double step_towards(double left, double dt);
+
 class IncrementControl {
 public:
   /// Lengths of increments [s].

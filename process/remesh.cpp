@@ -5,6 +5,7 @@
 #include "mechanics/materials/j2_hencky.h"
 #include "mechanics/mesh_locator.h"
 #include "mechanics/state_transfer.h"
+#include "process/increment_control.h"
 #include "process/remeshing.h"
 #include "process/run.h"
 
@@ -18,28 +19,24 @@ namespace {
 
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
-/// Sums over the fields of a bulk.
-struct Stock {
-  double plastic_work = 0.0;
-  double mean_strain = 0.0;
-  double largest_strain = 0.0;
-};
-
-/// @param rate  plastic strain rates of the points [1/s]
-Stock stock_of(const mechanics::Bulk& bulk, std::span<const double> rate) {
+/// Sums over the fields of a bulk in a state that may not be its own.
+Stock stock_of(const mechanics::Bulk& bulk, const Standing& at) {
   Stock stock;
   double volume = 0.0;
-  for (std::size_t k = 0; k < bulk.states().size(); ++k) {
-    const double strain = bulk.states()[k].plastic_strain;
+  for (std::size_t k = 0; k < at.states.size(); ++k) {
+    const double strain = at.states[k].plastic_strain;
     const double v = bulk.volumes()[k];
+    const double temperature =
+        at.temperatures.empty() ? bulk.material().temperature : at.temperatures[k];
     if (strain > 0.0)
       stock.plastic_work += v * mechanics::plastic_work(bulk.material().flow, 0.0,
-                                                        {strain, rate[k], bulk.temperature(k)});
+                                                        {strain, at.plastic_rate[k], temperature});
     stock.mean_strain += v * strain;
     stock.largest_strain = std::max(stock.largest_strain, strain);
     volume += v;
   }
   stock.mean_strain /= volume;
+  stock.volume = bulk.volume(at.x);
   return stock;
 }
 
@@ -52,6 +49,15 @@ std::vector<double> at_new_nodes(const mechanics::Mesh& old,
   for (std::size_t i = 0; i < places.size(); ++i)
     mechanics::interpolate(old, places[i], nodal, std::span(result).subspan(dim * i, dim));
   return result;
+}
+
+/// Positions of the nodes of a mesh as points in space.
+std::vector<Vec3> points_at(std::span<const double> x, const mechanics::Mesh& mesh) {
+  const std::size_t dim = idx(mesh.dimension());
+  std::vector<Vec3> points = mesh.points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(dim * i), dim, points[i].data());
+  return points;
 }
 
 std::vector<double> forces_on_tools(const contact::ContactTerm* contact) {
@@ -85,12 +91,29 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
     observer->remeshing(*this);
   const double output = seconds_now() - written;
   const double missing = energy_.missing();
-  exchange_mesh(std::move(part), report);
+  const std::vector<double> forces = forces_on_tools(contact_.get());
+  report.elements[0] = scene_.mesh.n_elements();
+  report.nodes[0] = scene_.mesh.n_points();
+  report.quality.before = worst_quality(scene_.mesh, positions());
+  const CarriedOver carried = exchange_mesh(std::move(part));
   const double exchanged = seconds_now();
-  restore_balance(report);
+  settle(carried, report);
+  mesh_increment_ = increment_;
+  mesh_time_ = time_;
+  mesh_quality_ = worst_quality(scene_.mesh, positions());
+  refused_quality_ = 1.0;
+  mesh_strain_.clear();
+  for (const mechanics::PointState& point : bulk_->states())
+    mesh_strain_.push_back(point.plastic_strain);
   update_energy();
   report.energy = energy_.missing() - missing;
   energy_.remeshing += report.energy;
+  report.elements[1] = scene_.mesh.n_elements();
+  report.nodes[1] = scene_.mesh.n_points();
+  report.quality.after = mesh_quality_;
+  const std::vector<double> balanced = forces_on_tools(contact_.get());
+  for (std::size_t t = 0; t < forces.size(); ++t)
+    report.forces.push_back({forces[t], report.balanced ? balanced[t] : forces[t]});
   report.seconds = seconds_now() - begun - output;
   times_.output += output;
   times_.remeshing += exchanged - begun - output; // the balance counts with the other solutions
@@ -100,48 +123,99 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   return {};
 }
 
-void Process::exchange_mesh(NewPart anew, RemeshReport& report) {
-  RemeshedPart& part = anew.part;
-  const Stock before = stock_of(*bulk_, plastic_rate_);
-  const std::vector<double> forces = forces_on_tools(contact_.get());
-  report.elements[0] = scene_.mesh.n_elements();
-  report.nodes[0] = scene_.mesh.n_points();
-  report.quality.before = worst_quality(scene_.mesh, positions());
-  report.volume.before = bulk_->volume(x_);
+Standing Process::standing() const {
+  Standing s;
+  s.time = time_;
+  s.x = x_;
+  s.states.assign(bulk_->states().begin(), bulk_->states().end());
+  s.temperatures.assign(bulk_->temperatures().begin(), bulk_->temperatures().end());
+  s.plastic_rate = plastic_rate_;
+  if (contact_)
+    s.contact = contact_->state();
+  s.reference_volume = bulk_->reference_volume();
+  s.plastic_work = bulk_->plastic_work();
+  s.support_work = support_work_;
+  s.load_work = load_work_;
+  for (const auto& load : loads_)
+    s.load_work += load->work();
+  for (const auto& load : fading_)
+    s.load_work += load->work();
+  s.grounding = energy_.grounding;
+  return s;
+}
 
-  const mechanics::StateField field{&scene_.mesh, positions(), bulk_->states(),
-                                    bulk_->temperatures(), plastic_rate_};
-  mechanics::TransferredState state =
-      mechanics::transfer_state(field, part.mesh, scene_.analysis, scene_.material);
+void Process::remember() {
+  // What the transfer has left too low is back where it was after that much flow.
+  constexpr double flow = 3.0; // plastic work over the elastic energy of shape
+  if (later_ && bulk_->plastic_work() - later_->plastic_work < flow * shape_energy_)
+    return;
+  if (later_)
+    begun_ = std::move(later_);
+  later_ = std::make_unique<const Standing>(standing());
+  if (!begun_)
+    begun_ = std::make_unique<const Standing>(*later_);
+}
+
+void Process::forget() {
+  begun_.reset();
+  later_.reset();
+}
+
+CarriedOver Process::exchange_mesh(NewPart anew) {
+  RemeshedPart& part = anew.part;
   const mechanics::MeshLocator locator(scene_.mesh, positions());
   const std::vector<mechanics::MeshLocation> places = locator.locate(part.mesh.points);
-  std::vector<double> origins = at_new_nodes(scene_.mesh, places, x0_);
-  velocity_ = at_new_nodes(scene_.mesh, places, velocity_);
+  const auto anew_at_nodes = [&](std::span<const double> nodal) {
+    return at_new_nodes(scene_.mesh, places, nodal);
+  };
+  CarriedOver carried;
+  const auto carry = [&](const Standing& from) {
+    CarriedState result{from, stock_of(*bulk_, from), 0};
+    Standing& to = result.standing;
+    std::vector<double> way(x0_.size()); // from there to now
+    for (std::size_t i = 0; i < way.size(); ++i)
+      way[i] = x_[i] - from.x[i];
+    to.x = mechanics::node_positions(part.mesh);
+    const std::vector<double> moved = anew_at_nodes(way);
+    for (std::size_t i = 0; i < to.x.size(); ++i)
+      to.x[i] -= moved[i];
+    mechanics::Mesh mesh = part.mesh;
+    mesh.points = points_at(to.x, mesh);
+    to.x.insert(to.x.end(), from.x.begin() + static_cast<std::ptrdiff_t>(x0_.size()), from.x.end());
+    const std::span<const double> nodes(from.x.data(), x0_.size());
+    mechanics::TransferredState state = mechanics::transfer_state(
+        {&scene_.mesh, nodes, from.states, from.temperatures, from.plastic_rate}, mesh,
+        scene_.analysis, scene_.material);
+    to.states = std::move(state.states);
+    to.temperatures = std::move(state.temperatures);
+    to.plastic_rate = std::move(state.plastic_rate);
+    result.returned = state.returned;
+    return result;
+  };
+  if (begun_)
+    carried.begun = carry(*begun_);
+  carried.now = carry(standing());
+  forget();
   if (!last_step_.empty()) {
-    std::vector<double> step = at_new_nodes(scene_.mesh, places, last_step_);
-    step.insert(step.end(), last_step_.begin() + static_cast<std::ptrdiff_t>(x0_.size()),
-                last_step_.end());
-    last_step_ = std::move(step);
+    carried.guess = anew_at_nodes(last_step_);
+    carried.guess.insert(carried.guess.end(),
+                         last_step_.begin() + static_cast<std::ptrdiff_t>(x0_.size()),
+                         last_step_.end());
   }
-  std::vector<double> x = mechanics::node_positions(part.mesh);
-  x.insert(x.end(), x_.begin() + static_cast<std::ptrdiff_t>(x0_.size()), x_.end());
+  std::vector<double> origins = anew_at_nodes(x0_);
+  velocity_ = anew_at_nodes(velocity_);
 
   // Sums of what goes with the old mesh.
-  for (const auto& load : loads_)
-    load_work_ += load->work();
-  for (const auto& load : fading_)
-    load_work_ += load->work();
   take_times();
   earlier_times_ = times_;
   earlier_work_ = solver_work();
-  const double plastic_work = bulk_->plastic_work();
   const std::unique_ptr<contact::ContactSurface> old_surface = std::move(surface_);
-  const std::unique_ptr<contact::ContactTerm> old_contact = std::move(contact_);
   terms_.clear();
   loads_.clear();
   fading_.clear();
   grounding_.reset();
   newton_.reset();
+  contact_.reset();
   bulk_.reset();
 
   scene_.mesh = std::move(part.mesh);
@@ -150,48 +224,62 @@ void Process::exchange_mesh(NewPart anew, RemeshReport& report) {
   scene_.contact_faces = part.contact_faces;
   pattern_ = mechanics::block_pattern(scene_.mesh);
   x0_ = std::move(origins);
-  x_ = std::move(x);
+  x_ = carried.now.standing.x;
   const int dim = scene_.mesh.dimension();
   for (const Support& support : scene_.supports)
     for (const Index node : support.nodes) {
       const std::size_t i = idx(dim * node + support.component);
       x0_[i] = x_[i] - support.displacement(time_);
     }
-  trial_x_ = x_;
-  reactions_.assign(x0_.size(), 0.0);
   make_terms();
   analysis_before_run_ = newton_->solver_work().analysis;
-  bulk_->adopt(std::move(state.states), std::move(state.temperatures), plastic_work);
-  plastic_rate_ = std::move(state.plastic_rate);
   if (contact_) {
-    contact_->start(x_, time_);
-    const std::vector<contact::PointSource> sources = anew.sources(*surface_, positions());
-    contact_->go_on_from(*old_contact, sources);
+    carried.sources = anew.sources(*surface_, positions());
     if (wear_)
-      wear_->change_surface(*surface_, sources);
+      wear_->change_surface(*surface_, carried.sources);
   }
-  mesh_increment_ = increment_;
-  mesh_time_ = time_;
-  mesh_quality_ = worst_quality(scene_.mesh, positions());
-  refused_quality_ = 1.0;
-  mesh_strain_.clear();
-  for (const mechanics::PointState& point : bulk_->states())
-    mesh_strain_.push_back(point.plastic_strain);
-
-  const Stock after = stock_of(*bulk_, plastic_rate_);
-  report.elements[1] = scene_.mesh.n_elements();
-  report.nodes[1] = scene_.mesh.n_points();
-  report.quality.after = mesh_quality_;
-  report.volume.after = bulk_->volume(x_);
-  report.plastic_work = {before.plastic_work, after.plastic_work};
-  report.mean_strain = {before.mean_strain, after.mean_strain};
-  report.largest_strain = {before.largest_strain, after.largest_strain};
-  report.returned = state.returned;
-  for (const double force : forces)
-    report.forces.push_back({force, force});
+  return carried;
 }
 
-void Process::restore_balance(RemeshReport& report) {
+void Process::stand(const CarriedState& at,
+                    std::span<const contact::PointSource> sources,
+                    RemeshReport& report) {
+  const Standing& to = at.standing;
+  time_ = to.time;
+  x_ = trial_x_ = to.x;
+  bulk_->adopt(x_, to.states, to.temperatures, to.plastic_work);
+  bulk_->keep_volume(to.reference_volume);
+  plastic_rate_ = to.plastic_rate;
+  reactions_.assign(x0_.size(), 0.0);
+  support_work_ = to.support_work;
+  load_work_ = to.load_work;
+  energy_.grounding = to.grounding;
+  if (contact_) {
+    contact_->start(x_, time_);
+    contact_->go_on_from(to.contact, sources);
+  }
+  const Stock after = stock_of(*bulk_, to);
+  report.returned = at.returned;
+  report.volume = {at.before.volume, after.volume};
+  report.plastic_work = {at.before.plastic_work, after.plastic_work};
+  report.mean_strain = {at.before.mean_strain, after.mean_strain};
+  report.largest_strain = {at.before.largest_strain, after.largest_strain};
+}
+
+void Process::settle(const CarriedOver& carried, RemeshReport& report) {
+  if (carried.begun) {
+    stand(*carried.begun, carried.sources, report);
+    report.again = restore_balance(report) && solve_again(carried.now.standing);
+  }
+  report.balanced = report.again;
+  if (report.again)
+    return;
+  stand(carried.now, carried.sources, report);
+  last_step_ = carried.guess;
+  report.balanced = restore_balance(report);
+}
+
+bool Process::restore_balance(RemeshReport& report) {
   // In next to no time rate laws neither flow nor relax.
   constexpr double share_of_increment = 1e-6;
   const double dt = share_of_increment * last_dt_;
@@ -202,17 +290,44 @@ void Process::restore_balance(RemeshReport& report) {
   if (!newton_->records().empty())
     report.residual = newton_->records().front().residual;
   if (!outcome)
-    return;
+    return false;
   const mechanics::Trial trial{time_ - dt, time_, x_, trial_x_};
   for (mechanics::ForceTerm* term : terms_)
     term->commit(trial);
   for (const Index i : prescribed(time_).unknowns)
     reactions_[idx(i)] = newton_->residual()[idx(i)];
   x_ = trial_x_;
-  report.balanced = true;
-  const std::vector<double> forces = forces_on_tools(contact_.get());
-  for (std::size_t t = 0; t < forces.size(); ++t)
-    report.forces[t].after = forces[t];
+  return true;
+}
+
+bool Process::solve_again(const Standing& end) {
+  const double length = end.time - time_;
+  constexpr double shortest = 1.0 / 64.0; // of that
+  IncrementControl control({std::min(last_dt_, length), shortest * length, length});
+  last_step_ = end.x;
+  for (std::size_t i = 0; i < x_.size(); ++i)
+    last_step_[i] -= x_[i];
+  last_dt_ = length;
+  const int iterations = last_iterations_;
+  int failures = 0;
+  while (time_ < end.time && !control.exhausted()) {
+    const double step = step_towards(end.time - time_, control.next());
+    const bool lands = step == end.time - time_;
+    std::string why;
+    if (try_increment(step, mechanics::Approach::directly, why) ||
+        (contact_ && failures > 0 && try_increment(step, mechanics::Approach::softly, why))) {
+      commit(step);
+      if (lands)
+        time_ = end.time;
+      control.accepted(step, last_iterations_);
+      failures = 0;
+    } else {
+      ++failures;
+      control.failed(step);
+    }
+  }
+  last_iterations_ = iterations;
+  return time_ == end.time;
 }
 
 } // namespace billet::process

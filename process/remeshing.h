@@ -2,11 +2,12 @@
 
 #pragma once
 
-#include "contact/contact_surface.h"
+#include "contact/contact_term.h"
 #include "mechanics/mesh.h"
 #include "process/part_boundary.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,44 @@ struct NewPart {
   std::function<std::vector<contact::PointSource>(const contact::ContactSurface&,
                                                   std::span<const double> x)>
       sources;
+};
+
+/// What a run goes on from at the end of an increment.
+struct Standing {
+  double time = 0.0;     ///< [s]
+  std::vector<double> x; ///< of the nodes, then of driven tools
+  std::vector<mechanics::PointState> states;
+  std::vector<double> temperatures; ///< of the points; empty: isothermal [degC]
+  std::vector<double> plastic_rate; ///< of the points [1/s]
+  contact::ContactState contact;
+  double reference_volume = 0.0; ///< the part's without pressure [mm^3]
+  double plastic_work = 0.0;     ///< done so far [N mm]
+  double support_work = 0.0;     ///< likewise
+  double load_work = 0.0;        ///< likewise
+  double grounding = 0.0;        ///< lost so far [N mm]
+};
+
+/// Sums over the fields of a part.
+struct Stock {
+  double volume = 0.0;       ///< [mm^3]
+  double plastic_work = 0.0; ///< that the plastic strain stands for [N mm]
+  double mean_strain = 0.0;  ///< plastic, over the volume [-]
+  double largest_strain = 0.0;
+};
+
+/// A state on a new mesh; its contact is still that of the old one.
+struct CarriedState {
+  Standing standing;
+  Stock before;     ///< on the old mesh
+  int returned = 0; ///< points put back onto the yield surface
+};
+
+/// Where the run is, on a new mesh, and where it was some increments ago.
+struct CarriedOver {
+  CarriedState now;
+  std::optional<CarriedState> begun;
+  std::vector<contact::PointSource> sources; ///< of the new contact points
+  std::vector<double> guess;                 ///< step that the next increment may start with
 };
 
 /// Scaled Jacobian of the worst element.

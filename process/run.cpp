@@ -4,6 +4,7 @@
 #include "mechanics/mesh_check.h"
 #include "process/increment_control.h"
 #include "process/passage_guard.h"
+#include "process/remeshing.h"
 
 #include <fmt/format.h>
 
@@ -29,10 +30,6 @@ std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_po
 /// but the path of strain is lost.
 constexpr double most_plastic_increment = 0.5;
 
-/// The step to take when `left` is left to a landing: two equal ones rather than a long and a tiny
-/// one.
-double step_towards(double left, double dt) { return dt >= left ? left : std::min(dt, 0.5 * left); }
-
 /// Why an increment is too long for the tools; empty: it is not. A tool that moves farther than
 /// this in one increment could pass the workpiece unseen.
 std::string leap(const Scene& scene, const Stage& stage, double from, double to) {
@@ -56,6 +53,7 @@ double EnergyBalance::error() const {
 
 void Process::start_stage(const Stage& stage) {
   last_step_.clear();
+  forget();
   if (contact_)
     contact_->enable(stage.unload ? std::vector<char>(scene_.tools.size(), 0) : stage.tools);
 }
@@ -182,6 +180,22 @@ bool Process::passes_through(double dt, std::string& why) const {
 }
 
 void Process::accept(double dt) {
+  if (scene_.remesh)
+    remember();
+  commit(dt);
+  if (!refusal_event_.empty())
+    events_.push_back(std::exchange(refusal_event_, {}));
+  if (!penalty_event_.empty())
+    events_.push_back(std::exchange(penalty_event_, {}));
+  ++increment_;
+  iterations_ += last_iterations_;
+  if (increment_ == mesh_increment_ + 1)
+    mesh_share_ = penetration_.share;
+  update_energy();
+  account_contact(dt);
+}
+
+void Process::commit(double dt) {
   const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
   std::vector<double> strain_old(bulk_->states().size());
   for (std::size_t k = 0; k < strain_old.size(); ++k)
@@ -189,10 +203,6 @@ void Process::accept(double dt) {
   for (mechanics::ForceTerm* term : terms_)
     term->commit(trial);
   events_ = blows_ ? blows_->commit(trial) : std::vector<std::string>();
-  if (!refusal_event_.empty())
-    events_.push_back(std::exchange(refusal_event_, {}));
-  if (!penalty_event_.empty())
-    events_.push_back(std::exchange(penalty_event_, {}));
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
   for (const Index i : prescribed(time_ + dt).unknowns) {
@@ -209,15 +219,9 @@ void Process::accept(double dt) {
   last_dt_ = dt;
   x_ = trial_x_;
   time_ += dt;
-  ++increment_;
-  iterations_ += last_iterations_;
-  if (increment_ == mesh_increment_ + 1)
-    mesh_share_ = penetration_.share;
   if (grounding_)
     for (std::size_t i = 0; i < x0_.size(); ++i)
       energy_.grounding += grounding_stiffness_ * last_step_[i] * last_step_[i];
-  update_energy();
-  account_contact(dt);
 }
 
 void Process::account_contact(double dt) {
@@ -233,7 +237,9 @@ void Process::account_contact(double dt) {
 }
 
 void Process::update_energy() {
-  energy_.elastic = bulk_->elastic_energy(x_);
+  const mechanics::Bulk::ElasticEnergy elastic = bulk_->elastic_energy(x_);
+  energy_.elastic = elastic.sum();
+  shape_energy_ = elastic.shape;
   energy_.plastic = bulk_->plastic_work();
   energy_.external = support_work_ - tool_energy_ + load_work_;
   for (const auto& load : loads_)
@@ -402,15 +408,12 @@ void Process::take_times() {
   const mechanics::SolverWork& work = newton_->solver_work();
   const double search = contact_ ? contact_->times().search : 0.0;
   const double contact = contact_ ? contact_->times().elements : 0.0;
-  // Those of contact go on from mesh to mesh.
-  const double searched = search - earlier_times_.search;
-  const double touched = contact - earlier_times_.contact;
   const double elements = bulk_->times().elements;
-  times_.search = search;
-  times_.contact = contact;
+  times_.search = earlier_times_.search + search;
+  times_.contact = earlier_times_.contact + contact;
   times_.elements = earlier_times_.elements + elements;
   times_.assembly =
-      earlier_times_.assembly + newton_->times().assembly - elements - searched - touched;
+      earlier_times_.assembly + newton_->times().assembly - elements - search - contact;
   times_.analysis = earlier_times_.analysis + work.analysis;
   times_.factorization = earlier_times_.factorization + work.factorization;
   times_.solve = earlier_times_.solve + newton_->times().solve - work.factorization -

@@ -2,7 +2,7 @@
 //
 // An increment moves the tools, solves for equilibrium with contact found anew in every iteration,
 // and is accepted or cut back; the step grows on easy increments. Observers look at each accepted
-// increment and change nothing. Theory: docs/theory/process.md (P.1)-(P.17).
+// increment and change nothing. Theory: docs/theory/process.md (P.1)-(P.20).
 
 #pragma once
 
@@ -31,6 +31,9 @@ namespace billet::process {
 
 struct ContactZone;
 struct NewPart;
+struct Standing;
+struct CarriedOver;
+struct CarriedState;
 
 /// Energies of the run so far [N mm].
 struct EnergyBalance {
@@ -99,16 +102,18 @@ struct RemeshReport {
   std::array<Index, 2> elements{}; ///< before and after
   std::array<Index, 2> nodes{};    ///< likewise
   Pair quality;                    ///< scaled Jacobian of the worst element [-]
-  Pair volume;                     ///< [mm^3]
-  Pair plastic_work;               ///< of the field of plastic strain [N mm]
-  Pair mean_strain;                ///< plastic, over the volume [-]
-  Pair largest_strain;             ///< plastic [-]
-  std::vector<Pair> forces;        ///< on each tool [N]
-  double energy = 0.0;             ///< lost by carrying the state over [N mm]
-  double residual = 0.0;           ///< of the state carried over, relative [-]
-  bool balanced = false;           ///< equilibrium was restored before time went on
-  int returned = 0;                ///< points put back onto the yield surface
-  double seconds = 0.0;            ///< it took [s]
+  bool again = false;              ///< the last increments were solved again on the new mesh
+  // Of the state carried over: where these began, or now.
+  Pair volume;              ///< [mm^3]
+  Pair plastic_work;        ///< of the field of plastic strain [N mm]
+  Pair mean_strain;         ///< plastic, over the volume [-]
+  Pair largest_strain;      ///< plastic [-]
+  std::vector<Pair> forces; ///< on each tool, now [N]
+  double energy = 0.0;      ///< lost by carrying the state over [N mm]
+  double residual = 0.0;    ///< of the state carried over, relative [-]
+  bool balanced = false;    ///< equilibrium was restored before time went on
+  int returned = 0;         ///< points put back onto the yield surface
+  double seconds = 0.0;     ///< it took [s]
 
   /// Largest change of a tool's force over the largest force [-].
   [[nodiscard]] double force_jump() const;
@@ -218,11 +223,11 @@ public:
   };
   /// All of them, in their order.
   [[nodiscard]] std::span<const Refusal> refusals() const { return refusals_; }
-  /// Remeshings of the run, in their order.
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
+  /// Remeshings of the run, in their order.
   [[nodiscard]] std::span<const RemeshReport> remeshings() const { return remeshings_; }
   /// Sizes that the part would be meshed with now, in the plane or in space; the scene has settings
   /// for that.
@@ -286,6 +291,8 @@ private:
   /// Whether the trial carries the workpiece through a tool.
   [[nodiscard]] bool passes_through(double dt, std::string& why) const;
   void accept(double dt);
+  /// Makes the trial the state of the run.
+  void commit(double dt);
   void update_energy();
   /// Takes the increment just accepted into the sums over contact.
   void account_contact(double dt);
@@ -305,7 +312,19 @@ private:
   /// @return why it could not be done; empty: it was. Then nothing has changed
   [[nodiscard]] std::string remesh(const std::string& cause,
                                    const std::vector<Observer*>& observers);
-  void exchange_mesh(NewPart part, RemeshReport& report);
+  [[nodiscard]] CarriedOver exchange_mesh(NewPart part);
+  /// Where the run is now.
+  [[nodiscard]] Standing standing() const;
+  /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
+  void remember();
+  void forget();
+  /// Finds equilibrium on the new mesh. (P.17), (P.19)
+  void settle(const CarriedOver& carried, RemeshReport& report);
+  /// Goes on from a state that has been carried over to the present mesh, and notes what that has
+  /// changed.
+  void stand(const CarriedState& at,
+             std::span<const contact::PointSource> sources,
+             RemeshReport& report);
   /// The part on a new mesh; nothing of the run has changed.
   /// @throws Error(Fault::geometry) if it cannot be meshed
   [[nodiscard]] NewPart new_part() const;
@@ -336,8 +355,12 @@ private:
                              const Vec3& x,
                              std::optional<int> tool,
                              const WayToTool& way) const;
-  /// Solves for equilibrium on the new mesh without moving on. (P.17)
-  void restore_balance(RemeshReport& report);
+  /// Solves for equilibrium without moving on; if there is none nothing changes. (P.17)
+  /// @return whether it was found
+  [[nodiscard]] bool restore_balance(RemeshReport& report);
+  /// Solves again what led there. (P.19)
+  /// @return whether it could be solved
+  [[nodiscard]] bool solve_again(const Standing& end);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
 
   Scene scene_;
@@ -355,7 +378,11 @@ private:
   std::vector<double> x0_;
   std::vector<double> x_; ///< of the nodes, then of driven tools: shape (n_dofs + n_extra)
   std::vector<double> trial_x_;
-  std::vector<double> last_step_; ///< x_new - x_old of the last increment; empty: none
+  std::unique_ptr<const Standing>
+      begun_; ///< far enough back for a new mesh to begin; none: unknown
+  std::unique_ptr<const Standing> later_; ///< that will be it one day
+  double shape_energy_ = 0.0;             ///< elastic, without that of pressure [N mm]
+  std::vector<double> last_step_;         ///< x_new - x_old of the last increment; empty: none
   double last_dt_ = 0.0;
   std::vector<double> velocity_;
   std::vector<double> plastic_rate_;

@@ -4,6 +4,7 @@
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/loads.h"
+#include "process/remeshing.h"
 #include "process/run.h"
 #include "process/touch.h"
 

@@ -179,7 +179,7 @@ std::string ledger_header(const process::Scene& scene) {
       "nodes_after,quality_before,quality_after,volume_before,volume_after,"
       "plastic_work_before,plastic_work_after,mean_plastic_strain_before,"
       "mean_plastic_strain_after,max_plastic_strain_before,"
-      "max_plastic_strain_after,energy,residual,balanced,force_jump,returned,seconds";
+      "max_plastic_strain_after,energy,residual,balanced,solved_again,force_jump,returned,seconds";
   for (const contact::Tool& tool : scene.tools)
     line += fmt::format(",{0}.force_before,{0}.force_after", tool.name);
   return line + "\n";
@@ -194,8 +194,8 @@ std::string ledger_row(const process::RemeshReport& r) {
                   r.elements[0], r.elements[1], r.nodes[0], r.nodes[1]);
   line += pair(r.quality) + pair(r.volume) + pair(r.plastic_work) + pair(r.mean_strain) +
           pair(r.largest_strain);
-  line += fmt::format(",{:.17g},{:.17g},{:d},{:.17g},{},{:.6g}", r.energy, r.residual, r.balanced,
-                      r.force_jump(), r.returned, r.seconds);
+  line += fmt::format(",{:.17g},{:.17g},{:d},{:d},{:.17g},{},{:.6g}", r.energy, r.residual,
+                      r.balanced, r.again, r.force_jump(), r.returned, r.seconds);
   for (const process::RemeshReport::Pair& force : r.forces)
     line += pair(force);
   return line + "\n";

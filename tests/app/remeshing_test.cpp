@@ -64,7 +64,8 @@ const std::string header =
     "remeshing,increment,time,cause,elements_before,elements_after,nodes_before,nodes_after,"
     "quality_before,quality_after,volume_before,volume_after,plastic_work_before,"
     "plastic_work_after,mean_plastic_strain_before,mean_plastic_strain_after,"
-    "max_plastic_strain_before,max_plastic_strain_after,energy,residual,balanced,force_jump,"
+    "max_plastic_strain_before,max_plastic_strain_after,energy,residual,balanced,solved_again,"
+    "force_jump,"
     "returned,"
     "seconds,punch.force_before,punch.force_after\n";
 

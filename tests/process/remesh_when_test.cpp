@@ -121,6 +121,21 @@ TEST(Remeshing, AnswersFailedIncrements) {
   }
 }
 
+TEST(Remeshing, AtTheBeginningOfAStageBalancesWhereItIs) {
+  Scene scene = sudden_billet();
+  scene.stages.insert(scene.stages.begin(), scene.stages[0]);
+  scene.stages[0].end = 1.0;
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  const RemeshReport& first = done.process->remeshings()[0];
+  EXPECT_EQ(first.time, 1.0);
+  EXPECT_FALSE(first.again) << "what other tools did is not solved again with those of this stage";
+  EXPECT_TRUE(first.balanced);
+  EXPECT_LT(first.force_jump(), 1e-3) << "a homogeneous state";
+}
+
 TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
   RemeshSettings tiny = every(0.9);
   tiny.size = tiny.size_min = tiny.size_max = 1e-4; // more than ten million triangles
