@@ -126,6 +126,7 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
 Standing Process::standing() const {
   Standing s;
   s.time = time_;
+  s.increment = increment_;
   s.x = x_;
   s.states.assign(bulk_->states().begin(), bulk_->states().end());
   s.temperatures.assign(bulk_->temperatures().begin(), bulk_->temperatures().end());
@@ -146,8 +147,10 @@ Standing Process::standing() const {
 
 void Process::remember() {
   // What the transfer has left too low is back where it was after that much flow.
-  constexpr double flow = 3.0; // plastic work over the elastic energy of shape
-  if (later_ && bulk_->plastic_work() - later_->plastic_work < flow * shape_energy_)
+  constexpr double flow = 3.0;        // plastic work over the elastic energy of shape
+  constexpr int most_increments = 20; // where little flows nothing is too low
+  if (later_ && increment_ < later_->increment + most_increments &&
+      bulk_->plastic_work() - later_->plastic_work < flow * shape_energy_)
     return;
   if (later_)
     begun_ = std::move(later_);

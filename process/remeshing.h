@@ -27,6 +27,7 @@ struct NewPart {
 /// What a run goes on from at the end of an increment.
 struct Standing {
   double time = 0.0;     ///< [s]
+  int increment = 0;     ///< the last one before it
   std::vector<double> x; ///< of the nodes, then of driven tools
   std::vector<mechanics::PointState> states;
   std::vector<double> temperatures; ///< of the points; empty: isothermal [degC]
