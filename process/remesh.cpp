@@ -172,16 +172,20 @@ CarriedOver Process::exchange_mesh(NewPart anew) {
     return at_new_nodes(scene_.mesh, places, nodal);
   };
   CarriedOver carried;
+  const auto new_nodes_at = [&](const Standing& time) { // (P.19)
+    std::vector<double> way(x0_.size());                // from there to now
+    for (std::size_t i = 0; i < way.size(); ++i)
+      way[i] = x_[i] - time.x[i];
+    std::vector<double> x = mechanics::node_positions(part.mesh);
+    const std::vector<double> moved = anew_at_nodes(way);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] -= moved[i];
+    return x;
+  };
   const auto carry = [&](const Standing& from) {
     CarriedState result{from, stock_of(*bulk_, from), 0};
     Standing& to = result.standing;
-    std::vector<double> way(x0_.size()); // from there to now
-    for (std::size_t i = 0; i < way.size(); ++i)
-      way[i] = x_[i] - from.x[i];
-    to.x = mechanics::node_positions(part.mesh);
-    const std::vector<double> moved = anew_at_nodes(way);
-    for (std::size_t i = 0; i < to.x.size(); ++i)
-      to.x[i] -= moved[i];
+    to.x = new_nodes_at(from);
     mechanics::Mesh mesh = part.mesh;
     mesh.points = points_at(to.x, mesh);
     to.x.insert(to.x.end(), from.x.begin() + static_cast<std::ptrdiff_t>(x0_.size()), from.x.end());
@@ -195,7 +199,8 @@ CarriedOver Process::exchange_mesh(NewPart anew) {
     result.returned = state.returned;
     return result;
   };
-  if (begun_)
+  // Where a side has folded over since then a good element may have come from nowhere.
+  if (begun_ && worst_quality(part.mesh, new_nodes_at(*begun_)) > 0.0)
     carried.begun = carry(*begun_);
   carried.now = carry(standing());
   forget();
@@ -270,6 +275,7 @@ void Process::stand(const CarriedState& at,
 }
 
 void Process::settle(const CarriedOver& carried, RemeshReport& report) {
+  const double dt = last_dt_;
   if (carried.begun) {
     stand(*carried.begun, carried.sources, report);
     report.again = restore_balance(report) && solve_again(carried.now.standing);
@@ -279,6 +285,7 @@ void Process::settle(const CarriedOver& carried, RemeshReport& report) {
     return;
   stand(carried.now, carried.sources, report);
   last_step_ = carried.guess;
+  last_dt_ = dt;
   report.balanced = restore_balance(report);
 }
 
