@@ -312,7 +312,7 @@ bool Process::restore_balance(RemeshReport& report) {
 
 bool Process::solve_again(const Standing& end) {
   const double length = end.time - time_;
-  constexpr double shortest = 1.0 / 64.0; // of that
+  constexpr double shortest = 1.0 / 1024.0; // of that
   IncrementControl control({std::min(last_dt_, length), shortest * length, length});
   last_step_ = end.x;
   for (std::size_t i = 0; i < x_.size(); ++i)
