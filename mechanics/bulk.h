@@ -84,12 +84,13 @@ public:
   [[nodiscard]] double largest_plastic_increment() const { return largest_plastic_increment_; }
   /// Plastic work of all commits [N mm].
   [[nodiscard]] double plastic_work() const { return plastic_work_; }
-  /// Elastic energy of the committed states [N mm].
+  /// [N mm]
   struct ElasticEnergy {
     double shape = 0.0;  ///< of deviatoric strain
     double volume = 0.0; ///< of pressure
     [[nodiscard]] double sum() const { return shape + volume; }
   };
+  /// Of the committed states.
   [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x) const;
   /// Cauchy stress at every point of the committed states, shape (n_elements, points) [MPa].
   [[nodiscard]] std::vector<Mat3> stresses(std::span<const double> x) const;

@@ -146,6 +146,8 @@ Standing Process::standing() const {
 }
 
 void Process::remember() {
+  if (time_ < fading_until_)
+    return; // a new mesh does not know the forces of tools that have left
   // What the transfer has left too low is back where it was after that much flow.
   constexpr double flow = 3.0;        // plastic work over the elastic energy of shape
   constexpr int most_increments = 20; // where little flows nothing is too low
@@ -313,7 +315,8 @@ bool Process::restore_balance(RemeshReport& report) {
 bool Process::solve_again(const Standing& end) {
   const double length = end.time - time_;
   constexpr double shortest = 1.0 / 1024.0; // of that
-  IncrementControl control({std::min(last_dt_, length), shortest * length, length});
+  const double longest = std::min(longest_, length);
+  IncrementControl control({std::min(last_dt_, longest), shortest * length, longest});
   last_step_ = end.x;
   for (std::size_t i = 0; i < x_.size(); ++i)
     last_step_[i] -= x_[i];
@@ -321,14 +324,15 @@ bool Process::solve_again(const Standing& end) {
   const int iterations = last_iterations_;
   int failures = 0;
   while (time_ < end.time && !control.exhausted()) {
-    const double step = step_towards(end.time - time_, control.next());
-    const bool lands = step == end.time - time_;
+    const double landing = next_landing(end.time);
+    const double step = step_towards(landing - time_, control.next());
+    const bool lands = step == landing - time_;
     std::string why;
     if (try_increment(step, mechanics::Approach::directly, why) ||
         (contact_ && failures > 0 && try_increment(step, mechanics::Approach::softly, why))) {
       commit(step);
       if (lands)
-        time_ = end.time;
+        time_ = landing;
       control.accepted(step, last_iterations_);
       failures = 0;
     } else {

@@ -85,6 +85,7 @@ void Process::release_tools(double next_time, double gone_time) {
     terms_.push_back(fading_.back().get());
     fading_until_ = gone_time;
     last_step_.clear();
+    forget();
   }
 }
 
@@ -317,6 +318,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     return RunStatus::not_converged;
   }
   const IncrementLimits limit = limits(length);
+  longest_ = *limit.max;
   IncrementControl control({*limit.first, *limit.min, *limit.max});
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it

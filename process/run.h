@@ -384,6 +384,7 @@ private:
   double shape_energy_ = 0.0;             ///< elastic, without that of pressure [N mm]
   std::vector<double> last_step_;         ///< x_new - x_old of the last increment; empty: none
   double last_dt_ = 0.0;
+  double longest_ = 0.0; ///< increment of the present stage [s]
   std::vector<double> velocity_;
   std::vector<double> plastic_rate_;
   std::vector<double> reactions_;

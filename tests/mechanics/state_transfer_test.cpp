@@ -182,7 +182,8 @@ TEST(StateTransfer, RM_05_onto_the_same_mesh_nothing_changes_nor_do_the_forces) 
     EXPECT_EQ(same.bulk.plastic_work(), body.bulk.plastic_work());
     EXPECT_EQ(same.bulk.temperature(3), body.bulk.temperature(3));
     const double energy = body.bulk.elastic_energy(body.x).sum();
-    EXPECT_NEAR(same.bulk.elastic_energy(same.x).sum(), energy, tolerance * energy) << element.name();
+    EXPECT_NEAR(same.bulk.elastic_energy(same.x).sum(), energy, tolerance * energy)
+        << element.name();
   }
 }
 
