@@ -5,6 +5,7 @@
 #include "mechanics/materials/j2_hencky.h"
 #include "mechanics/mesh_locator.h"
 #include "mechanics/state_transfer.h"
+#include "process/free_surface.h"
 #include "process/increment_control.h"
 #include "process/remeshing.h"
 #include "process/run.h"
@@ -20,7 +21,7 @@ namespace {
 std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
 /// Sums over the fields of a bulk in a state that may not be its own.
-Stock stock_of(const mechanics::Bulk& bulk, const Standing& at) {
+Stock stock_of(const mechanics::Bulk& bulk, const RunState& at) {
   Stock stock;
   double volume = 0.0;
   for (std::size_t k = 0; k < at.states.size(); ++k) {
@@ -95,7 +96,8 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   report.elements[0] = scene_.mesh.n_elements();
   report.nodes[0] = scene_.mesh.n_points();
   report.quality.before = worst_quality(scene_.mesh, positions());
-  const CarriedOver carried = exchange_mesh(std::move(part));
+  CarriedOver carried = carry_over(part.part);
+  carried.sources = exchange_mesh(std::move(part), carried);
   const double exchanged = seconds_now();
   settle(carried, report);
   mesh_increment_ = increment_;
@@ -123,8 +125,8 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   return {};
 }
 
-Standing Process::standing() const {
-  Standing s;
+RunState Process::run_state() const {
+  RunState s;
   s.time = time_;
   s.increment = increment_;
   s.x = x_;
@@ -156,9 +158,9 @@ void Process::remember() {
     return;
   if (later_)
     begun_ = std::move(later_);
-  later_ = std::make_unique<const Standing>(standing());
+  later_ = std::make_unique<const RunState>(run_state());
   if (!begun_)
-    begun_ = std::make_unique<const Standing>(*later_);
+    begun_ = std::make_unique<const RunState>(*later_);
 }
 
 void Process::forget() {
@@ -166,28 +168,26 @@ void Process::forget() {
   later_.reset();
 }
 
-CarriedOver Process::exchange_mesh(NewPart anew) {
-  RemeshedPart& part = anew.part;
+CarriedOver Process::carry_over(const RemeshedPart& part) const {
   const mechanics::MeshLocator locator(scene_.mesh, positions());
   const std::vector<mechanics::MeshLocation> places = locator.locate(part.mesh.points);
-  const auto anew_at_nodes = [&](std::span<const double> nodal) {
+  const auto at_nodes = [&](std::span<const double> nodal) {
     return at_new_nodes(scene_.mesh, places, nodal);
   };
-  CarriedOver carried;
-  const auto new_nodes_at = [&](const Standing& time) { // (P.19)
-    std::vector<double> way(x0_.size());                // from there to now
+  const auto positions_in = [&](const RunState& state) { // (P.19)
+    std::vector<double> way(x0_.size());                 // from there to now
     for (std::size_t i = 0; i < way.size(); ++i)
-      way[i] = x_[i] - time.x[i];
+      way[i] = x_[i] - state.x[i];
     std::vector<double> x = mechanics::node_positions(part.mesh);
-    const std::vector<double> moved = anew_at_nodes(way);
+    const std::vector<double> moved = at_nodes(way);
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] -= moved[i];
     return x;
   };
-  const auto carry = [&](const Standing& from) {
+  const auto carry = [&](const RunState& from) {
     CarriedState result{from, stock_of(*bulk_, from), 0};
-    Standing& to = result.standing;
-    to.x = new_nodes_at(from);
+    RunState& to = result.state;
+    to.x = positions_in(from);
     mechanics::Mesh mesh = part.mesh;
     mesh.points = points_at(to.x, mesh);
     to.x.insert(to.x.end(), from.x.begin() + static_cast<std::ptrdiff_t>(x0_.size()), from.x.end());
@@ -201,24 +201,27 @@ CarriedOver Process::exchange_mesh(NewPart anew) {
     result.returned = state.returned;
     return result;
   };
+  CarriedOver carried;
+  carried.now = carry(run_state());
   // Where a side has folded over since then a good element may have come from nowhere.
-  if (begun_ && worst_quality(part.mesh, new_nodes_at(*begun_)) > 0.0)
+  if (begun_ && begun_->time < time_ && worst_quality(part.mesh, positions_in(*begun_)) > 0.0)
     carried.begun = carry(*begun_);
-  carried.now = carry(standing());
-  forget();
   if (!last_step_.empty()) {
-    carried.guess = anew_at_nodes(last_step_);
+    carried.guess = at_nodes(last_step_);
     carried.guess.insert(carried.guess.end(),
                          last_step_.begin() + static_cast<std::ptrdiff_t>(x0_.size()),
                          last_step_.end());
   }
-  std::vector<double> origins = anew_at_nodes(x0_);
-  velocity_ = anew_at_nodes(velocity_);
+  carried.origins = at_nodes(x0_);
+  carried.velocity = at_nodes(velocity_);
+  return carried;
+}
 
-  // Sums of what goes with the old mesh.
-  take_times();
+std::vector<contact::PointSource> Process::exchange_mesh(NewPart anew, const CarriedOver& carried) {
+  take_times(); // of what goes with the old mesh
   earlier_times_ = times_;
   earlier_work_ = solver_work();
+  forget();
   const std::unique_ptr<contact::ContactSurface> old_surface = std::move(surface_);
   terms_.clear();
   loads_.clear();
@@ -228,13 +231,14 @@ CarriedOver Process::exchange_mesh(NewPart anew) {
   contact_.reset();
   bulk_.reset();
 
-  scene_.mesh = std::move(part.mesh);
-  scene_.supports = std::move(part.supports);
-  scene_.loads = std::move(part.loads);
-  scene_.contact_faces = part.contact_faces;
+  scene_.mesh = std::move(anew.part.mesh);
+  scene_.supports = std::move(anew.part.supports);
+  scene_.loads = std::move(anew.part.loads);
+  scene_.contact_faces = std::move(anew.part.contact_faces);
   pattern_ = mechanics::block_pattern(scene_.mesh);
-  x0_ = std::move(origins);
-  x_ = carried.now.standing.x;
+  x0_ = carried.origins;
+  x_ = carried.now.state.x;
+  velocity_ = carried.velocity;
   const int dim = scene_.mesh.dimension();
   for (const Support& support : scene_.supports)
     for (const Index node : support.nodes) {
@@ -243,20 +247,22 @@ CarriedOver Process::exchange_mesh(NewPart anew) {
     }
   make_terms();
   analysis_before_run_ = newton_->solver_work().analysis;
-  if (contact_) {
-    carried.sources = anew.sources(*surface_, positions());
-    if (wear_)
-      wear_->change_surface(*surface_, carried.sources);
-  }
-  return carried;
+  if (!contact_)
+    return {};
+  std::vector<contact::PointSource> sources = anew.sources(*surface_, positions());
+  if (wear_)
+    wear_->change_surface(*surface_, sources);
+  return sources;
 }
 
-void Process::stand(const CarriedState& at,
-                    std::span<const contact::PointSource> sources,
-                    RemeshReport& report) {
-  const Standing& to = at.standing;
+void Process::start_from(const CarriedState& at,
+                         std::span<const contact::PointSource> sources,
+                         RemeshReport& report) {
+  const RunState& to = at.state;
   time_ = to.time;
-  x_ = trial_x_ = to.x;
+  x_ = to.x;
+  restore_volume(at.before.volume, to.contact, sources);
+  trial_x_ = x_;
   bulk_->adopt(x_, to.states, to.temperatures, to.plastic_work);
   bulk_->keep_volume(to.reference_volume);
   plastic_rate_ = to.plastic_rate;
@@ -268,7 +274,8 @@ void Process::stand(const CarriedState& at,
     contact_->start(x_, time_);
     contact_->go_on_from(to.contact, sources);
   }
-  const Stock after = stock_of(*bulk_, to);
+  Stock after = stock_of(*bulk_, to);
+  after.volume = bulk_->volume(x_);
   report.returned = at.returned;
   report.volume = {at.before.volume, after.volume};
   report.plastic_work = {at.before.plastic_work, after.plastic_work};
@@ -276,16 +283,34 @@ void Process::stand(const CarriedState& at,
   report.largest_strain = {at.before.largest_strain, after.largest_strain};
 }
 
+void Process::restore_volume(double volume,
+                             const contact::ContactState& contact,
+                             std::span<const contact::PointSource> sources) {
+  const auto touches = [&](const contact::PointSource& source) {
+    return std::any_of(contact.history.begin(), contact.history.end(),
+                       [&](const auto& tool) { return tool[source.nearest()].closed(); });
+  };
+  std::vector<char> touching(scene_.contact_faces.size(), 0);
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (touches(sources[i]))
+      touching[i / idx(surface_->points())] = 1;
+  constexpr double furthest = 0.01; // of an element: what the shape may change by unseen
+  process::restore_volume(
+      x_, free_normals(scene_, positions(), touching),
+      [this](std::span<const double> x) { return bulk_->volume(x); }, volume, furthest * side_);
+}
+
 void Process::settle(const CarriedOver& carried, RemeshReport& report) {
   const double dt = last_dt_;
   if (carried.begun) {
-    stand(*carried.begun, carried.sources, report);
-    report.again = restore_balance(report) && solve_again(carried.now.standing);
+    start_from(*carried.begun, carried.sources, report);
+    if (restore_balance(report))
+      report.again = solve_again(carried.now.state);
   }
-  report.balanced = report.again;
-  if (report.again)
+  report.balanced = report.again > 0;
+  if (report.balanced)
     return;
-  stand(carried.now, carried.sources, report);
+  start_from(carried.now, carried.sources, report);
   last_step_ = carried.guess;
   last_dt_ = dt;
   report.balanced = restore_balance(report);
@@ -312,7 +337,7 @@ bool Process::restore_balance(RemeshReport& report) {
   return true;
 }
 
-bool Process::solve_again(const Standing& end) {
+int Process::solve_again(const RunState& end) {
   const double length = end.time - time_;
   constexpr double shortest = 1.0 / 1024.0; // of that
   const double longest = std::min(longest_, length);
@@ -322,7 +347,7 @@ bool Process::solve_again(const Standing& end) {
     last_step_[i] -= x_[i];
   last_dt_ = length;
   const int iterations = last_iterations_;
-  int failures = 0;
+  int solved = 0, failures = 0;
   while (time_ < end.time && !control.exhausted()) {
     const double landing = next_landing(end.time);
     const double step = step_towards(landing - time_, control.next());
@@ -334,6 +359,7 @@ bool Process::solve_again(const Standing& end) {
       if (lands)
         time_ = landing;
       control.accepted(step, last_iterations_);
+      ++solved;
       failures = 0;
     } else {
       ++failures;
@@ -341,7 +367,7 @@ bool Process::solve_again(const Standing& end) {
     }
   }
   last_iterations_ = iterations;
-  return time_ == end.time;
+  return time_ == end.time ? solved : 0;
 }
 
 } // namespace billet::process

@@ -25,7 +25,7 @@ struct NewPart {
 };
 
 /// What a run goes on from at the end of an increment.
-struct Standing {
+struct RunState {
   double time = 0.0;     ///< [s]
   int increment = 0;     ///< the last one before it
   std::vector<double> x; ///< of the nodes, then of driven tools
@@ -50,7 +50,7 @@ struct Stock {
 
 /// A state on a new mesh; its contact is still that of the old one.
 struct CarriedState {
-  Standing standing;
+  RunState state;
   Stock before;     ///< on the old mesh
   int returned = 0; ///< points put back onto the yield surface
 };
@@ -58,9 +58,11 @@ struct CarriedState {
 /// Where the run is, on a new mesh, and where it was some increments ago.
 struct CarriedOver {
   CarriedState now;
-  std::optional<CarriedState> begun;
+  std::optional<CarriedState> begun; ///< empty: unknown, or the new elements had no shape then
   std::vector<contact::PointSource> sources; ///< of the new contact points
   std::vector<double> guess;                 ///< step that the next increment may start with
+  std::vector<double> origins;               ///< of the material at the nodes [mm]
+  std::vector<double> velocity;              ///< of the nodes [mm/s]
 };
 
 /// Scaled Jacobian of the worst element.

@@ -2,7 +2,7 @@
 //
 // An increment moves the tools, solves for equilibrium with contact found anew in every iteration,
 // and is accepted or cut back; the step grows on easy increments. Observers look at each accepted
-// increment and change nothing. Theory: docs/theory/process.md (P.1)-(P.20).
+// increment and change nothing. Theory: docs/theory/process.md (P.1)-(P.21).
 
 #pragma once
 
@@ -31,7 +31,8 @@ namespace billet::process {
 
 struct ContactZone;
 struct NewPart;
-struct Standing;
+struct RemeshedPart;
+struct RunState;
 struct CarriedOver;
 struct CarriedState;
 
@@ -102,7 +103,7 @@ struct RemeshReport {
   std::array<Index, 2> elements{}; ///< before and after
   std::array<Index, 2> nodes{};    ///< likewise
   Pair quality;                    ///< scaled Jacobian of the worst element [-]
-  bool again = false;              ///< the last increments were solved again on the new mesh
+  int again = 0; ///< increments of the past that were solved again on the new mesh
   // Of the state carried over: where these began, or now.
   Pair volume;              ///< [mm^3]
   Pair plastic_work;        ///< of the field of plastic strain [N mm]
@@ -312,9 +313,14 @@ private:
   /// @return why it could not be done; empty: it was. Then nothing has changed
   [[nodiscard]] std::string remesh(const std::string& cause,
                                    const std::vector<Observer*>& observers);
-  [[nodiscard]] CarriedOver exchange_mesh(NewPart part);
+  /// The states of the run on a new mesh, without the sources of its contact points. (P.16), (P.19)
+  [[nodiscard]] CarriedOver carry_over(const RemeshedPart& part) const;
+  /// Puts a new mesh in the place of the present one, with all that is built on a mesh.
+  /// @return where its contact points come from
+  [[nodiscard]] std::vector<contact::PointSource> exchange_mesh(NewPart anew,
+                                                                const CarriedOver& carried);
   /// Where the run is now.
-  [[nodiscard]] Standing standing() const;
+  [[nodiscard]] RunState run_state() const;
   /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
   void remember();
   void forget();
@@ -322,9 +328,13 @@ private:
   void settle(const CarriedOver& carried, RemeshReport& report);
   /// Goes on from a state that has been carried over to the present mesh, and notes what that has
   /// changed.
-  void stand(const CarriedState& at,
-             std::span<const contact::PointSource> sources,
-             RemeshReport& report);
+  void start_from(const CarriedState& at,
+                  std::span<const contact::PointSource> sources,
+                  RemeshReport& report);
+  /// Gives the part on its new mesh a volume by moving the surface that touches no tool. (P.21)
+  void restore_volume(double volume,
+                      const contact::ContactState& contact,
+                      std::span<const contact::PointSource> sources);
   /// The part on a new mesh; nothing of the run has changed.
   /// @throws Error(Fault::geometry) if it cannot be meshed
   [[nodiscard]] NewPart new_part() const;
@@ -359,8 +369,8 @@ private:
   /// @return whether it was found
   [[nodiscard]] bool restore_balance(RemeshReport& report);
   /// Solves again what led there. (P.19)
-  /// @return whether it could be solved
-  [[nodiscard]] bool solve_again(const Standing& end);
+  /// @return with how many increments; 0: it could not be solved
+  [[nodiscard]] int solve_again(const RunState& end);
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
 
   Scene scene_;
@@ -378,9 +388,9 @@ private:
   std::vector<double> x0_;
   std::vector<double> x_; ///< of the nodes, then of driven tools: shape (n_dofs + n_extra)
   std::vector<double> trial_x_;
-  std::unique_ptr<const Standing>
-      begun_; ///< far enough back for a new mesh to begin; none: unknown
-  std::unique_ptr<const Standing> later_; ///< that will be it one day
+  /// Far enough back for a new mesh to begin there; none: unknown.
+  std::unique_ptr<const RunState> begun_;
+  std::unique_ptr<const RunState> later_; ///< takes its place when the metal has flowed on
   double shape_energy_ = 0.0;             ///< elastic, without that of pressure [N mm]
   std::vector<double> last_step_;         ///< x_new - x_old of the last increment; empty: none
   double last_dt_ = 0.0;

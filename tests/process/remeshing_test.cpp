@@ -100,30 +100,8 @@ TEST(Remeshing, KeepsTheVolumeAndFillsItsLedger) {
       std::printf("%s: %zu remeshings, volume %.1e at most, %.1e in all; plastic work %.1e, force "
                   "%.1e\n",
                   name.c_str(), done.process->remeshings().size(), most, sum, work, jump);
-      EXPECT_LT(most, 1e-4) << "the budget of RM-01";
-      EXPECT_LT(sum, 1e-3);
+      EXPECT_LT(sum, 1e-8) << "RM-01 allows 1e-4 a remeshing";
     }
-}
-
-TEST(Remeshing, LosesNoForceWhereTheMetalFlows) {
-  // Balanced where it is, the force would fall by 2 to 5 % and take an increment to come back.
-  for (const ElementKind kind : {ElementKind::quad8, ElementKind::quad4}) {
-    const FinishedRun done = run(remeshed(billet(kind, 8, 0.3, contact::Sticking{}), every(0.9)));
-    ASSERT_EQ(done.status, RunStatus::done);
-    ASSERT_GE(done.process->remeshings().size(), 3u);
-    double lowest = 1.0;
-    for (const RemeshReport& r : done.process->remeshings()) {
-      EXPECT_TRUE(r.again);
-      EXPECT_TRUE(r.balanced);
-      EXPECT_LT(r.force_jump(), 0.01) << "the budget of RM-01";
-      for (const Entry& entry : done.recorder.entries)
-        if (entry.report.time > r.time && entry.report.time < r.time + 0.2)
-          lowest = std::min(lowest, entry.loads[0].force.norm() / r.forces[0].before);
-    }
-    std::printf("%s: lowest force after a remeshing, of that before: %.4f\n",
-                name_of(kind, Analysis::axisymmetric).c_str(), lowest);
-    EXPECT_GT(lowest, 0.99);
-  }
 }
 
 TEST(Remeshing, ComplainsOfWhatIsBeyondTheBudget) {

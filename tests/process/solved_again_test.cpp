@@ -1,0 +1,105 @@
+// The last part of the way solved again on a new mesh. (P.19), (P.20)
+
+#include "geometry/analytic_surfaces.h"
+#include "process/run.h"
+#include "tests/support/remeshed_billet.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace billet::process {
+namespace {
+
+TEST(SolvedAgain, LosesNoForceWhereTheMetalFlows) {
+  // Balanced where it is, the force would fall by 2 to 5 % and take an increment to come back.
+  for (const ElementKind kind : {ElementKind::quad8, ElementKind::quad4}) {
+    const FinishedRun done = run(remeshed(billet(kind, 8, 0.3, contact::Sticking{}), every(0.9)));
+    ASSERT_EQ(done.status, RunStatus::done);
+    ASSERT_GE(done.process->remeshings().size(), 3u);
+    double lowest = 1.0;
+    for (const RemeshReport& r : done.process->remeshings()) {
+      EXPECT_GT(r.again, 0);
+      EXPECT_TRUE(r.balanced);
+      EXPECT_LT(r.force_jump(), 0.01) << "the budget of RM-01";
+      for (const Entry& entry : done.recorder.entries)
+        if (entry.report.time > r.time && entry.report.time < r.time + 0.2)
+          lowest = std::min(lowest, entry.loads[0].force.norm() / r.forces[0].before);
+    }
+    std::printf("%s: lowest force after a remeshing, of that before: %.4f\n",
+                std::string(mechanics::name(kind)).c_str(), lowest);
+    EXPECT_GT(lowest, 0.99);
+  }
+}
+
+TEST(SolvedAgain, KeepsToTheIncrementsOfTheCase) {
+  const auto increments = [](double longest, std::vector<double> landings) {
+    Scene scene = remeshed(billet(ElementKind::quad8, 6, 0.1, contact::Sticking{}), every(0.9));
+    scene.increments.max = longest;
+    scene.landing_times = std::move(landings);
+    const FinishedRun done = run(std::move(scene));
+    EXPECT_EQ(done.status, RunStatus::done);
+    const std::span<const RemeshReport> ledger = done.process->remeshings();
+    EXPECT_FALSE(ledger.empty());
+    return ledger.empty() ? 0 : ledger[0].again;
+  };
+  const int fine = increments(0.01, {});
+  const int landing = increments(
+      0.3, {0.62, 0.64, 0.66, 0.68, 0.7, 0.72, 0.74, 0.76, 0.78, 0.8, 0.82, 0.84, 0.86, 0.88});
+  std::printf("increments solved again: at most 0.01 s %d, landing each 0.02 s %d\n", fine,
+              landing);
+  EXPECT_GE(fine, 8);
+  EXPECT_GE(landing, 6);
+}
+
+/// A square block of 10 mm in plane strain, pressed from above until t = 1, then from the side.
+Scene block_turned_over() {
+  Upsetting u;
+  u.analysis = Analysis::plane_strain;
+  u.mesh = mechanics::box_mesh(
+      {ElementKind::quad8, Vec3::Zero(), Vec3(10, 10, 0), {4, 4, 1}, {1, 1, 1}});
+  u.height = 10.0;
+  u.reduction = 0.1;
+  Scene scene = upsetting_scene(std::move(u));
+  scene.tools[0].active_to = 1.0;
+  contact::Tool side = moving_tool("side", geometry::make_plane({12, 0, 0}, {-1, 0, 0}), {0, 0, 0});
+  side.motion.velocity.reset();
+  side.motion.displacement =
+      std::array{TimeFunction({{1.0, 0.0}, {3.0, -2.5}}), TimeFunction(0.0), TimeFunction(0.0)};
+  scene.tools.push_back(std::move(side));
+  scene.touch = {1, 0};
+  scene.stages = {{"press", 3.0, {1, 1}, false}};
+  return scene;
+}
+
+TEST(SolvedAgain, BeginsAfterTheForcesOfAToolThatLeftHaveFaded) {
+  // Meshed anew as soon as the first die has gone: a way begun before would miss its forces.
+  const FinishedRun kept = run(block_turned_over());
+  Scene scene = block_turned_over();
+  scene.remesh = every(1.0);
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  const std::span<const RemeshReport> ledger = done.process->remeshings();
+  ASSERT_GE(ledger.size(), 2u);
+  EXPECT_LT(ledger[0].time, 1.2);
+  EXPECT_EQ(ledger[0].again, 0) << "from t = " << ledger[0].time;
+  EXPECT_GT(ledger[1].again, 0);
+  for (const RemeshReport& r : ledger) {
+    EXPECT_TRUE(r.balanced);
+    EXPECT_LT(r.force_jump(), 0.01) << r.time;
+  }
+  const double force = done.last().loads[1].force[0], without = kept.last().loads[1].force[0];
+  const double height = largest_position(done.last(), 2, 1);
+  const double height_without = largest_position(kept.last(), 2, 1);
+  std::printf("force from the side %.6g N, without remeshing %.6g; height %.6g mm, %.6g\n", force,
+              without, height, height_without);
+  EXPECT_NEAR(force, without, 0.01 * without);
+  EXPECT_NEAR(height, height_without, 1e-3 * height_without);
+}
+
+} // namespace
+} // namespace billet::process
