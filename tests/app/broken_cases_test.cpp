@@ -2,7 +2,7 @@
 
 #include "tests/app/broken_inputs.h"
 
-namespace billet::test {
+namespace billet::test::broken_cases_test {
 
 namespace {
 
@@ -252,4 +252,4 @@ INSTANTIATE_TEST_SUITE_P(scenes, BrokenCase, testing::ValuesIn(wrong_scenes()), 
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::broken_cases_test

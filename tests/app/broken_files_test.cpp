@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace billet::test {
+namespace billet::test::broken_files_test {
 
 namespace {
 
@@ -207,4 +207,4 @@ TEST(GoodFile, what_is_outside_of_the_folder_is_read_if_allowed) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::broken_files_test

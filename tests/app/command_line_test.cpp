@@ -5,7 +5,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace billet::test {
+namespace billet::test::command_line_test {
 
 namespace {
 
@@ -269,4 +269,4 @@ TEST_F(CommandLine, info_refuses_what_it_cannot_read) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::command_line_test

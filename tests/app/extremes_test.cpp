@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace billet::test {
+namespace billet::test::extremes_test {
 namespace {
 
 constexpr const char* billet_case = BILLET_SOURCE_DIR "/cases/billet-lippmann/case.toml";
@@ -170,4 +170,4 @@ TEST(Extremes, a_strip_through_a_roll_ends_by_name) {
 }
 
 } // namespace
-} // namespace billet::test
+} // namespace billet::test::extremes_test

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-namespace billet::test {
+namespace billet::test::meshed_domains_test {
 
 namespace {
 
@@ -157,4 +157,4 @@ TEST_F(MeshedDomains, WhatCannotBeMeshedIsSaidWithFileAndRemedy) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::meshed_domains_test

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace billet::test {
+namespace billet::test::penetration_limit_test {
 
 namespace {
 
@@ -63,4 +63,4 @@ TEST_F(PenetrationLimitOfACase, stops_the_run_where_it_cannot_be_met) {
 }
 
 } // namespace
-} // namespace billet::test
+} // namespace billet::test::penetration_limit_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::test {
+namespace billet::test::presses_test {
 
 namespace {
 
@@ -107,4 +107,4 @@ TEST_F(Presses, ACrankEndsAnIncrementAtItsDeadCentre) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::presses_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace billet::test {
+namespace billet::test::rate_laws_test {
 
 namespace {
 
@@ -91,4 +91,4 @@ TEST_F(RateLaws, a_molten_workpiece_is_told) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::rate_laws_test

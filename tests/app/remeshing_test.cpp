@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::test {
+namespace billet::test::remeshing_test {
 
 namespace {
 
@@ -218,4 +218,4 @@ TEST_F(Remeshing, IsDescribedByCheck) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::remeshing_test

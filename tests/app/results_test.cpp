@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace billet::test {
+namespace billet::test::results_test {
 
 namespace {
 
@@ -282,4 +282,4 @@ TEST_F(Results, do_not_depend_on_the_number_of_threads) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::results_test

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace billet::test {
+namespace billet::test::trouble_test {
 
 namespace {
 
@@ -245,4 +245,4 @@ TEST_F(Trouble, too_little_memory_ends_with_status_7) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::trouble_test

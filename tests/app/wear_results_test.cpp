@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace billet::test {
+namespace billet::test::wear_results_test {
 
 namespace {
 
@@ -114,4 +114,4 @@ TEST_F(WearResults, of_an_elastic_workpiece_ask_for_its_hardness) {
 
 } // namespace
 
-} // namespace billet::test
+} // namespace billet::test::wear_results_test

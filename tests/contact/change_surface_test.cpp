@@ -13,7 +13,7 @@
 #include <numeric>
 #include <vector>
 
-namespace billet::contact {
+namespace billet::contact::change_surface_test {
 namespace {
 
 constexpr double rounding = 1e-10; // pressures of 1e3 from gaps of 1e-5 beside coordinates of 1
@@ -262,4 +262,4 @@ TEST(ChangeOfSurface, KeepsWhatIsWorn) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::change_surface_test

@@ -11,7 +11,7 @@
 
 #include <cstdio>
 
-namespace billet::contact {
+namespace billet::contact::contact_certificate_test {
 namespace {
 
 constexpr double rounding = 1e-12; // of coordinates of order 1
@@ -150,4 +150,4 @@ TEST(ContactCertificate, CostsNothingWhereKnownDistancesKeepFacesClear) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::contact_certificate_test

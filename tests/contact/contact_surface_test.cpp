@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-namespace billet::contact {
+namespace billet::contact::contact_surface_test {
 namespace {
 
 constexpr double rounding = 1e-12; // a few hundred units in the last place of sizes of order 1
@@ -140,4 +140,4 @@ TEST(ContactSurface, SamplesAFaceWithItsCorners) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::contact_surface_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <tuple>
 
-namespace billet::contact {
+namespace billet::contact::contact_term_tangent_test {
 namespace {
 
 constexpr double tolerance = 1e-6; // DESIGN: tangents to 1e-6 of their norm
@@ -161,4 +161,4 @@ INSTANTIATE_TEST_SUITE_P(EveryElement,
                                           testing::Bool()));
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::contact_term_tangent_test

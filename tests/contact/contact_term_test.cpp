@@ -12,7 +12,7 @@
 #include <numeric>
 #include <random>
 
-namespace billet::contact {
+namespace billet::contact::contact_term_test {
 namespace {
 
 constexpr double rounding = 1e-12; // a few hundred units in the last place of sizes of order 1
@@ -228,4 +228,4 @@ TEST(ContactTerm, HandsOverItsForcesWhenAToolIsReleased) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::contact_term_test

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <random>
 
-namespace billet::contact {
+namespace billet::contact::contact_work_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -202,4 +202,4 @@ TEST(ContactWork, BalancesAtVaryingPressure) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::contact_work_test

@@ -8,7 +8,7 @@
 
 #include <cstdio>
 
-namespace billet::contact {
+namespace billet::contact::drive_test {
 namespace {
 
 /// A round tool under a body, free to travel and to turn; the body is pressed a little into it.
@@ -98,4 +98,4 @@ TEST(Drive, unknowns_follow_the_order_of_the_tools) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::drive_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace billet::contact {
+namespace billet::contact::enforcement_test {
 namespace {
 
 ContactBench on_the_floor(const Friction& law) {
@@ -108,4 +108,4 @@ TEST(Enforcement, KeepsTheBooksOfEnergy) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::enforcement_test

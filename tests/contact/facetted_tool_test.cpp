@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <numbers>
 
-namespace billet::contact {
+namespace billet::contact::facetted_tool_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -108,4 +108,4 @@ TEST(FacettedTool, NewtonDoesNotCycleFromAnEdgeOfTheFacets) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::facetted_tool_test

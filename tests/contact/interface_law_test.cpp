@@ -12,7 +12,7 @@
 #include <random>
 #include <utility>
 
-namespace billet::contact {
+namespace billet::contact::interface_law_test {
 namespace {
 
 constexpr double rounding = 1e-12; // a few hundred units in the last place of 1
@@ -264,4 +264,4 @@ TEST(InterfaceLaw, NeverGainsEnergyOnARandomWalk) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::interface_law_test

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace billet::contact {
+namespace billet::contact::interface_tangent_test {
 namespace {
 
 struct Shape {
@@ -124,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(EveryLaw,
                                           testing::Range(0, 4)));
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::interface_tangent_test

@@ -18,7 +18,7 @@
 #include <cstdio>
 #include <type_traits>
 
-namespace billet::contact {
+namespace billet::contact::mixed_element_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -276,4 +276,4 @@ TEST(MixedLine3, LetsTheAlternatingModePassWithoutEnergy) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::mixed_element_test

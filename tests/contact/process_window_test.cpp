@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::contact {
+namespace billet::contact::process_window_test {
 namespace {
 
 /// Two contact points over two integration points of the bulk.
@@ -69,4 +69,4 @@ TEST(ProcessWindow, keeps_tools_apart_and_sums_them_up) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::process_window_test

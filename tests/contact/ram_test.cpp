@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-namespace billet::contact {
+namespace billet::contact::ram_test {
 namespace {
 
 constexpr double mass = 2.0;    // [N s^2/mm]
@@ -58,4 +58,4 @@ TEST(Ram, has_a_stiffness_that_is_the_slope_of_its_inertia) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::ram_test

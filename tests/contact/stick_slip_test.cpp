@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace billet::contact {
+namespace billet::contact::stick_slip_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -206,4 +206,4 @@ TEST(StickSlip, AReversalOfAFilmIsMonotone) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::stick_slip_test

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-namespace billet::contact {
+namespace billet::contact::wear_map_test {
 namespace {
 
 using mechanics::Analysis;
@@ -183,4 +183,4 @@ TEST(WearMap, gives_what_lies_beyond_a_rim_to_the_nearest_cell) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::wear_map_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::contact {
+namespace billet::contact::wear_test {
 namespace {
 
 constexpr PairWear law{{1e-4, 8000.0}, Archard{1e-3, 2000.0}};
@@ -190,4 +190,4 @@ TEST(Wear, is_wanted_only_with_a_law) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::wear_test

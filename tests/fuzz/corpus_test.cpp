@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace billet::fuzz {
+namespace billet::fuzz::corpus_test {
 namespace {
 
 class FuzzCorpus : public testing::TestWithParam<Target> {};
@@ -35,4 +35,4 @@ INSTANTIATE_TEST_SUITE_P(all,
                          name_of);
 
 } // namespace
-} // namespace billet::fuzz
+} // namespace billet::fuzz::corpus_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::analytic_surfaces_test {
 namespace {
 
 constexpr double rounding = 1e-12; // coordinates up to 10
@@ -298,4 +298,4 @@ TEST(AnalyticSurfaces, ValuesOutOfRangeAreRefused) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::analytic_surfaces_test

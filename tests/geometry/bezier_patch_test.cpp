@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::bezier_patch_test {
 namespace {
 
 constexpr double rounding = 1e-14; // of coordinates of order 1
@@ -154,4 +154,4 @@ TEST(BezierPatch, IsCutAcrossItsLongerSide) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::bezier_patch_test

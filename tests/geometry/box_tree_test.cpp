@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::box_tree_test {
 namespace {
 
 std::vector<Box> random_boxes(std::size_t n, const Vec3& centre) {
@@ -76,4 +76,4 @@ TEST(BoxTree, AnEmptyTreeHasNothingToVisit) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::box_tree_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace billet::geometry {
+namespace billet::geometry::convex_polygon_test {
 namespace {
 
 const std::array<Vec3, 3> triangle{Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(0, 4, 1)};
@@ -66,4 +66,4 @@ TEST(ConvexPolygon, of_a_line_is_a_line) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::convex_polygon_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::geometry {
+namespace billet::geometry::crank_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -58,4 +58,4 @@ TEST(Crank, knows_when_it_is_at_the_bottom) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::crank_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::domain_remesher_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -448,4 +448,4 @@ TEST(DomainRemesher, HasAsManyTrianglesAsItsSizesAskFor) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::domain_remesher_test

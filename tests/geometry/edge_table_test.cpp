@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::geometry {
+namespace billet::geometry::edge_table_test {
 namespace {
 
 TEST(EdgeTable, EveryEdgeOfAClosedBodyHasTwoSidesThatRunOppositeWays) {
@@ -26,4 +26,4 @@ TEST(EdgeTable, EveryEdgeOfAClosedBodyHasTwoSidesThatRunOppositeWays) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::edge_table_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::facet_body_test {
 namespace {
 
 /// @param size  of the scene, and factor on the mesh's coordinates
@@ -167,4 +167,4 @@ TEST(FacetBody, ProfilesInThePlaneHaveDistancesAndCuts) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::facet_body_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::first_contact_test {
 namespace {
 
 constexpr double precision = 1e-9; // gap 1e-12 of a size of 10, over a slope of 0.01
@@ -158,4 +158,4 @@ TEST(FirstContact, FacetsMeetWhereFclSeesThemTouchAndNotLater) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::first_contact_test

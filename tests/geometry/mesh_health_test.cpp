@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace billet::geometry {
+namespace billet::geometry::mesh_health_test {
 namespace {
 
 TEST(MeshHealth, AspectRatiosAreTheLongestSideOverTheSmallestHeight) {
@@ -46,4 +46,4 @@ TEST(MeshHealth, FeatureEdgesAreSharperThanTheAngle) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::mesh_health_test

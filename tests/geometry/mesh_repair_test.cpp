@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-namespace billet::geometry {
+namespace billet::geometry::mesh_repair_test {
 namespace {
 
 constexpr double tolerance = 1e-4;
@@ -166,4 +166,4 @@ TEST(MeshRepair, WhatCannotBeMendedIsLeftForTheComplaints) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::mesh_repair_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::mesher_2d_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -146,4 +146,4 @@ TEST(OutlineMesh, RefusesWhatIsNoDomain) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::mesher_2d_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::mesher_3d_test {
 namespace {
 
 /// An L of thickness 1: 3 x 3 with arms 1 wide.
@@ -107,4 +107,4 @@ TEST(SolidMesh, RefusesWhatIsNoBody) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::mesher_3d_test

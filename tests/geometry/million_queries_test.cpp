@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::million_queries_test {
 namespace {
 
 constexpr std::size_t queries = 200'000; // of one surface
@@ -282,4 +282,4 @@ TEST_P(MillionQueries, GiveTheSameBitsInAnyOrderWithAnyHintFromAnyThread) {
 INSTANTIATE_TEST_SUITE_P(dies, MillionQueries, testing::Range<std::size_t>(0, 5));
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::million_queries_test

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace billet::geometry {
+namespace billet::geometry::motion_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -39,4 +39,4 @@ TEST(Motion, VelocityDisplacementOffsetAndRotationAddUp) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::motion_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::passage_test {
 namespace {
 
 /// A plate |x| < width/2, |y| < 5, |z| < 5.
@@ -155,4 +155,4 @@ TEST(Passage, RandomWaysThroughABumpyBodyAgreeWithDenseSampling) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::passage_test

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::penetration_bound_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -232,4 +232,4 @@ TEST(PenetrationBound, HoldsForTriangles) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::penetration_bound_test

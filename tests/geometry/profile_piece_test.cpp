@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::geometry {
+namespace billet::geometry::profile_piece_test {
 namespace {
 
 constexpr double rounding = 1e-13; // coordinates up to 3
@@ -67,4 +67,4 @@ TEST(ProfilePiece, AnOpenProfileKeepsItsEndsAndAClosedOneGetsItsLine) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::profile_piece_test

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::profile_test {
 namespace {
 
 constexpr double rounding = 1e-12; // coordinates up to 10
@@ -268,4 +268,4 @@ TEST(Profile, TheClosingLineIsAddedOnlyWhereItIsMissing) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::profile_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::random_outlines_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -78,4 +78,4 @@ TEST(RandomOutlines, AThousandAreMeshedOrRefusedWithAPlace) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::random_outlines_test

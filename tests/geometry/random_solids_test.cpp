@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::random_solids_test {
 namespace {
 
 /// The body of that number; none if its outline touches itself.
@@ -81,4 +81,4 @@ TEST(RandomSolidsLong, AHundredAreMeshedOrRefusedWithAPlace) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::random_solids_test

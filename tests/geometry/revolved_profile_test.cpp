@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::revolved_profile_test {
 namespace {
 
 constexpr double rounding = 1e-12; // coordinates up to 10
@@ -305,4 +305,4 @@ TEST(RevolvedProfile, WhatCannotBeTurnedIsRefused) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::revolved_profile_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::rigid_surface_test {
 namespace {
 
 TEST(RigidSurface, ABatchGivesWhatItsPointsGiveAloneAndOverwritesOldResults) {
@@ -21,4 +21,4 @@ TEST(RigidSurface, ABatchGivesWhatItsPointsGiveAloneAndOverwritesOldResults) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::rigid_surface_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace billet::geometry {
+namespace billet::geometry::segment_pair_test {
 namespace {
 
 constexpr double precision = 1e-12;
@@ -53,4 +53,4 @@ TEST(SegmentPair, TouchingOrParallelSegmentsDoNotCut) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::segment_pair_test

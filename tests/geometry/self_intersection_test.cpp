@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace billet::geometry {
+namespace billet::geometry::self_intersection_test {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
@@ -131,4 +131,4 @@ TEST(SelfIntersection, AHeapOfTrianglesEndsTheSearch) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::self_intersection_test

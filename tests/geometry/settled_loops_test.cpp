@@ -1,8 +1,7 @@
 // A boundary that lies inside a tool is divided and laid on it before it is resampled.
 
-#include "geometry/settled_loops.h"
-
 #include "geometry/domain_remesher.h"
+#include "geometry/settled_loops.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::settled_loops_test {
 namespace {
 
 /// Depth of a wedge of 90 degrees pointing down at x = 1 into the square [0, 2] x [-2, 0].
@@ -114,17 +113,18 @@ TEST(SettledLoops, ANotchIsMeshedWithSoundSidesAndTheMeasureKept) {
     const double first = (side.middle - a).norm(), second = (b - side.middle).norm();
     EXPECT_LT(std::max(first, second), 1.5 * std::min(first, second));
   }
-  const auto lowest = std::min_element(
-      domain.mesh.boundary.begin(), domain.mesh.boundary.end(),
-      [&](const BoundarySide& a, const BoundarySide& b) {
-        const auto height = [&](const BoundarySide& side) {
-          const Vec2& x = domain.mesh.points[static_cast<std::size_t>(side.corners[0])];
-          return side.segment == 1 && std::abs(x.x() - 1.0) < 0.5 ? x.y() : 1.0;
-        };
-        return height(a) < height(b);
-      });
+  const auto lowest =
+      std::min_element(domain.mesh.boundary.begin(), domain.mesh.boundary.end(),
+                       [&](const BoundarySide& a, const BoundarySide& b) {
+                         const auto height = [&](const BoundarySide& side) {
+                           const Vec2& x =
+                               domain.mesh.points[static_cast<std::size_t>(side.corners[0])];
+                           return side.segment == 1 && std::abs(x.x() - 1.0) < 0.5 ? x.y() : 1.0;
+                         };
+                         return height(a) < height(b);
+                       });
   EXPECT_NEAR(domain.mesh.points[static_cast<std::size_t>(lowest->corners[0])].y(), -depth, 0.03);
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::settled_loops_test

@@ -16,7 +16,7 @@
 #include <numbers>
 #include <random>
 
-namespace billet::geometry {
+namespace billet::geometry::smooth_accuracy_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -218,4 +218,4 @@ TEST(SmoothAccuracy, SpeedOfAQueryForTheRecord) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::smooth_accuracy_test

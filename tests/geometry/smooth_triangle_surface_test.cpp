@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::smooth_triangle_surface_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -385,4 +385,4 @@ TEST(SmoothTriangleSurface, DamagedMeshesAreRefused) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::smooth_triangle_surface_test

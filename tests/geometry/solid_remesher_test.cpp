@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::solid_remesher_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -283,4 +283,4 @@ TEST(SolidRemesher, GivesTheSameMeshEveryTime) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::solid_remesher_test

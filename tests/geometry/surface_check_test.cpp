@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace billet::geometry {
+namespace billet::geometry::surface_check_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -31,4 +31,4 @@ TEST(SurfaceCheck, SoundValuesPass) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::surface_check_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::geometry {
+namespace billet::geometry::surface_of_revolution_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -36,4 +36,4 @@ TEST(SurfaceOfRevolution, TheDiskExtentIsTheHalfWidthOfACircle) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::surface_of_revolution_test

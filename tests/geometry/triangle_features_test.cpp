@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::geometry {
+namespace billet::geometry::triangle_features_test {
 namespace {
 
 constexpr double rounding = 1e-12; // coordinates up to 3
@@ -45,4 +45,4 @@ TEST(TriangleFeatures, TwoTrianglesNameTheSameFeatureWithTheSameBits) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::triangle_features_test

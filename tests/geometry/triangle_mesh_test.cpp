@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::geometry {
+namespace billet::geometry::triangle_mesh_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -138,4 +138,4 @@ TEST(TriangleMesh, TheVolumeSurvivesALargeOffset) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::triangle_mesh_test

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace billet::geometry {
+namespace billet::geometry::triangle_surface_test {
 namespace {
 
 constexpr double rounding = 1e-12; // coordinates up to 3
@@ -233,4 +233,4 @@ TEST(TriangleSurface, DamagedMeshesAreRefused) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::triangle_surface_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace billet::geometry {
+namespace billet::geometry::triangle_surroundings_test {
 namespace {
 
 Surroundings around(const TriangleMesh& mesh, std::int32_t triangle) {
@@ -83,4 +83,4 @@ TEST(TriangleSurroundings, WhatIsCertainIsRight) {
 }
 
 } // namespace
-} // namespace billet::geometry
+} // namespace billet::geometry::triangle_surroundings_test

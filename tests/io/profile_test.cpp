@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace billet::io {
+namespace billet::io::profile_test {
 namespace {
 
 class ProfileFile : public testing::Test {
@@ -128,4 +128,4 @@ TEST_F(ProfileFile, AChainThatCrossesItselfIsRefused) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::profile_test

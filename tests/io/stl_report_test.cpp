@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace billet::io {
+namespace billet::io::stl_report_test {
 namespace {
 
 class StlReport : public testing::Test {
@@ -70,4 +70,4 @@ TEST(SizeWarning, NamesTheUnitTheFileIsLikelyToBeIn) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::stl_report_test

@@ -16,7 +16,7 @@
 #include <random>
 #include <string>
 
-namespace billet::io {
+namespace billet::io::stl_test {
 namespace {
 
 using geometry::TriangleMesh;
@@ -252,4 +252,4 @@ TEST_F(Stl, AFileThatCannotBeWrittenIsAnError) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::stl_test

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <set>
 
-namespace billet::io {
+namespace billet::io::stl_zoo_test {
 namespace {
 
 constexpr unsigned seeds = 5;
@@ -115,4 +115,4 @@ TEST(StlZooItself, HasManyKindsEachWithItsName) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::stl_zoo_test

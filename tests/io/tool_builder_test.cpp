@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::io {
+namespace billet::io::tool_builder_test {
 namespace {
 
 /// A roll of radius 10 with 36 facets, as the tool of a case.
@@ -148,4 +148,4 @@ TEST_F(ToolBuilder, RefusesADirectionOfFrictionThatIsNormalToThePlane) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::tool_builder_test

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace billet::mechanics {
+namespace billet::mechanics::bulk_test {
 namespace {
 
 using support::every_element;
@@ -165,4 +165,4 @@ TEST(Bulk, NUM_05_assembles_the_same_bits_with_1_and_2_threads) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::bulk_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::mechanics {
+namespace billet::mechanics::domain_meshes_test {
 namespace {
 
 // A quarter of a disc of radius 5 with a hole of radius 1.
@@ -54,4 +54,4 @@ TEST(DomainMeshes, TetrahedraFillTheBody) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::domain_meshes_test

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace billet::mechanics {
+namespace billet::mechanics::element_kernel_test {
 namespace {
 
 using support::ElementCase;
@@ -175,4 +175,4 @@ TEST(ElementKernel, takes_the_pressure_from_the_mean_dilatation_in_linear_elemen
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::element_kernel_test

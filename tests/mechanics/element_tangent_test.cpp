@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace billet::mechanics {
+namespace billet::mechanics::element_tangent_test {
 namespace {
 
 using support::ElementCase;
@@ -118,4 +118,4 @@ TEST(ElementTangent, evaluation_repeats_to_the_bit_and_leaves_the_history_alone)
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::element_tangent_test

@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-namespace billet::mechanics {
+namespace billet::mechanics::linear_solver_test {
 namespace {
 
 /// `skew`: too far from symmetric for the symmetric part to help.
@@ -375,4 +375,4 @@ TEST(FillReducingOrder, is_a_permutation_that_keeps_the_unknowns_of_a_node_toget
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::linear_solver_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace billet::mechanics {
+namespace billet::mechanics::loads_test {
 namespace {
 
 using support::every_element;
@@ -260,4 +260,4 @@ TEST(Loads, grounding_resists_motion_within_the_increment_only) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::loads_test

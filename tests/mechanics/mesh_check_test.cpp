@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace billet::mechanics {
+namespace billet::mechanics::mesh_check_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
@@ -224,4 +224,4 @@ TEST(CheckMesh, nodes_without_an_element_are_found_and_can_be_dropped) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::mesh_check_test

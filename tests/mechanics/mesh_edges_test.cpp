@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace billet::mechanics {
+namespace billet::mechanics::mesh_edges_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
@@ -32,4 +32,4 @@ TEST(MeshEdges, each_corner_has_as_many_edges_as_the_cell_has_dimensions) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::mesh_edges_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-namespace billet::mechanics {
+namespace billet::mechanics::mesh_generators_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
@@ -241,4 +241,4 @@ TEST(QuadraticMesh, puts_one_node_in_the_middle_of_each_edge) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::mesh_generators_test

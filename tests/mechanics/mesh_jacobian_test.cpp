@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace billet::mechanics {
+namespace billet::mechanics::mesh_jacobian_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
@@ -67,4 +67,4 @@ TEST(MeshJacobian, weights_add_up_to_the_volume_of_the_reference_cell) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::mesh_jacobian_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::mechanics {
+namespace billet::mechanics::mesh_locator_test {
 namespace {
 
 using support::transfer_kinds;
@@ -128,4 +128,4 @@ TEST(MeshLocator, places_do_not_depend_on_the_unit_of_length) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::mesh_locator_test

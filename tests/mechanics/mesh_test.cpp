@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace billet::mechanics {
+namespace billet::mechanics::mesh_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
@@ -138,4 +138,4 @@ TEST(Mesh, a_single_cell_is_all_boundary) {
 TEST(Mesh, an_empty_mesh_has_no_boundary) { EXPECT_TRUE(boundary_faces(Mesh{}).empty()); }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::mesh_test

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::mechanics {
+namespace billet::mechanics::newton_test {
 namespace {
 
 using support::every_element;
@@ -183,4 +183,4 @@ TEST(Newton, reports_an_increment_that_has_no_solution) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::newton_test

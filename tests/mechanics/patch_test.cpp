@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace billet::mechanics {
+namespace billet::mechanics::patch_test {
 namespace {
 
 using support::Patch;
@@ -211,4 +211,4 @@ TEST(Patch, ELT_04_axisymmetric_stretch_is_homogeneous_also_at_the_axis) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::patch_test

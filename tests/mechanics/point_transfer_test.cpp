@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace billet::mechanics {
+namespace billet::mechanics::point_transfer_test {
 namespace {
 
 using support::PointwiseField;
@@ -350,4 +350,4 @@ TEST(PointTransfer, rings_are_the_neighbours_across_corners) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::point_transfer_test

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-namespace billet::mechanics {
+namespace billet::mechanics::simplex_cells_test {
 namespace {
 
 TEST(SimplexCells, fill_the_cells_and_match_whatever_the_order) {
@@ -45,4 +45,4 @@ TEST(SimplexCells, of_equal_ranks_the_lower_number_is_cut_from) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::simplex_cells_test

@@ -9,7 +9,7 @@
 #include <array>
 #include <set>
 
-namespace billet::mechanics {
+namespace billet::mechanics::sparse_matrix_test {
 namespace {
 
 constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::hex8,
@@ -160,4 +160,4 @@ TEST(SparseMatrix, asymmetry_is_that_of_the_dense_matrix) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::sparse_matrix_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <limits>
 
-namespace billet::mechanics {
+namespace billet::mechanics::spectral_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -116,4 +116,4 @@ TEST(LogDifference, is_the_divided_difference_of_the_logarithm) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::spectral_test

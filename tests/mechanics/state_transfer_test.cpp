@@ -16,7 +16,7 @@
 #include <limits>
 #include <set>
 
-namespace billet::mechanics {
+namespace billet::mechanics::state_transfer_test {
 namespace {
 
 using support::every_element;
@@ -478,4 +478,4 @@ TEST(StateTransfer, takes_milliseconds_in_the_plane_and_a_second_in_space) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::state_transfer_test

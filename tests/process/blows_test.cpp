@@ -12,7 +12,7 @@
 #include <numbers>
 #include <utility>
 
-namespace billet::process {
+namespace billet::process::blows_test {
 namespace {
 
 constexpr double height = 15.0;
@@ -255,4 +255,4 @@ TEST(Blow, is_the_same_in_any_unit_and_frame) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::blows_test

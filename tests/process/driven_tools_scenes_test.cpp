@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace billet::process {
+namespace billet::process::driven_tools_scenes_test {
 namespace {
 
 constexpr double side = 10.0;   // of the block [mm]
@@ -163,4 +163,4 @@ TEST(DrivenTools, come_by_stage) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::driven_tools_scenes_test

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::driven_tools_test {
 namespace {
 
 /// A billet under a flat die that a force presses: up, kept, and taken away.
@@ -112,4 +112,4 @@ TEST(DrivenTools, must_touch_what_they_press) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::driven_tools_test

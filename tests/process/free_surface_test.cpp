@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::free_surface_test {
 namespace {
 
 /// A bar without load, its first faces touched by a tool where `touching` says so.
@@ -98,4 +98,4 @@ TEST(FreeSurface, MovesNoFurtherThanItMayAndNotWhereAllTouches) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::free_surface_test

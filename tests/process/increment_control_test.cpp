@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace billet::process {
+namespace billet::process::increment_control_test {
 namespace {
 
 constexpr IncrementControl::Limits limits{0.01, 1e-7, 1.0};
@@ -96,4 +96,4 @@ TEST(IncrementControl, EndsAtTheShortest) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::increment_control_test

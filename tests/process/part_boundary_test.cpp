@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::part_boundary_test {
 namespace {
 
 constexpr double width = 8.0;
@@ -473,4 +473,4 @@ TEST(PointSources, BeyondTheLastPointAreThatPoint) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::part_boundary_test

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::passage_guard_test {
 namespace {
 
 /// An upright blade, its front at x = -1, as high as the block and a little more.
@@ -128,4 +128,4 @@ TEST(PassageGuard, ATravelOfADrivenDieCounts) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::passage_guard_test

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::penetration_limit_test {
 namespace {
 
 /// A block or cylinder of height 15 under a flat die, with so soft a penalty that it shows.
@@ -118,4 +118,4 @@ TEST(PenetrationLimit, StopsWithTheReasonWhereTheToolPassesBetweenPoints) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::penetration_limit_test

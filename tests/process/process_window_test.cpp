@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace billet::process {
+namespace billet::process::process_window_test {
 namespace {
 
 using contact::WindowQuantity;
@@ -90,4 +90,4 @@ TEST(ProcessWindowOfARun, IsThatOfABlockThatSlides) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::process_window_test

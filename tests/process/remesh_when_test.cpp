@@ -16,7 +16,7 @@
 #include <string>
 #include <utility>
 
-namespace billet::process {
+namespace billet::process::remesh_when_test {
 namespace {
 
 TEST(Remeshing, ComesForWhateverItIsToldTo) {
@@ -160,4 +160,4 @@ TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::remesh_when_test

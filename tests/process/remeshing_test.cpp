@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::remeshing_test {
 namespace {
 
 std::string name_of(ElementKind kind, Analysis analysis) {
@@ -462,4 +462,4 @@ TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::remeshing_test

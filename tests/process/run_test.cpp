@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::run_test {
 namespace {
 
 /// A cylinder of radius 10 and half height 15, few elements.
@@ -158,4 +158,4 @@ TEST(Process, EndsAnImpossibleCaseWithAPostMortem) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::run_test

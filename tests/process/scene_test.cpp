@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::process {
+namespace billet::process::scene_test {
 namespace {
 
 Scene unheld(ElementKind kind, Analysis analysis) {
@@ -47,4 +47,4 @@ TEST(Scene, KnowsThatARadiusHoldsNoAxialMotion) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::scene_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::solid_remeshing_test {
 namespace {
 
 constexpr double radius = 5.0;
@@ -202,4 +202,4 @@ TEST(SolidRemeshing, GivesTheSameBitsForAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::solid_remeshing_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace billet::process {
+namespace billet::process::solved_again_test {
 namespace {
 
 TEST(SolvedAgain, LosesNoForceWhereTheMetalFlows) {
@@ -102,4 +102,4 @@ TEST(SolvedAgain, BeginsAfterTheForcesOfAToolThatLeftHaveFaded) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::solved_again_test

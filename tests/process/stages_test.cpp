@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::stages_test {
 namespace {
 
 constexpr double height = 15.0;
@@ -142,4 +142,4 @@ TEST(Stages, LetARollDragAStrip) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::stages_test

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::tool_meetings_test {
 namespace {
 
 using geometry::Motion;
@@ -258,4 +258,4 @@ TEST(ToolMeetings, RandomDiesAgreeWithSmallSteps) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::tool_meetings_test

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::touch_test {
 namespace {
 
 /// One element of side 2 with its top at 0, in the middle of x and z (and y in space), a tool
@@ -155,4 +155,4 @@ TEST(Touch, ADrivenToolRestsOnAContactPoint) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::touch_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::contact_hertz_test {
 namespace {
 
 constexpr double young = 210e3;
@@ -301,4 +301,4 @@ TEST(HertzInSpaceLong, ComesCloserOnFinerMeshes) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::contact_hertz_test

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::contact_patch_test {
 namespace {
 
 constexpr double pressure = 10.0;
@@ -218,4 +218,4 @@ TEST(PressedBlock, IsStoppedByAFloorThatItIsALittleInside) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::contact_patch_test

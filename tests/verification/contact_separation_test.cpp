@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace billet::process {
+namespace billet::process::contact_separation_test {
 namespace {
 
 constexpr double height = 15.0;
@@ -74,4 +74,4 @@ TEST(Separation, LosesNoEnergyWithoutFriction) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::contact_separation_test

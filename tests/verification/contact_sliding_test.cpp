@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <numbers>
 
-namespace billet::process {
+namespace billet::process::contact_sliding_test {
 namespace {
 
 constexpr double mu = 0.2, pressure = 100.0, area = 100.0, stick_stiffness = 1000.0;
@@ -172,4 +172,4 @@ TEST(TrescaFriction, IsCappedByTheHardeningMaterialBeneath) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::contact_sliding_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace billet::process {
+namespace billet::process::contact_wear_test {
 namespace {
 
 using support::show;
@@ -198,4 +198,4 @@ TEST(ArchardWear, DoesNotDependOnUnits) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::contact_wear_test

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::forming_billet_test {
 namespace {
 
 constexpr double height = 15.0;
@@ -141,4 +141,4 @@ TEST(BilletFriction, LosesNoMoreThanTwoPercentToTheCornerWithTheMixedRule) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::forming_billet_test

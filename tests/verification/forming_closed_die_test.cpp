@@ -16,7 +16,7 @@
 #include <utility>
 #include <variant>
 
-namespace billet::process {
+namespace billet::process::forming_closed_die_test {
 namespace {
 
 constexpr double side = 10.0;
@@ -132,4 +132,4 @@ TEST(ClosedDie, FillsItsCornersWhateverTheFriction) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::forming_closed_die_test

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::forming_friction_test {
 namespace {
 
 /// Perfectly plastic but for the hardening of the reference code.
@@ -208,4 +208,4 @@ TEST(Capstan, MultipliesThePullByTheExponentialOfTheAngle) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::forming_friction_test

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::forming_punch_test {
 namespace {
 
 constexpr double yield = 200.0;                                // [MPa]
@@ -225,4 +225,4 @@ TEST(PunchLong, FRM_07_other_elements_lead_to_the_same_limit) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::forming_punch_test

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::forming_rolling_test {
 namespace {
 
 /// A pass of a strip between two rolls.
@@ -245,4 +245,4 @@ TEST(Rolling, FRM_11_friction_below_the_bite_does_not) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::forming_rolling_test

@@ -14,7 +14,7 @@
 #include <map>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::forming_upsetting_test {
 namespace {
 
 constexpr double young = 200e3, yield = 700.0, hardening = 300.0;
@@ -134,4 +134,4 @@ TEST(HomogeneousUpsetting, HasTheExactForceOnDistortedMeshes) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::forming_upsetting_test

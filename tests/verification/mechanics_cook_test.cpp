@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace billet::process {
+namespace billet::process::mechanics_cook_test {
 namespace {
 
 using mechanics::Analysis;
@@ -165,4 +165,4 @@ TEST(Cook, ELT_06_small_strain_plane_strain_limit_is_linear_in_the_load) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::mechanics_cook_test

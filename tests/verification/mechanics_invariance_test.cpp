@@ -13,7 +13,7 @@
 #include <map>
 #include <numeric>
 
-namespace billet::process {
+namespace billet::process::mechanics_invariance_test {
 namespace {
 
 using mechanics::Analysis;
@@ -187,4 +187,4 @@ TEST(Invariance, NUM_05_1_and_2_threads_give_the_same_bits) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::mechanics_invariance_test

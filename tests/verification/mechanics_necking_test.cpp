@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::process {
+namespace billet::process::mechanics_necking_test {
 namespace {
 
 using mechanics::ElementKind;
@@ -153,4 +153,4 @@ TEST(Necking, MAT_10_on_10x30_cells) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::mechanics_necking_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::process {
+namespace billet::process::mechanics_rate_test {
 namespace {
 
 using mechanics::Material;
@@ -299,4 +299,4 @@ TEST(Rate, NUM_04_results_do_not_depend_on_the_units) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::mechanics_rate_test

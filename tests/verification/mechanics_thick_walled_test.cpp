@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::process {
+namespace billet::process::mechanics_thick_walled_test {
 namespace {
 
 using mechanics::Analysis;
@@ -255,4 +255,4 @@ TEST(ThickWalled, MAT_08_quad4_cylinder) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::mechanics_thick_walled_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::process {
+namespace billet::process::mechanics_uniaxial_test {
 namespace {
 
 using mechanics::Analysis;
@@ -164,4 +164,4 @@ TEST(Uniaxial, a_body_that_nothing_holds_is_refused) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::mechanics_uniaxial_test

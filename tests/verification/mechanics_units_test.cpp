@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace billet::process {
+namespace billet::process::mechanics_units_test {
 namespace {
 
 /// Factors from mm, N, MPa (scl01_units.csv).
@@ -119,4 +119,4 @@ TEST(Upsetting, the_work_of_the_dies_is_accounted_for) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::mechanics_units_test

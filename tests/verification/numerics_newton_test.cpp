@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <string>
 
-namespace billet::process {
+namespace billet::process::numerics_newton_test {
 namespace {
 
 /// A punch with a round nose goes into a block with friction: points stick in the middle and slide
@@ -213,4 +213,4 @@ TEST(Threads, GiveTheSameBitsHoweverMany) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::numerics_newton_test

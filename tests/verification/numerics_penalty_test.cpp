@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace billet::process {
+namespace billet::process::numerics_penalty_test {
 namespace {
 
 constexpr double young = 200e3, height = 10.0, press = 0.05;
@@ -79,4 +79,4 @@ TEST(PenaltySweep, HasTheExactPressureInThreeIterations) {
 }
 
 } // namespace
-} // namespace billet::process
+} // namespace billet::process::numerics_penalty_test

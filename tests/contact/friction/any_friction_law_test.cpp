@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-namespace billet::contact {
+namespace billet::contact::any_friction_law_test {
 namespace {
 
 TEST(AnyFrictionLaw, AsksTheLawItHolds) {
@@ -27,4 +27,4 @@ TEST(AnyFrictionLaw, GivesEveryLawANameOfItsOwn) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::any_friction_law_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace billet::contact {
+namespace billet::contact::asperity_test {
 namespace {
 
 constexpr double k = 300.0; // FRI-02: shear yield of the spot values [MPa]
@@ -50,4 +50,4 @@ TEST(Asperity, GivesItsSlopesExactly) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::asperity_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace billet::contact {
+namespace billet::contact::contact_ratio_test {
 namespace {
 
 TEST(ContactRatio, IsBaysFitToTheSlipLineFields) {
@@ -61,4 +61,4 @@ TEST(ContactRatio, IsPressureOverHardnessAfterBowdenAndTabor) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::contact_ratio_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace billet::contact {
+namespace billet::contact::coulomb_test {
 namespace {
 
 constexpr double k = 300.0; // FRI-02: shear yield of the spot values [MPa]
@@ -76,4 +76,4 @@ TEST(Coulomb, IsFrictionlessWithoutACoefficient) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::coulomb_test

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace billet::contact {
+namespace billet::contact::friction_law_test {
 namespace {
 
 /// A law as a user would add one.
@@ -33,4 +33,4 @@ TEST(FrictionLaw, IsAnythingWithANameAndALimit) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::friction_law_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace billet::contact {
+namespace billet::contact::friction_test {
 namespace {
 
 TEST(CoefficientTable, IsLinearBetweenItsPointsAndConstantOutside) {
@@ -101,4 +101,4 @@ TEST(Friction, OfOneLawWithTheParametersOfAnotherIsThatLaw) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::friction_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace billet::contact {
+namespace billet::contact::frictionless_test {
 namespace {
 
 TEST(Frictionless, CarriesNothingAtAnyPressure) {
@@ -17,4 +17,4 @@ TEST(Frictionless, CarriesNothingAtAnyPressure) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::frictionless_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace billet::contact {
+namespace billet::contact::shaw_test {
 namespace {
 
 constexpr double k = 300.0; // FRI-02: shear yield of the spot values [MPa]
@@ -35,4 +35,4 @@ TEST(Shaw, GivesItsSlopesExactly) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::shaw_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace billet::contact {
+namespace billet::contact::sticking_test {
 namespace {
 
 TEST(Sticking, HasNoLimitOfItsOwn) {
@@ -16,4 +16,4 @@ TEST(Sticking, HasNoLimitOfItsOwn) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::sticking_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace billet::contact {
+namespace billet::contact::thick_film_test {
 namespace {
 
 TEST(ThickFilm, IsTheShearOfANewtonianFilm) {
@@ -18,4 +18,4 @@ TEST(ThickFilm, IsTheShearOfANewtonianFilm) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::thick_film_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace billet::contact {
+namespace billet::contact::tresca_test {
 namespace {
 
 TEST(Tresca, HasTheSpotValueOfThePaper) {
@@ -33,4 +33,4 @@ TEST(Tresca, RunsFromNoneToTheWholeShearYieldStress) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::tresca_test

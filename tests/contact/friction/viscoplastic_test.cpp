@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace billet::contact {
+namespace billet::contact::viscoplastic_test {
 namespace {
 
 double at_speed(const Viscoplastic& law, double v) {
@@ -45,4 +45,4 @@ TEST(Viscoplastic, StartsSmoothlyAndGrowsWithoutEnd) {
 }
 
 } // namespace
-} // namespace billet::contact
+} // namespace billet::contact::viscoplastic_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace billet {
+namespace billet::error_test {
 namespace {
 
 TEST(Error, says_place_message_and_remedy_on_one_line) {
@@ -36,4 +36,4 @@ TEST(Error, is_caught_as_a_standard_exception_and_carries_the_exit_status) {
 }
 
 } // namespace
-} // namespace billet
+} // namespace billet::error_test

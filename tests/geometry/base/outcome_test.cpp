@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace billet {
+namespace billet::outcome_test {
 namespace {
 
 TEST(Outcome, holds_a_value) {
@@ -36,4 +36,4 @@ TEST(Outcome, a_value_of_zero_is_still_a_value) {
 }
 
 } // namespace
-} // namespace billet
+} // namespace billet::outcome_test

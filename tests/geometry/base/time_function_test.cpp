@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet {
+namespace billet::time_function_test {
 namespace {
 
 const TimeFunction ramp({{1.0, 2.0}, {3.0, 6.0}, {4.0, 0.0}});
@@ -46,4 +46,4 @@ TEST(TimeFunction, integral_starts_at_0_also_when_points_lie_before) {
 }
 
 } // namespace
-} // namespace billet
+} // namespace billet::time_function_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace billet::io::testing {
+namespace billet::io::broken_case_test {
 namespace {
 
 /// One mistake: `from` in a valid case becomes `to`.
@@ -412,4 +412,4 @@ TEST(BrokenCase, shows_no_control_characters_and_no_endless_text) {
 }
 
 } // namespace
-} // namespace billet::io::testing
+} // namespace billet::io::broken_case_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace billet::io::testing {
+namespace billet::io {
 
 /// Every key of the format that is available in the plane.
 inline const std::string plane_case = R"(title = "upsetting"
@@ -152,7 +152,7 @@ surface = { revolution = { point = [0, 0, 40], axis = [0, 1, 0], points = [[9, 5
 end = 1
 )";
 
-inline void write_file(const std::filesystem::path& file, const std::string& text) {
+inline void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
@@ -179,4 +179,4 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-} // namespace billet::io::testing
+} // namespace billet::io

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace billet::io::testing {
+namespace billet::io::guards_test {
 namespace {
 
 std::string repeated(const std::string& text, int times) {
@@ -151,4 +151,4 @@ TEST(Guards, survive_a_hundred_thousand_mutations) {
 }
 
 } // namespace
-} // namespace billet::io::testing
+} // namespace billet::io::guards_test

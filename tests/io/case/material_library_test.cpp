@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace billet::io::testing {
+namespace billet::io::material_library_test {
 namespace {
 
 Material material(const std::string& keys, const std::string& units = "mm-N-s-MPa-degC") {
@@ -122,4 +122,4 @@ TEST(MaterialLibrary, hot_rail_steel_is_shidas_formula_within_the_stated_range) 
 }
 
 } // namespace
-} // namespace billet::io::testing
+} // namespace billet::io::material_library_test

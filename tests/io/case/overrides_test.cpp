@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::io::testing {
+namespace billet::io::overrides_test {
 namespace {
 
 std::string only_complaint(const std::string& override) {
@@ -74,4 +74,4 @@ TEST(Overrides, cannot_smuggle_in_other_keys) {
 }
 
 } // namespace
-} // namespace billet::io::testing
+} // namespace billet::io::overrides_test

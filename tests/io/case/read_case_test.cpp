@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace billet::io::testing {
+namespace billet::io::read_case_test {
 namespace {
 
 TEST(ReadCase, reads_the_whole_of_a_case_in_the_plane) {
@@ -146,9 +146,9 @@ TEST(ReadCase, takes_heating_with_density_and_heat_capacity) {
 TEST(ReadCase, finds_files_beside_the_case) {
   const test::TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
-  write_file(folder / "die.stl", "solid");
-  write_file(folder / "part.msh", "");
-  write_file(folder / "case.toml",
+  write_text(folder / "die.stl", "solid");
+  write_text(folder / "part.msh", "");
+  write_text(folder / "case.toml",
              replaced(replaced(space_case,
                                "cylinder = { radius = 10, height = 30 }, cells = [4, 10], "
                                "sector = 90",
@@ -167,14 +167,14 @@ TEST(ReadCase, finds_files_beside_the_case) {
 TEST(ReadCase, finds_the_profile_of_a_turned_tool) {
   const test::TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
-  write_file(folder / "roll.toml", "points = [[9, 5], [0, 4], [-9, 5]]");
-  write_file(folder / "case.toml", replaced(space_case, "points = [[9, 5], [0, \"4 mm\"], [-9, 5]]",
+  write_text(folder / "roll.toml", "points = [[9, 5], [0, 4], [-9, 5]]");
+  write_text(folder / "case.toml", replaced(space_case, "points = [[9, 5], [0, \"4 mm\"], [-9, 5]]",
                                             "profile = \"roll.toml\""));
   const Case content = read_case(folder / "case.toml");
   const auto& turned = std::get<RevolutionSurface>(content.tools[4].surface);
   EXPECT_EQ(turned.profile->given, "roll.toml");
   EXPECT_TRUE(turned.points.empty());
-  write_file(folder / "again.toml", resolved_toml(content));
+  write_text(folder / "again.toml", resolved_toml(content));
   EXPECT_EQ(read_case(folder / "again.toml"), content);
 }
 
@@ -182,11 +182,11 @@ TEST(ReadCase, leaves_the_folder_of_the_case_only_when_asked) {
   const test::TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
   std::filesystem::create_directory(folder / "inner");
-  write_file(folder / "part.msh", "");
+  write_text(folder / "part.msh", "");
   const std::string text =
       replaced(space_case, "cylinder = { radius = 10, height = 30 }, cells = [4, 10], sector = 90",
                "file = \"../part.msh\"");
-  write_file(folder / "inner" / "case.toml", text);
+  write_text(folder / "inner" / "case.toml", text);
   std::filesystem::create_symlink(folder / "part.msh", folder / "inner" / "link.msh");
   const auto file = folder / "inner" / "case.toml";
   EXPECT_THROW((void)read_case(file), Error);
@@ -256,4 +256,4 @@ TEST(ReadCase, takes_a_byte_order_mark_and_dos_line_ends) {
 }
 
 } // namespace
-} // namespace billet::io::testing
+} // namespace billet::io::read_case_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::io::testing {
+namespace billet::io::resolved_case_test {
 namespace {
 
 void expect_round_trip(const Case& content) {
@@ -126,4 +126,4 @@ TEST(ResolvedCase, states_the_defaults) {
 }
 
 } // namespace
-} // namespace billet::io::testing
+} // namespace billet::io::resolved_case_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::io {
+namespace billet::io::suggestion_test {
 namespace {
 
 TEST(Suggestion, counts_the_edits_between_two_words) {
@@ -26,4 +26,4 @@ TEST(Suggestion, lists_the_words_when_none_is_near) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::suggestion_test

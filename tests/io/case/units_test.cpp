@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace billet::io {
+namespace billet::io::units_test {
 namespace {
 
 const UnitSystem millimetres = unit_systems()[0];
@@ -98,4 +98,4 @@ TEST(Units, name_what_is_expected) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::units_test

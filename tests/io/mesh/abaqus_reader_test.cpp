@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace billet::io {
+namespace billet::io::abaqus_reader_test {
 namespace {
 
 using mechanics::ElementKind;
@@ -194,4 +194,4 @@ TEST(AbaqusReader, every_truncation_gives_a_mesh_or_an_error) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::abaqus_reader_test

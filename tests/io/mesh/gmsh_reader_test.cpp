@@ -12,7 +12,7 @@
 #include <bit>
 #include <cstring>
 
-namespace billet::io {
+namespace billet::io::gmsh_reader_test {
 namespace {
 
 using mechanics::ElementKind;
@@ -355,4 +355,4 @@ TEST(GmshReader, broken_files_are_refused_with_place_and_reason) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::gmsh_reader_test

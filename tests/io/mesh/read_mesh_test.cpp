@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace billet::io {
+namespace billet::io::read_mesh_test {
 namespace {
 
 using mechanics::ElementKind;
@@ -138,4 +138,4 @@ TEST(ReadMesh, the_suffix_may_be_in_capitals) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::read_mesh_test

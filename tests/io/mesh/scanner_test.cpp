@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::io {
+namespace billet::io::scanner_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -67,4 +67,4 @@ TEST(ParseReal, takes_what_fortran_and_people_write_and_nothing_else) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::scanner_test

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace billet::io {
+namespace billet::io::vtu_guard_test {
 namespace {
 
 /// A file with one array, compressed unless told otherwise.
@@ -68,4 +68,4 @@ TEST(VtuGuard, refuses_what_is_not_an_unstructured_grid) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::vtu_guard_test

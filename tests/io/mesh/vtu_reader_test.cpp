@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace billet::io {
+namespace billet::io::vtu_reader_test {
 namespace {
 
 using mechanics::ElementKind;
@@ -161,4 +161,4 @@ TEST(VtuReader, every_truncation_of_a_compressed_file_is_an_error) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::vtu_reader_test

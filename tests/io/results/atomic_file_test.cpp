@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-namespace billet::io {
+namespace billet::io::atomic_file_test {
 namespace {
 
 using test::content_of;
@@ -93,4 +93,4 @@ TEST(AtomicFile, folders_are_made_with_those_above_them) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::atomic_file_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace billet::io {
+namespace billet::io::csv_writer_test {
 namespace {
 
 using test::content_of;
@@ -108,4 +108,4 @@ TEST(CsvWriter, a_table_that_does_not_fit_the_checkpoint_is_not_resumed) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::csv_writer_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace billet::io {
+namespace billet::io::pvd_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -53,4 +53,4 @@ TEST(Pvd, a_list_that_is_absent_or_damaged_is_an_error) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::pvd_test

@@ -15,7 +15,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-namespace billet::io {
+namespace billet::io::vtk_writer_test {
 namespace {
 
 using mechanics::ElementKind;
@@ -192,4 +192,4 @@ TEST(VtkWriter, a_full_disk_is_told_and_leaves_the_earlier_frame) {
 }
 
 } // namespace
-} // namespace billet::io
+} // namespace billet::io::vtk_writer_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace billet::mechanics {
+namespace billet::mechanics::shapes_test {
 namespace {
 
 template <class Shape> class Shapes : public testing::Test {
@@ -232,4 +232,4 @@ TEST(Faces, area_vectors_point_out_of_the_body) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::shapes_test

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace billet::mechanics {
+namespace billet::mechanics::any_flow_law_test {
 namespace {
 
 TEST(AnyFlowLaw, lists_every_law_once_under_its_own_name) {
@@ -17,4 +17,4 @@ TEST(AnyFlowLaw, lists_every_law_once_under_its_own_name) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::any_flow_law_test

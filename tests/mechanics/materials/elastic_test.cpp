@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace billet::mechanics {
+namespace billet::mechanics::elastic_test {
 namespace {
 
 TEST(Elastic, never_yields_whatever_the_strain) {
@@ -16,4 +16,4 @@ TEST(Elastic, never_yields_whatever_the_strain) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::elastic_test

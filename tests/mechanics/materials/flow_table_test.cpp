@@ -1,7 +1,7 @@
 #include "mechanics/materials/flow_table.h"
 #include "tests/support/flow_law_checks.h"
 
-namespace billet::mechanics {
+namespace billet::mechanics::flow_table_test {
 namespace {
 
 const FlowTable table{{{0.0, 300.0}, {0.1, 400.0}, {0.5, 480.0}, {1.0, 430.0}}};
@@ -37,4 +37,4 @@ TEST(FlowTable, with_one_point_is_perfect) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::flow_table_test

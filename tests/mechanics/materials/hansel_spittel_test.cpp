@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace billet::mechanics {
+namespace billet::mechanics::hansel_spittel_test {
 namespace {
 
 constexpr HanselSpittel steel{1500.0, -0.0025, -0.12, 0.14, -0.05, 0.0, 0.0, 0.0, 0.0, 0.01};
@@ -63,4 +63,4 @@ TEST(HanselSpittel, is_sound_everywhere) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::hansel_spittel_test

@@ -10,7 +10,7 @@
 #include <array>
 #include <limits>
 
-namespace billet::mechanics {
+namespace billet::mechanics::j2_hencky_test {
 namespace {
 
 using support::Long;
@@ -247,4 +247,4 @@ TEST(J2Hencky, stops_a_batch_at_its_bad_point_and_treats_the_others_one_by_one) 
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::j2_hencky_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace billet::mechanics {
+namespace billet::mechanics::johnson_cook_test {
 namespace {
 
 constexpr double zero_celsius = 273.15;
@@ -58,4 +58,4 @@ TEST(JohnsonCook, is_sound_everywhere_and_keeps_a_millionth_of_its_strength_when
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::johnson_cook_test

@@ -1,7 +1,7 @@
 #include "mechanics/materials/linear.h"
 #include "tests/support/flow_law_checks.h"
 
-namespace billet::mechanics {
+namespace billet::mechanics::linear_test {
 namespace {
 
 TEST(Linear, grows_by_the_hardening_per_unit_strain) {
@@ -18,4 +18,4 @@ TEST(Linear, may_soften) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::linear_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace billet::mechanics {
+namespace billet::mechanics::ludwik_test {
 namespace {
 
 TEST(Ludwik, has_its_closed_form_values_and_slope) {
@@ -46,4 +46,4 @@ TEST(Ludwik, yields_through_the_infinite_slope_onto_its_curve) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::ludwik_test

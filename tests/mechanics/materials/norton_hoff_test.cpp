@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace billet::mechanics {
+namespace billet::mechanics::norton_hoff_test {
 namespace {
 
 TEST(NortonHoff, has_exact_slopes) {
@@ -46,4 +46,4 @@ TEST(NortonHoff, is_sound_at_rest_at_no_strain_and_at_absurd_rates) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::norton_hoff_test

@@ -1,7 +1,7 @@
 #include "mechanics/materials/perfect.h"
 #include "tests/support/flow_law_checks.h"
 
-namespace billet::mechanics {
+namespace billet::mechanics::perfect_test {
 namespace {
 
 TEST(Perfect, keeps_its_yield_stress) {
@@ -12,4 +12,4 @@ TEST(Perfect, keeps_its_yield_stress) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::perfect_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace billet::mechanics {
+namespace billet::mechanics::perzyna_test {
 namespace {
 
 TEST(Perzyna, has_exact_slopes_over_every_base) {
@@ -43,4 +43,4 @@ TEST(Perzyna, is_sound_everywhere_and_tends_to_its_base) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::perzyna_test

@@ -11,7 +11,7 @@
 #include <array>
 #include <numbers>
 
-namespace billet::mechanics {
+namespace billet::mechanics::point_paths_test {
 namespace {
 
 using support::PointDriver;
@@ -175,4 +175,4 @@ TEST(PointPaths, plastic_work_is_the_integral_of_the_flow_stress) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::point_paths_test

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace billet::mechanics {
+namespace billet::mechanics::rate_return_test {
 namespace {
 
 using support::steel;
@@ -206,4 +206,4 @@ TEST(RateReturn, MAT_06b_linear_overstress_relaxes_to_the_yield_stress) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::rate_return_test

@@ -1,7 +1,7 @@
 #include "mechanics/materials/swift.h"
 #include "tests/support/flow_law_checks.h"
 
-namespace billet::mechanics {
+namespace billet::mechanics::swift_test {
 namespace {
 
 TEST(Swift, has_its_closed_form_values_and_slope) {
@@ -23,4 +23,4 @@ TEST(Swift, without_exponent_does_not_harden) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::swift_test

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace billet::mechanics {
+namespace billet::mechanics::voce_test {
 namespace {
 
 TEST(Voce, has_its_closed_form_values_and_slope) {
@@ -22,4 +22,4 @@ TEST(Voce, saturates) {
 }
 
 } // namespace
-} // namespace billet::mechanics
+} // namespace billet::mechanics::voce_test
