@@ -1,10 +1,12 @@
 #include "mechanics/linear_solver.h"
+#include "mechanics/single_factor.h"
 
 #include <cholmod.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 namespace billet::mechanics {
 
@@ -55,6 +57,7 @@ public:
     const OneThread one;
     cholmod_sparse A = view(matrix.values.data());
     const int ok = cholmod_factorize(&A, factor_, &common_);
+    single_is_current_ = false;
     if (common_.status == CHOLMOD_OUT_OF_MEMORY)
       throw std::bad_alloc();
     return ok != 0 && common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
@@ -76,7 +79,20 @@ public:
     std::copy(x, x + rhs.size(), rhs.begin());
   }
 
+  void solve_roughly(std::span<double> rhs) override {
+    constexpr double most_entries = 1.6e7; // 64 MB; beyond it is memory that is short
+    if (common_.lnz > most_entries)
+      return solve(rhs);
+    if (!single_)
+      single_.emplace(*factor_);
+    if (!single_is_current_)
+      single_->take(*factor_);
+    single_is_current_ = true;
+    single_->solve(rhs);
+  }
+
   void release() override {
+    single_.reset();
     if (factor_->xtype != CHOLMOD_PATTERN)
       cholmod_change_factor(CHOLMOD_PATTERN, 1, 1, 1, 1, factor_, &common_);
   }
@@ -106,6 +122,8 @@ private:
   const BlockPattern* pattern_;
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
+  std::optional<SingleFactor> single_;
+  bool single_is_current_ = false;
   cholmod_dense* solution_ = nullptr;
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;

@@ -99,7 +99,7 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
   GmresReport report;
   for (int k = 0; k < most; ++k) {
     directions_[idx(k)] = basis_[idx(k)];
-    preconditioner.solve(directions_[idx(k)]);
+    preconditioner.solve_roughly(directions_[idx(k)]);
     basis_[idx(k) + 1].resize(n);
     matrix.multiply(directions_[idx(k)], basis_[idx(k) + 1]);
     columns_[idx(k)].assign(idx(k) + 2, 0.0);

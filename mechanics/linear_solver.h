@@ -73,6 +73,8 @@ public:
   [[nodiscard]] virtual bool factorize(const SparseMatrix& matrix) = 0;
   /// Overwrites the right-hand side with the solution.
   virtual void solve(std::span<double> rhs) = 0;
+  /// Likewise to some digits at least, where that is faster: for solutions that are iterated upon.
+  virtual void solve_roughly(std::span<double> rhs) { solve(rhs); }
   /// Gives the factors' memory back. The next factorization takes it anew.
   virtual void release() = 0;
   /// Work of the last factorization, as counted by the method; before it what analysis expects.

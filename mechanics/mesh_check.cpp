@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace billet::mechanics {
@@ -149,33 +150,64 @@ void check_shapes(const Mesh& mesh, Complaints& complaints) {
   complaints.close("such elements");
 }
 
+/// What a corner of the reference cell needs for the quality there.
+struct ReferenceCorner {
+  std::vector<Vec3> gradients;        ///< of the shape functions [-]
+  Mat3 directions = Mat3::Identity(); ///< of the edges that leave it; right-handed [-]
+  std::vector<std::size_t> others;    ///< corner at the far end of each
+};
+
+ReferenceCorner reference_corner(ElementKind kind, int corner) {
+  const std::span<const Vec3> corners = reference_corners(kind);
+  const Vec3& at = corners[static_cast<std::size_t>(corner)];
+  ReferenceCorner result;
+  result.gradients = shape_gradients(kind, at);
+  for (const auto& [a, b] : element_edges(kind))
+    if (a == corner || b == corner)
+      result.others.push_back(static_cast<std::size_t>(a == corner ? b : a));
+  const auto set_directions = [&] {
+    for (std::size_t k = 0; k < result.others.size(); ++k)
+      result.directions.col(static_cast<Eigen::Index>(k)) = corners[result.others[k]] - at;
+  };
+  set_directions();
+  if (result.directions.determinant() < 0.0) {
+    std::swap(result.others[0], result.others[1]);
+    set_directions();
+  }
+  return result;
+}
+
+/// Those of a kind of element; made once, for they are asked for in every increment.
+const std::vector<ReferenceCorner>& corners_for_quality(ElementKind kind) {
+  static const std::map<ElementKind, std::vector<ReferenceCorner>> all = [] {
+    std::map<ElementKind, std::vector<ReferenceCorner>> corners;
+    for (const ElementKind each : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                                   ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
+      for (int corner = 0; corner < corners_per_element(each); ++corner)
+        corners[each].push_back(reference_corner(each, corner));
+    return corners;
+  }();
+  return all.at(kind);
+}
+
 /// Columns of the Jacobian at a corner, each with the length it is measured against.
 struct CornerFrame {
   Mat3 tangents;   ///< along the edges that leave the corner [mm]
   Vec3 references; ///< max(length of the tangent, length of the chord) [mm]
 };
 
-CornerFrame corner_frame(ElementKind kind, std::span<const Vec3> points, int corner) {
-  CornerFrame frame{Mat3::Identity(), Vec3::Ones()};
-  const auto n = static_cast<std::size_t>(corner);
-  const std::span<const Vec3> corners = reference_corners(kind);
-  const Mat3 J = jacobian(kind, points, corners[n]);
-  Mat3 directions = Mat3::Identity();
-  Eigen::Index column = 0;
-  for (const auto& [a, b] : element_edges(kind)) {
-    if (a != corner && b != corner)
-      continue;
-    const auto other = static_cast<std::size_t>(a == corner ? b : a);
-    directions.col(column) = corners[other] - corners[n];
-    frame.tangents.col(column) = J * directions.col(column);
-    frame.references[column] =
-        std::max(frame.tangents.col(column).norm(), (points[other] - points[n]).norm());
-    ++column;
-  }
-  // The edges were met in the order of the table; put them in that of a right-handed frame.
-  if (directions.determinant() < 0.0) {
-    frame.tangents.col(0).swap(frame.tangents.col(1));
-    std::swap(frame.references[0], frame.references[1]);
+CornerFrame
+corner_frame(const ReferenceCorner& reference, std::span<const Vec3> points, std::size_t corner) {
+  Mat3 J = Mat3::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    J += points[i] * reference.gradients[i].transpose();
+  if (reference.others.size() == 2) // in the plane
+    J.col(2) = Vec3::UnitZ();
+  CornerFrame frame{J * reference.directions, Vec3::Ones()};
+  for (std::size_t k = 0; k < reference.others.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    frame.references[column] = std::max(frame.tangents.col(column).norm(),
+                                        (points[reference.others[k]] - points[corner]).norm());
   }
   return frame;
 }
@@ -196,8 +228,9 @@ double ideal_determinant(ElementKind kind) {
 
 double element_quality(ElementKind kind, std::span<const Vec3> points) {
   double quality = 1.0;
-  for (int corner = 0; corner < corners_per_element(kind); ++corner) {
-    const CornerFrame frame = corner_frame(kind, points, corner);
+  const std::vector<ReferenceCorner>& corners = corners_for_quality(kind);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    const CornerFrame frame = corner_frame(corners[corner], points, corner);
     const double scale = frame.references.prod() * ideal_determinant(kind);
     const double scaled = scale == 0.0 ? 0.0 : frame.tangents.determinant() / scale;
     if (!std::isfinite(scaled))

@@ -99,6 +99,15 @@ void simplex_gradients(ElementKind kind, const Vec3& xi, Gradients& gradients) {
   }
 }
 
+Gradients gradients_at(ElementKind kind, const Vec3& xi) {
+  Gradients gradients;
+  if (is_simplex(kind))
+    simplex_gradients(kind, xi, gradients);
+  else
+    brick_gradients(kind, xi, gradients);
+  return gradients;
+}
+
 /// Gauss points: 2 an axis for straight cells, 3 for quadratic ones.
 std::vector<Sample> brick_samples(int dimension, bool quadratic) {
   const double far = quadratic ? std::sqrt(0.6) : std::sqrt(1.0 / 3.0);
@@ -155,12 +164,13 @@ std::span<const Sample> measuring_points(ElementKind kind) {
   return dimension(kind) == 2 ? quad[order] : hexahedron[order];
 }
 
+std::vector<Vec3> shape_gradients(ElementKind kind, const Vec3& xi) {
+  const Gradients gradients = gradients_at(kind, xi);
+  return {gradients.begin(), gradients.begin() + nodes_per_element(kind)};
+}
+
 Mat3 jacobian(ElementKind kind, std::span<const Vec3> points, const Vec3& xi) {
-  Gradients gradients;
-  if (is_simplex(kind))
-    simplex_gradients(kind, xi, gradients);
-  else
-    brick_gradients(kind, xi, gradients);
+  const Gradients gradients = gradients_at(kind, xi);
   Mat3 J = Mat3::Zero();
   for (std::size_t i = 0; i < points.size(); ++i)
     J += points[i] * gradients[i].transpose();

@@ -10,6 +10,7 @@
 #include "mechanics/mesh.h"
 
 #include <span>
+#include <vector>
 
 namespace billet::mechanics {
 
@@ -17,6 +18,10 @@ namespace billet::mechanics {
 ///
 /// @param points  shape (nodes_per_element) [mm]
 [[nodiscard]] Mat3 jacobian(ElementKind kind, std::span<const Vec3> points, const Vec3& xi);
+
+/// Gradients of the shape functions at a place of the reference cell, shape (nodes_per_element)
+/// [-].
+[[nodiscard]] std::vector<Vec3> shape_gradients(ElementKind kind, const Vec3& xi);
 
 /// A place of the reference cell and the part of its volume it stands for.
 struct Sample {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace billet::mechanics::linear_solver_test {
 namespace {
@@ -112,6 +113,35 @@ TEST(LinearSolver, every_backend_agrees_with_the_dense_solution) {
       problem.scale(7, 1.5);
     }
   }
+}
+
+TEST(LinearSolver, a_rough_solution_has_six_digits_whatever_the_units) {
+  // Values far beyond what single precision can hold squared; new values; the factor given back.
+  for (const double unit : {1e-30, 1.0, 1e30}) {
+    Problem problem(Sort::positive);
+    const auto factorization = make_cholmod(problem.pattern, fill_reducing_order(problem.pattern));
+    for (double& value : problem.matrix.values)
+      value *= unit;
+    for (double& value : problem.rhs)
+      value /= unit;
+    for (int turn = 0; turn < 3; ++turn) {
+      problem.refresh();
+      ASSERT_TRUE(factorization->factorize(problem.matrix));
+      problem.x = problem.rhs;
+      factorization->solve_roughly(problem.x);
+      EXPECT_LT(problem.error(problem.x), 1e-6);
+      EXPECT_GT(problem.error(problem.x), 1e-11) << "in single precision";
+      if (turn == 1)
+        factorization->release();
+      problem.scale(7, 1.5);
+    }
+  }
+  Problem problem(Sort::positive);
+  const auto factorization = make_cholmod(problem.pattern, fill_reducing_order(problem.pattern));
+  ASSERT_TRUE(factorization->factorize(problem.matrix));
+  std::fill(problem.x.begin(), problem.x.end(), 0.0);
+  factorization->solve_roughly(problem.x);
+  EXPECT_EQ(problem.x, std::vector<double>(problem.x.size(), 0.0));
 }
 
 TEST(LinearSolver, every_backend_factorizes_anew_after_it_has_given_its_memory_back) {
