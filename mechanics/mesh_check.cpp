@@ -243,6 +243,7 @@ double element_quality(ElementKind kind, std::span<const Vec3> points) {
 
 std::vector<double> element_qualities(const Mesh& mesh, std::span<const Vec3> points) {
   std::vector<double> qualities;
+  qualities.reserve(static_cast<std::size_t>(mesh.n_elements()));
   for (Index element = 0; element < mesh.n_elements(); ++element)
     qualities.push_back(element_quality(mesh.kind, places(mesh, points, element)));
   return qualities;

@@ -55,7 +55,10 @@ void SingleFactor::forward() {
   for (const auto& [first, columns, rows, row, triangle] : fronts_) {
     const Rectangle top(values_.data() + triangle, columns, columns);
     Column x(x_.data() + first, columns);
-    top.triangularView<Eigen::Lower>().solveInPlace(x);
+    for (Index j = 0; j < columns; ++j) {
+      x[j] /= top(j, j);
+      x.tail(columns - j - 1) -= x[j] * top.col(j).tail(columns - j - 1);
+    }
     if (rows == 0)
       continue;
     Column below(below_.data(), rows);
@@ -76,7 +79,10 @@ void SingleFactor::backward() {
         below[i] = x_[idx(rows_[row + idx(i)])];
       x.noalias() -= Rectangle(top.data() + top.size(), rows, columns).transpose() * below;
     }
-    top.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+    for (Index j = columns - 1; j >= 0; --j) {
+      const Index left = columns - j - 1;
+      x[j] = (x[j] - top.col(j).tail(left).dot(x.tail(left))) / top(j, j);
+    }
   }
 }
 

@@ -47,8 +47,8 @@ struct Friction {
 
   Friction() = default;
   template <LoneFrictionLaw Law>
-  Friction(Law one) : law(std::move(one)) {}            // NOLINT(google-explicit-constructor)
-  Friction(AnyFrictionLaw one) : law(std::move(one)) {} // NOLINT(google-explicit-constructor)
+  Friction(Law one) : law(std::move(one)) {} // NOLINT(google-explicit-constructor)
+  Friction(AnyFrictionLaw one) : law(one) {} // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool follows_material() const { return contact::follows_material(law); }
   /// Whether the limit depends on how far and how fast the point slides in the increment.
