@@ -8,8 +8,6 @@ namespace billet::contact {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Queries of a tool that a face may cost, on average. Only a face that follows a convex tool comes
 /// near it, and then gains little from more.
 constexpr std::size_t queries_a_face = 500;

@@ -14,15 +14,6 @@ namespace {
 
 using mechanics::FacePoint;
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
-std::vector<double> flat(const mechanics::Mesh& mesh) {
-  std::vector<double> x;
-  for (const Vec3& p : mesh.points)
-    x.insert(x.end(), p.data(), p.data() + mesh.dimension());
-  return x;
-}
-
 std::vector<Index> groups_of(const std::vector<mechanics::Face>& faces) {
   std::vector<Index> groups;
   for (const auto& face : faces)
@@ -134,7 +125,7 @@ ContactSurface::ContactSurface(const mechanics::Mesh& mesh,
                groups_of(faces),
                mechanics::visit_face(mesh.kind, [](auto s) { return decltype(s)::nodes; })),
       beneath_(faces.size() * idx(points_)) {
-  const std::vector<double> x = flat(mesh);
+  const std::vector<double> x = mechanics::node_positions(mesh);
   set_penalty(mesh, bulk, faces, settings);
   set_beneath(mesh, bulk, faces, x);
 }
@@ -144,7 +135,7 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
                                  const std::vector<mechanics::Face>& faces,
                                  const ContactSettings& settings) {
   const double young = bulk.material().elasticity.young;
-  const std::vector<double> x = flat(mesh);
+  const std::vector<double> x = mechanics::node_positions(mesh);
   std::vector<double> area(beneath_.size());
   areas(x, area);
   // A triangle is twice, a tetrahedron three times as high as a prism of its volume.

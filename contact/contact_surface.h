@@ -24,6 +24,7 @@
 
 namespace billet::contact {
 
+using mechanics::idx;
 using mechanics::Index;
 
 enum class Form { mixed, compatible };

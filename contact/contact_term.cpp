@@ -20,8 +20,6 @@ namespace {
 
 using mechanics::FacePoint;
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Gaps below this share of the element beneath are rounding of coordinates (of all of them when a
 /// tool is brought to touch).
 constexpr double rounding = 1e-10;

@@ -14,8 +14,6 @@ namespace {
 
 using mechanics::FacePoint;
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 } // namespace
 
 void ContactTerm::add_loads(const mechanics::Trial& trial, mechanics::System& system) const {

@@ -14,8 +14,6 @@ namespace billet::contact {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// d k / d x of the nodes of the element beneath.
 class StrengthGradient {
 public:

@@ -20,8 +20,6 @@ constexpr double fineness = 0.5;
 /// Cells are not cut beyond this number of them.
 constexpr std::size_t most_nodes = 4'000'000;
 
-std::size_t idx(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 /// Length in the plane, square root of the area in space [mm].
 double size(const Footprint& footprint) {
   const auto& c = footprint.corners;

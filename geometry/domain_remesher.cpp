@@ -251,7 +251,9 @@ private:
   [[nodiscard]] RemeshedDomain finished(RefinedDomain domain) const {
     RemeshedDomain result;
     for (const CurveSide& side : domain.sides) {
-      const auto place = [&](double s) { return settled_.original(curves_[at(side.loop)].place(s)); };
+      const auto place = [&](double s) {
+        return settled_.original(curves_[at(side.loop)].place(s));
+      };
       result.corner_places.push_back(place(side.from));
       result.middle_places.push_back(place(side.middle()));
     }

@@ -30,10 +30,9 @@ namespace {
 
 using mechanics::ElementKind;
 using mechanics::Face;
+using mechanics::idx;
 using mechanics::Index;
 using mechanics::Mesh;
-
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
 ElementKind element_kind(const std::string& element) {
   for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,

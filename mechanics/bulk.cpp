@@ -23,8 +23,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Elements a task should have at least: below it the threads cost more than they save.
 constexpr std::size_t grain = 16;
 

@@ -10,8 +10,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -13,15 +13,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
-std::vector<double> flat_points(const Mesh& mesh) {
-  std::vector<double> x;
-  for (const Vec3& p : mesh.points)
-    x.insert(x.end(), p.data(), p.data() + mesh.dimension());
-  return x;
-}
-
 /// d (n dA) / d (position of node b): the skew matrix of the moved tangents.
 template <class Shape>
 Mat3 area_derivative(const FacePoint<Shape>& at, std::size_t b, Analysis analysis, double weight) {
@@ -197,7 +188,7 @@ std::vector<double> traction_forces(const Mesh& mesh,
                                     Analysis analysis,
                                     const std::vector<Face>& faces,
                                     const Vec3& traction) {
-  const std::vector<double> x = flat_points(mesh);
+  const std::vector<double> x = node_positions(mesh);
   std::vector<double> forces(x.size(), 0.0);
   visit_face(mesh.kind, [&](auto shape) {
     using Shape = decltype(shape);
@@ -218,7 +209,7 @@ std::vector<double> traction_forces(const Mesh& mesh,
 }
 
 std::vector<double> body_forces(const Mesh& mesh, Analysis analysis, const Vec3& force) {
-  const std::vector<double> x = flat_points(mesh);
+  const std::vector<double> x = node_positions(mesh);
   std::vector<double> forces(x.size(), 0.0);
   const int dim = mesh.dimension();
   visit_element(mesh.kind, [&](auto element) {

@@ -11,8 +11,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Points whose distance sets the radius, and the radius over it.
 constexpr std::size_t core(int dim) { return dim == 2 ? 9 : 18; }
 constexpr double reach = 1.7;

@@ -163,4 +163,12 @@ std::vector<Face> boundary_faces(const Mesh& mesh) {
   return faces;
 }
 
+std::vector<double> node_positions(const Mesh& mesh) {
+  std::vector<double> x;
+  x.reserve(mesh.points.size() * static_cast<std::size_t>(mesh.dimension()));
+  for (const Vec3& p : mesh.points)
+    x.insert(x.end(), p.data(), p.data() + mesh.dimension());
+  return x;
+}
+
 } // namespace billet::mechanics

@@ -21,6 +21,9 @@ namespace billet::mechanics {
 
 using Index = std::int32_t;
 
+/// A number of a node, a cell or a degree of freedom as the subscript of a container.
+[[nodiscard]] constexpr std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
+
 /// Kinds of cell the solver knows by name.
 enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet10 };
 
@@ -56,6 +59,17 @@ struct Mesh {
     return std::span(cells).subspan(static_cast<std::size_t>(element) * n, n);
   }
 };
+
+/// Positions of a mesh's nodes in a row, shape (n_points, dim) [mm].
+[[nodiscard]] std::vector<double> node_positions(const Mesh& mesh);
+
+/// Where a node is, of the positions of all nodes in a row. [mm]; z = 0 in the plane
+[[nodiscard]] inline Vec3 node_position(std::span<const double> x, int dim, Index node) {
+  Vec3 position = Vec3::Zero();
+  for (int i = 0; i < dim; ++i)
+    position[i] = x[idx(dim * node + i)];
+  return position;
+}
 
 /// Local node numbers of each face of a cell, outward (see Face).
 [[nodiscard]] std::span<const std::vector<int>> face_nodes(ElementKind kind);

@@ -18,15 +18,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
-Vec3 node_position(std::span<const double> x, Index node, int dim) {
-  Vec3 p = Vec3::Zero();
-  for (int i = 0; i < dim; ++i)
-    p[i] = x[idx(node * dim + i)];
-  return p;
-}
-
 /// A box that holds the element: its nodes and, for curved edges, the middle one of the three
 /// points whose hull holds a parabola.
 Box element_box(const Mesh& mesh, std::span<const double> x, Index element) {
@@ -34,15 +25,15 @@ Box element_box(const Mesh& mesh, std::span<const double> x, Index element) {
   const auto cell = mesh.cell(element);
   Box box;
   for (const Index node : cell)
-    box.add(node_position(x, node, dim));
+    box.add(node_position(x, dim, node));
   if (!is_quadratic(mesh.kind))
     return box;
   const auto edges = element_edges(mesh.kind);
   const auto corners = static_cast<std::size_t>(corners_per_element(mesh.kind));
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const Vec3 a = node_position(x, cell[static_cast<std::size_t>(edges[e][0])], dim);
-    const Vec3 b = node_position(x, cell[static_cast<std::size_t>(edges[e][1])], dim);
-    box.add(2.0 * node_position(x, cell[corners + e], dim) - 0.5 * (a + b));
+    const Vec3 a = node_position(x, dim, cell[static_cast<std::size_t>(edges[e][0])]);
+    const Vec3 b = node_position(x, dim, cell[static_cast<std::size_t>(edges[e][1])]);
+    box.add(2.0 * node_position(x, dim, cell[corners + e]) - 0.5 * (a + b));
   }
   return box;
 }
@@ -295,19 +286,11 @@ std::vector<Vec3> integration_points(const Mesh& mesh, std::span<const double> x
         const auto N = Element::Shape::values(Element::Rule::point(g));
         Vec3 p = Vec3::Zero();
         for (std::size_t a = 0; a < N.size(); ++a)
-          p += N[a] * node_position(x, mesh.cell(e)[a], Element::Shape::dim);
+          p += N[a] * node_position(x, Element::Shape::dim, mesh.cell(e)[a]);
         places.push_back(p);
       }
     return places;
   });
-}
-
-std::vector<double> node_positions(const Mesh& mesh) {
-  std::vector<double> x;
-  x.reserve(mesh.points.size() * static_cast<std::size_t>(mesh.dimension()));
-  for (const Vec3& p : mesh.points)
-    x.insert(x.end(), p.data(), p.data() + mesh.dimension());
-  return x;
 }
 
 } // namespace billet::mechanics

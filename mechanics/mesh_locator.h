@@ -56,7 +56,4 @@ void interpolate(const Mesh& mesh,
 /// @param x  positions of the nodes, shape (n_points, dim) [mm]
 [[nodiscard]] std::vector<Vec3> integration_points(const Mesh& mesh, std::span<const double> x);
 
-/// Positions of a mesh's nodes in a row, shape (n_points, dim) [mm].
-[[nodiscard]] std::vector<double> node_positions(const Mesh& mesh);
-
 } // namespace billet::mechanics

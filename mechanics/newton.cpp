@@ -13,8 +13,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)

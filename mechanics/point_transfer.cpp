@@ -19,8 +19,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Sizes of a field.
 struct Shape {
   std::size_t components; ///< of a point, all quantities together

@@ -13,8 +13,6 @@ namespace {
 using Rectangle = Eigen::Map<const Eigen::MatrixXf>;
 using Column = Eigen::Map<Eigen::VectorXf>;
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 } // namespace
 
 SingleFactor::SingleFactor(const cholmod_factor_struct& factor) {

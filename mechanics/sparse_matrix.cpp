@@ -12,8 +12,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Sorted neighbours of every node, the node itself included.
 std::vector<std::vector<Index>> adjacency(const Mesh& mesh) {
   std::vector<std::vector<Index>> neighbours(mesh.points.size());

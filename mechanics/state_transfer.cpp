@@ -19,8 +19,6 @@ namespace billet::mechanics {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Symmetric tensors as vectors of the same length: shears times the root of two. (M.34)
 struct TensorComponents {
   int n; ///< 4 in the plane, 6 in space

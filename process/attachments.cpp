@@ -12,8 +12,6 @@ namespace {
 using mechanics::Face;
 using Lists = std::vector<const std::vector<Index>*>;
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 Lists lists_of_supports(const Scene& scene) {
   Lists lists;
   for (const Support& support : scene.supports)

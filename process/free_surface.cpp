@@ -7,22 +7,13 @@ namespace billet::process {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
-Vec3 point_of(std::span<const double> x, int dim, Index node) {
-  Vec3 point = Vec3::Zero();
-  for (int i = 0; i < dim; ++i)
-    point[i] = x[idx(dim * node + i)];
-  return point;
-}
-
 /// Outward, as long as the face or twice the area of half of it.
 Vec3 normal_of(std::span<const double> x, int dim, const mechanics::Face& face) {
-  const Vec3 first = point_of(x, dim, face.nodes[0]);
-  const Vec3 along = point_of(x, dim, face.nodes[1]) - first;
+  const Vec3 first = mechanics::node_position(x, dim, face.nodes[0]);
+  const Vec3 along = mechanics::node_position(x, dim, face.nodes[1]) - first;
   if (dim == 2)
     return {along.y(), -along.x(), 0.0};
-  return along.cross(point_of(x, dim, face.nodes[2]) - first);
+  return along.cross(mechanics::node_position(x, dim, face.nodes[2]) - first);
 }
 
 } // namespace

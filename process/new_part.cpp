@@ -15,8 +15,6 @@ namespace billet::process {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 Vec3 in_space(const Vec2& x) { return {x.x(), x.y(), 0.0}; }
 
 /// Faces that touch a tool are off it by up to this share of their length.

@@ -21,8 +21,6 @@ constexpr double sides_of_zone = 6.0;
 /// With fewer, the pressure in a zone is not found.
 constexpr std::size_t least_sides_of_zone = 3;
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Walks faces of the boundary of a scene and puts them into chains.
 class Chains {
 public:

@@ -1,4 +1,4 @@
-// The part meshed anew in the midst of a run: what is carried over. (P.16), (P.17)
+// The part meshed anew in the midst of a run: what is carried over. (P.16), (P.17), (P.19)–(P.21)
 
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
@@ -17,8 +17,6 @@
 namespace billet::process {
 
 namespace {
-
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
 /// Sums over the fields of a bulk in a state that may not be its own.
 Stock stock_of(const mechanics::Bulk& bulk, const RunState& at) {

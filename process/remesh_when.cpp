@@ -16,8 +16,6 @@ namespace billet::process {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// Without a limit of the case: a face that lies deeper in a tool, relative to the element beneath,
 /// and twice as deep as when the mesh was new, is too coarse for it.
 constexpr double deep = 0.1;

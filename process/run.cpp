@@ -17,8 +17,6 @@ namespace billet::process {
 
 namespace {
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_points) {
   std::vector<Vec3> points(n_points, Vec3::Zero());
   for (std::size_t i = 0; i < n_points * idx(dim); ++i)

@@ -23,8 +23,6 @@ namespace {
 
 using mechanics::Face;
 
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
-
 /// How a face is cut into triangles: numbers of its nodes, one more for its middle.
 struct FaceCut {
   std::vector<Vec2> coordinates; ///< of the nodes and the middle, on the reference face

@@ -18,9 +18,8 @@ namespace billet::io {
 
 namespace {
 
+using mechanics::idx;
 using mechanics::Index;
-
-std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
 /// For each local node of an element kind, the integration points whose mean it shows: the closest,
 /// in the middle of an edge of a simplex those towards both its corners.

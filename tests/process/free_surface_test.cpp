@@ -14,7 +14,7 @@
 namespace billet::process::free_surface_test {
 namespace {
 
-/// A bar without load, its first faces touched by a tool where `touching` says so.
+/// The bar of upsetting as it is before the die comes: radius or half sides 5, height 15.
 struct Bar {
   Scene scene;
   mechanics::BlockPattern pattern;
@@ -76,7 +76,8 @@ TEST(FreeSurface, GivesThePartTheVolume) {
       restore_volume(
           bar.x, free_normals(bar.scene, bar.x, on_top(bar.scene)),
           [&](std::span<const double> x) { return bar.bulk.volume(x); }, wanted, 0.02);
-      EXPECT_NEAR(bar.volume(), wanted, 2e-3 * std::abs(change) * wanted) << "one straight step";
+      // One straight step: off by the square of the change.
+      EXPECT_NEAR(bar.volume(), wanted, 2.0 * change * change * wanted);
       EXPECT_NE(bar.x, before);
     }
 }
