@@ -8,6 +8,7 @@
 #include "io/case/toml_text.h"
 #include "mechanics/linear_solver.h"
 #include "mechanics/mesh_check.h"
+#include "process/remeshing.h"
 #include "process/run.h"
 
 #include <fmt/format.h>
@@ -126,8 +127,8 @@ void print_remeshing(const process::RemeshSettings& remesh,
                      const process::Process& process,
                      const io::UnitSystem& units) {
   const bool plane = process.scene().mesh.dimension() == 2;
-  std::string when =
-      fmt::format("an element is worse than {:.2g} or increments fail", remesh.quality);
+  std::string when = fmt::format("an element is worse than {:.2g} or increments fail",
+                                 process::least_quality(remesh, process.scene().mesh.kind));
   if (plane && process.contact() != nullptr)
     when += ", a tool touches on fewer than three sides";
   if (remesh.strain)

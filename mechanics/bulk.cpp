@@ -189,14 +189,24 @@ void Bulk::commit(const Trial& trial) {
   states_ = trial_states_;
 }
 
+std::vector<double> Bulk::shape_energies() const {
+  std::vector<double> energies(states_.size());
+  elastic_energies(material_.elasticity, states_, energies);
+  for (std::size_t k = 0; k < energies.size(); ++k) {
+    const double log_J = 0.5 * std::log(states_[k].b_e.determinant());
+    energies[k] = volumes_[k] * (energies[k] - 0.5 * material_.elasticity.bulk() * log_J * log_J);
+  }
+  return energies;
+}
+
 Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x) const {
   const int dim = pattern_->dim;
   const auto n = idx(points_);
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> current(n);
-  std::vector<double> stored(states_.size());
-  elastic_energies(material_.elasticity, states_, stored);
   ElasticEnergy energy;
+  for (const double shape : shape_energies())
+    energy.shape += shape;
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
     gather(x, mesh_->cell(e), dim, local.data());
     point_volumes(mesh_->kind, analysis_, local.data(), current);
@@ -204,8 +214,6 @@ Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x) const {
     for (std::size_t k = 0; k < n; ++k) {
       const double half_bulk = 0.5 * material_.elasticity.bulk();
       const double log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
-      const double own = 0.5 * std::log(states_[idx(e) * n + k].b_e.determinant());
-      energy.shape += reference[k] * (stored[idx(e) * n + k] - half_bulk * own * own);
       energy.volume += reference[k] * half_bulk * log_J * log_J;
     }
   }

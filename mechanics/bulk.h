@@ -90,6 +90,9 @@ public:
     double volume = 0.0; ///< of pressure
     [[nodiscard]] double sum() const { return shape + volume; }
   };
+  /// Elastic energy of shape that each point of the committed states stands for,
+  /// shape (n_elements, points) [N mm].
+  [[nodiscard]] std::vector<double> shape_energies() const;
   /// Of the committed states.
   [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x) const;
   /// Cauchy stress at every point of the committed states, shape (n_elements, points) [MPa].

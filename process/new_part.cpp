@@ -1,5 +1,6 @@
 // The part as it is meshed anew: its boundary, sizes, and tools that nodes lie on. (P.14)
 
+#include "geometry/base/error.h"
 #include "geometry/solid_remesher.h"
 #include "process/part_boundary.h"
 #include "process/remeshing.h"
@@ -7,6 +8,7 @@
 #include "process/solid_part.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -163,6 +165,26 @@ NewPart Process::new_plane_part() const {
   geometry::RemeshSizes sizes = remesh_sizes();
   sizes.at = contact_sizes(boundary);
   RemeshedPart part = remesh_part(scene_, boundary, sizes, settle);
+  const auto with_sizes_times = [&](double factor) -> std::optional<RemeshedPart> {
+    geometry::RemeshSizes scaled = sizes;
+    scaled.wanted = [&sizes, factor](const Vec2& x) { return factor * sizes.wanted(x); };
+    try {
+      return remesh_part(scene_, boundary, scaled, settle);
+    } catch (const Error&) {
+      return std::nullopt; // the first one is there
+    }
+  };
+  // A side that ends awkwardly beside a corner of a tool can spoil one element: others do not.
+  constexpr double good = 0.3;
+  constexpr std::array other_sizes{0.93, 1.07, 0.87};
+  const auto quality = [](const RemeshedPart& of) {
+    return worst_quality(of.mesh, mechanics::node_positions(of.mesh));
+  };
+  for (std::size_t i = 0; i < other_sizes.size() && quality(part) < good; ++i) {
+    std::optional<RemeshedPart> other = with_sizes_times(other_sizes[i]);
+    if (other && quality(*other) > quality(part))
+      part = std::move(*other);
+  }
   return {part, [stops, places = part.places](const contact::ContactSurface& surface,
                                               std::span<const double> /*x*/) {
             return point_sources(*stops, places, surface.line_coordinates());

@@ -59,14 +59,6 @@ std::vector<Vec3> points_at(std::span<const double> x, const mechanics::Mesh& me
   return points;
 }
 
-std::vector<double> forces_on_tools(const contact::ContactTerm* contact) {
-  std::vector<double> forces;
-  if (contact != nullptr)
-    for (const contact::ToolLoad& load : contact->loads())
-      forces.push_back(load.force.norm());
-  return forces;
-}
-
 } // namespace
 
 std::string Process::remesh(const std::string& cause, const std::vector<Observer*>& observers) {
@@ -90,7 +82,7 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
     observer->remeshing(*this);
   const double output = seconds_now() - written;
   const double missing = energy_.missing();
-  const std::vector<double> forces = forces_on_tools(contact_.get());
+  const std::vector<double> forces = forces_on_tools();
   report.elements[0] = scene_.mesh.n_elements();
   report.nodes[0] = scene_.mesh.n_points();
   report.quality.before = worst_quality(scene_.mesh, positions());
@@ -111,7 +103,7 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   report.elements[1] = scene_.mesh.n_elements();
   report.nodes[1] = scene_.mesh.n_points();
   report.quality.after = mesh_quality_;
-  const std::vector<double> balanced = forces_on_tools(contact_.get());
+  const std::vector<double> balanced = forces_on_tools();
   for (std::size_t t = 0; t < forces.size(); ++t)
     report.forces.push_back({forces[t], report.balanced ? balanced[t] : forces[t]});
   report.seconds = seconds_now() - begun - output;
@@ -121,6 +113,14 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   for (Observer* observer : observers)
     observer->remeshed(*this, report);
   return {};
+}
+
+std::vector<double> Process::forces_on_tools() const {
+  std::vector<double> forces;
+  if (contact_)
+    for (const contact::ToolLoad& load : contact_->loads())
+      forces.push_back(load.force.norm());
+  return forces;
 }
 
 RunState Process::run_state() const {
@@ -149,21 +149,18 @@ void Process::remember() {
   if (time_ < fading_until_)
     return; // a new mesh does not know the forces of tools that have left
   // What the transfer has left too low is back where it was after that much flow.
-  constexpr double flow = 3.0;        // plastic work over the elastic energy of shape
-  constexpr int most_increments = 20; // where little flows nothing is too low
-  if (later_ && increment_ < later_->increment + most_increments &&
-      bulk_->plastic_work() - later_->plastic_work < flow * shape_energy_)
+  constexpr double flow = 16.0; // plastic work over the elastic energy of shape where metal flows
+  constexpr int most_increments = 40; // where little flows nothing is too low
+  constexpr int parts = 3;            // of the way: how closely its length is met
+  const auto flowed_on = [&](const RunState& since) {
+    return (increment_ - since.increment) * parts >= most_increments ||
+           (bulk_->plastic_work() - since.plastic_work) * parts >= flow * flowing_energy_;
+  };
+  if (!remembered_.empty() && !flowed_on(*remembered_.back()))
     return;
-  if (later_)
-    begun_ = std::move(later_);
-  later_ = std::make_unique<const RunState>(run_state());
-  if (!begun_)
-    begun_ = std::make_unique<const RunState>(*later_);
-}
-
-void Process::forget() {
-  begun_.reset();
-  later_.reset();
+  remembered_.push_back(std::make_unique<const RunState>(run_state()));
+  if (remembered_.size() > parts + 1)
+    remembered_.erase(remembered_.begin());
 }
 
 CarriedOver Process::carry_over(const RemeshedPart& part) const {
@@ -202,8 +199,16 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
   CarriedOver carried;
   carried.now = carry(run_state());
   // Where a side has folded over since then a good element may have come from nowhere.
-  if (begun_ && begun_->time < time_ && worst_quality(part.mesh, positions_in(*begun_)) > 0.0)
-    carried.begun = carry(*begun_);
+  constexpr double of_now = 0.5; // of the quality: on a longer way the mesh would not end as made
+  const double least = of_now * worst_quality(part.mesh, mechanics::node_positions(part.mesh));
+  std::vector<const RunState*> good;
+  for (const auto& from : remembered_)
+    if (from->time < time_ && worst_quality(part.mesh, positions_in(*from)) > least)
+      good.push_back(from.get());
+  if (!good.empty())
+    carried.begun.push_back(carry(*good.front()));
+  if (good.size() > 1)
+    carried.begun.push_back(carry(*good.back()));
   if (!last_step_.empty()) {
     carried.guess = at_nodes(last_step_);
     carried.guess.insert(carried.guess.end(),
@@ -219,7 +224,7 @@ std::vector<contact::PointSource> Process::exchange_mesh(NewPart anew, const Car
   take_times(); // of what goes with the old mesh
   earlier_times_ = times_;
   earlier_work_ = solver_work();
-  forget();
+  remembered_.clear();
   const std::unique_ptr<contact::ContactSurface> old_surface = std::move(surface_);
   terms_.clear();
   loads_.clear();
@@ -300,10 +305,12 @@ void Process::restore_volume(double volume,
 
 void Process::settle(const CarriedOver& carried, RemeshReport& report) {
   const double dt = last_dt_;
-  if (carried.begun) {
-    start_from(*carried.begun, carried.sources, report);
+  for (const CarriedState& from : carried.begun) {
+    start_from(from, carried.sources, report);
     if (restore_balance(report))
       report.again = solve_again(carried.now.state);
+    if (report.again > 0)
+      break;
   }
   report.balanced = report.again > 0;
   if (report.balanced)

@@ -89,11 +89,24 @@ std::vector<ContactZone> Process::poorly_resolved_tools() const {
 }
 
 std::optional<ContactZone> Process::zone_to_refine() const {
+  const std::vector<double> forces = forces_on_tools();
+  const auto leaves = [&](int tool) { // its zones shrink: they need no new mesh
+    constexpr double falling = 0.9;
+    return forces[idx(tool)] < falling * earlier_forces_[idx(tool)];
+  };
   for (const ContactZone& zone : zones_of_contact())
-    if (zone.too_short() && zone.length > worth_while * static_cast<double>(zone.n_sides) *
-                                              std::max(size_in_zone(zone), usual_sizes().min))
+    if (zone.too_short() && !leaves(zone.tool) &&
+        zone.length > worth_while * static_cast<double>(zone.n_sides) *
+                          std::max(size_in_zone(zone), usual_sizes().min))
       return zone;
   return std::nullopt;
+}
+
+double least_quality(const RemeshSettings& settings, mechanics::ElementKind kind) {
+  // The best mesh of triangles has about half the quality of one of squares, and wears on from
+  // there.
+  constexpr double of_simplices = 0.2, of_others = 0.35;
+  return settings.quality.value_or(mechanics::is_simplex(kind) ? of_simplices : of_others);
 }
 
 std::string Process::remeshing_due() const {
@@ -101,7 +114,8 @@ std::string Process::remeshing_due() const {
     return {};
   const RemeshSettings& settings = *scene_.remesh;
   const double quality = worst_quality(scene_.mesh, positions());
-  const double limit = std::min({settings.quality, worn_share * mesh_quality_, refused_quality_});
+  const double limit = std::min(
+      {least_quality(settings, scene_.mesh.kind), worn_share * mesh_quality_, refused_quality_});
   if (quality < limit)
     return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
   if (refused_increment_ && increment_ <= *refused_increment_ + rest_after_refusal)

@@ -58,7 +58,8 @@ struct CarriedState {
 /// Where the run is, on a new mesh, and where it was some increments ago.
 struct CarriedOver {
   CarriedState now;
-  std::optional<CarriedState> begun; ///< empty: unknown, or the new elements had no shape then
+  /// The earliest, then the latest of those where the new elements had a shape; may be empty.
+  std::vector<CarriedState> begun;
   std::vector<contact::PointSource> sources; ///< of the new contact points
   std::vector<double> guess;                 ///< step that the next increment may start with
   std::vector<double> origins;               ///< of the material at the nodes [mm]
@@ -69,6 +70,9 @@ struct CarriedOver {
 ///
 /// @param x  positions of the nodes, shape (n_points, dim) [mm]
 [[nodiscard]] double worst_quality(const mechanics::Mesh& mesh, std::span<const double> x);
+
+/// Scaled Jacobian below which an element of a kind is too bad.
+[[nodiscard]] double least_quality(const RemeshSettings& settings, mechanics::ElementKind kind);
 
 /// Side of an equilateral triangle, of a regular tetrahedron, of a square or of a cube of the mean
 /// size of the elements [mm].

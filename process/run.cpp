@@ -51,7 +51,7 @@ double EnergyBalance::error() const {
 
 void Process::start_stage(const Stage& stage) {
   last_step_.clear();
-  forget();
+  remembered_.clear();
   if (contact_)
     contact_->enable(stage.unload ? std::vector<char>(scene_.tools.size(), 0) : stage.tools);
 }
@@ -83,7 +83,7 @@ void Process::release_tools(double next_time, double gone_time) {
     terms_.push_back(fading_.back().get());
     fading_until_ = gone_time;
     last_step_.clear();
-    forget();
+    remembered_.clear();
   }
 }
 
@@ -181,6 +181,7 @@ bool Process::passes_through(double dt, std::string& why) const {
 void Process::accept(double dt) {
   if (scene_.remesh)
     remember();
+  earlier_forces_ = forces_on_tools();
   commit(dt);
   if (!refusal_event_.empty())
     events_.push_back(std::exchange(refusal_event_, {}));
@@ -238,7 +239,11 @@ void Process::account_contact(double dt) {
 void Process::update_energy() {
   const mechanics::Bulk::ElasticEnergy elastic = bulk_->elastic_energy(x_);
   energy_.elastic = elastic.sum();
-  shape_energy_ = elastic.shape;
+  flowing_energy_ = 0.0;
+  const std::vector<double> shape = bulk_->shape_energies();
+  for (std::size_t k = 0; k < shape.size(); ++k)
+    if (plastic_rate_[k] > 0.0)
+      flowing_energy_ += shape[k];
   energy_.plastic = bulk_->plastic_work();
   energy_.external = support_work_ - tool_energy_ + load_work_;
   for (const auto& load : loads_)

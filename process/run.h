@@ -323,7 +323,6 @@ private:
   [[nodiscard]] RunState run_state() const;
   /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
   void remember();
-  void forget();
   /// Finds equilibrium on the new mesh. (P.17), (P.19)
   void settle(const CarriedOver& carried, RemeshReport& report);
   /// Goes on from a state that has been carried over to the present mesh, and notes what that has
@@ -371,6 +370,8 @@ private:
   /// Solves again what led there. (P.19)
   /// @return with how many increments; 0: it could not be solved
   [[nodiscard]] int solve_again(const RunState& end);
+  /// Magnitudes of the forces on all tools; empty: there is no contact. [N]
+  [[nodiscard]] std::vector<double> forces_on_tools() const;
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
 
   Scene scene_;
@@ -388,11 +389,10 @@ private:
   std::vector<double> x0_;
   std::vector<double> x_; ///< of the nodes, then of driven tools: shape (n_dofs + n_extra)
   std::vector<double> trial_x_;
-  /// Far enough back for a new mesh to begin there; none: unknown.
-  std::unique_ptr<const RunState> begun_;
-  std::unique_ptr<const RunState> later_; ///< takes its place when the metal has flowed on
-  double shape_energy_ = 0.0;             ///< elastic, without that of pressure [N mm]
-  std::vector<double> last_step_;         ///< x_new - x_old of the last increment; empty: none
+  /// Where a new mesh may begin, the earliest first.
+  std::vector<std::unique_ptr<const RunState>> remembered_;
+  double flowing_energy_ = 0.0;   ///< elastic, of shape, where metal flows [N mm]
+  std::vector<double> last_step_; ///< x_new - x_old of the last increment; empty: none
   double last_dt_ = 0.0;
   double longest_ = 0.0; ///< increment of the present stage [s]
   std::vector<double> velocity_;
@@ -414,6 +414,7 @@ private:
   std::vector<RemeshReport> remeshings_;
   std::vector<Refusal> refusals_;
   double side_ = 0.0;                    ///< of the elements of the first mesh [mm]
+  std::vector<double> earlier_forces_;   ///< on all tools, before the last increment [N]
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
   double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;               ///< likewise

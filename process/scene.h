@@ -59,7 +59,7 @@ struct IncrementLimits {
 
 /// When the part is meshed anew, and how finely. What is absent follows from the mesh at the start.
 struct RemeshSettings {
-  double quality = 0.2;               ///< as soon as an element is worse [-]
+  std::optional<double> quality;      ///< as soon as an element is worse [-]
   std::optional<double> strain;       ///< ... the plastic strain at a point has grown by this [-]
   std::optional<double> interval;     ///< ... this much time has passed [s]
   std::optional<double> penetration;  ///< ... a face lies deeper in a tool [mm]

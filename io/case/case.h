@@ -135,7 +135,7 @@ struct SolverSettings {
 
 /// When and how fine to mesh anew.
 struct Remesh {
-  double quality = 0.2;               ///< below this element quality [-]
+  std::optional<double> quality;      ///< below this element quality [-]
   std::optional<double> interval;     ///< after this much time [s]
   std::optional<double> penetration;  ///< above this penetration between points [mm]
   std::optional<double> strain;       ///< after this much plastic strain at a point [-]

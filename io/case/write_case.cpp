@@ -99,7 +99,7 @@ std::string solver_text(const SolverSettings& solver) {
 
 std::string remesh_text(const Remesh& remesh) {
   TomlTable when;
-  when.add("quality", toml_text(remesh.quality));
+  add_if(when, "quality", remesh.quality);
   add_if(when, "interval", remesh.interval);
   add_if(when, "penetration", remesh.penetration);
   add_if(when, "strain", remesh.strain);

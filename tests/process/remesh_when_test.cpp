@@ -2,6 +2,7 @@
 
 #include "geometry/analytic_surfaces.h"
 #include "process/part_boundary.h"
+#include "process/remeshing.h"
 #include "process/run.h"
 #include "tests/support/remeshed_billet.h"
 
@@ -88,6 +89,37 @@ TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
               100.0 * worst, 100.0 * worst_kept);
   EXPECT_LT(worst, 0.03);
   EXPECT_GT(worst_kept, 2.0 * worst);
+}
+
+TEST(Remeshing, DoesNotFollowAContactThatShrinks) {
+  Scene scene = bar_on_block(8);
+  scene.tools[0].motion.velocity.reset();
+  scene.tools[0].motion.displacement = std::array{
+      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -1.0}, {2.0, 0.0}}), TimeFunction(0.0)};
+  scene.stages[0].end = 1.2;
+  scene.increments.max = 0.02;
+  scene.landing_times.clear();
+  for (int i = 0; i < 50; ++i) // on its way off the bar is seen on every length
+    scene.landing_times.push_back(1.0 + 0.002 * i);
+  scene.remesh = every(0.24); // coarser again as the contact grows
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  for (const RemeshReport& r : done.process->remeshings())
+    EXPECT_TRUE(r.time <= 1.0 || !r.cause.starts_with("bar touches")) << r.time << ": " << r.cause;
+  EXPECT_EQ(done.last().loads[0].force.norm(), 0.0) << "it has left";
+}
+
+TEST(Remeshing, AsksMoreOfSquaresThanOfTriangles) {
+  RemeshSettings settings;
+  EXPECT_EQ(least_quality(settings, ElementKind::tri6), 0.2);
+  EXPECT_EQ(least_quality(settings, ElementKind::tet10), 0.2);
+  for (const ElementKind kind :
+       {ElementKind::quad4, ElementKind::quad8, ElementKind::hex8, ElementKind::hex20})
+    EXPECT_EQ(least_quality(settings, kind), 0.35);
+  settings.quality = 0.1;
+  EXPECT_EQ(least_quality(settings, ElementKind::hex8), 0.1);
+  EXPECT_EQ(least_quality(settings, ElementKind::tri6), 0.1);
 }
 
 /// A frictionless die that is suddenly fast: increments of a second have too much strain.
