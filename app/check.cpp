@@ -127,8 +127,13 @@ void print_remeshing(const process::RemeshSettings& remesh,
                      const process::Process& process,
                      const io::UnitSystem& units) {
   const bool plane = process.scene().mesh.dimension() == 2;
-  std::string when = fmt::format("an element is worse than {:.2g} or increments fail",
-                                 process::least_quality(remesh, process.scene().mesh.kind));
+  const double first = process::least_quality(remesh, process.scene().mesh.kind);
+  const double later = process::least_quality(remesh, plane ? mechanics::ElementKind::tri6
+                                                            : mechanics::ElementKind::tet10);
+  std::string when = fmt::format("an element is worse than {:.2g}", first);
+  if (later != first)
+    when += fmt::format(" ({:.2g} in new meshes)", later);
+  when += " or increments fail";
   if (plane && process.contact() != nullptr)
     when += ", a tool touches on fewer than three sides";
   if (remesh.strain)

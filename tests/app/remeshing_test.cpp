@@ -203,9 +203,10 @@ TEST_F(Remeshing, IsDescribedByCheck) {
   const Outcome plain = check(upsetting);
   EXPECT_TRUE(plain.prints(", no remeshing")) << plain.out;
   const Outcome usual = check(remeshed(""));
-  EXPECT_TRUE(usual.prints("remeshing with tri6 when an element is worse than 0.2 or increments "
-                           "fail, a tool touches on fewer than three sides; sides of 0.625 to "
-                           "2.5 mm"))
+  EXPECT_TRUE(usual.prints(
+      "remeshing with tri6 when an element is worse than 0.35 (0.2 in new meshes) or increments "
+      "fail, a tool touches on fewer than three sides; sides of 0.625 to "
+      "2.5 mm"))
       << usual.out;
   const Outcome all = check(remeshed("when = { quality = 0.1, strain = 0.5, interval = 0.03, "
                                      "penetration = 0.004 }\nsize = { default = 1, min = 0.3, "
