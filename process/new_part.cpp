@@ -224,6 +224,7 @@ NewPart Process::new_solid_part() const {
             std::vector<Vec3> points(surface.n_points());
             surface.positions(x, points);
             std::vector<contact::PointSource> sources;
+            sources.reserve(points.size());
             for (const Vec3& point : points)
               sources.push_back(neighbours->around(point));
             return sources;
