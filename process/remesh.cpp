@@ -145,6 +145,15 @@ RunState Process::run_state() const {
   return s;
 }
 
+double Process::flowing_energy() const {
+  const std::vector<double> shape = bulk_->shape_energies();
+  double energy = 0.0;
+  for (std::size_t k = 0; k < shape.size(); ++k)
+    if (plastic_rate_[k] > 0.0)
+      energy += shape[k];
+  return energy;
+}
+
 void Process::remember() {
   if (time_ < fading_until_)
     return; // a new mesh does not know the forces of tools that have left
@@ -154,7 +163,7 @@ void Process::remember() {
   constexpr int parts = 3;            // of the way: how closely its length is met
   const auto flowed_on = [&](const RunState& since) {
     return (increment_ - since.increment) * parts >= most_increments ||
-           (bulk_->plastic_work() - since.plastic_work) * parts >= flow * flowing_energy_;
+           (bulk_->plastic_work() - since.plastic_work) * parts >= flow * flowing_energy();
   };
   if (!remembered_.empty() && !flowed_on(*remembered_.back()))
     return;

@@ -239,11 +239,6 @@ void Process::account_contact(double dt) {
 void Process::update_energy() {
   const mechanics::Bulk::ElasticEnergy elastic = bulk_->elastic_energy(x_);
   energy_.elastic = elastic.sum();
-  flowing_energy_ = 0.0;
-  const std::vector<double> shape = bulk_->shape_energies();
-  for (std::size_t k = 0; k < shape.size(); ++k)
-    if (plastic_rate_[k] > 0.0)
-      flowing_energy_ += shape[k];
   energy_.plastic = bulk_->plastic_work();
   energy_.external = support_work_ - tool_energy_ + load_work_;
   for (const auto& load : loads_)

@@ -321,6 +321,8 @@ private:
                                                                 const CarriedOver& carried);
   /// Where the run is now.
   [[nodiscard]] RunState run_state() const;
+  /// Elastic energy of shape of the points that flow [N mm].
+  [[nodiscard]] double flowing_energy() const;
   /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
   void remember();
   /// Finds equilibrium on the new mesh. (P.17), (P.19)
@@ -391,7 +393,6 @@ private:
   std::vector<double> trial_x_;
   /// Where a new mesh may begin, the earliest first.
   std::vector<std::unique_ptr<const RunState>> remembered_;
-  double flowing_energy_ = 0.0;   ///< elastic, of shape, where metal flows [N mm]
   std::vector<double> last_step_; ///< x_new - x_old of the last increment; empty: none
   double last_dt_ = 0.0;
   double longest_ = 0.0; ///< increment of the present stage [s]
