@@ -1,7 +1,9 @@
 # billet_library(NAME uses...): one static library per folder, alias billet::NAME.
 #
 # Every .cpp and .h below the folder belongs to it; each header is compiled alone by the target
-# all_verify_interface_header_sets.
+# all_verify_interface_header_sets. Some of the files make one compilation, except where CGAL's
+# templates take the time: names of their unnamed namespaces must differ within a folder.
+set(files_together 6)
 function(billet_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
@@ -10,6 +12,9 @@ function(billet_library name)
   target_sources(billet_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   set_target_properties(billet_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON LINKER_LANGUAGE CXX)
   target_link_libraries(billet_${name} PUBLIC ${ARGN} PRIVATE billet_warnings)
+  if(NOT name STREQUAL geometry)
+    set_target_properties(billet_${name} PROPERTIES UNITY_BUILD ${BILLET_TOGETHER} UNITY_BUILD_BATCH_SIZE ${files_together})
+  endif()
   billet_precompile(billet_${name})
 endfunction()
 

@@ -24,7 +24,6 @@
 
 namespace billet::contact {
 
-using mechanics::idx;
 using mechanics::Index;
 
 enum class Form { mixed, compatible };

@@ -1,5 +1,6 @@
 #include "geometry/boundary_measure.h"
 
+#include "geometry/base/index.h"
 #include "geometry/profile_piece.h"
 
 #include <array>
@@ -12,8 +13,6 @@
 namespace billet::geometry {
 
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The part of the measure that a parabolic side encloses: x dy or x^2 dy / 2, exactly. (G.44)
 double enclosed(const Vec2& a, const Vec2& m, const Vec2& b, Measure measure) {
@@ -37,7 +36,7 @@ public:
   Shift(RefinedDomain& domain, std::span<const BoundaryCurve> curves, Measure measure)
       : mesh_(domain.mesh) {
     for (const CurveSide& side : domain.sides) {
-      const BoundaryCurve& curve = curves[at(side.loop)];
+      const BoundaryCurve& curve = curves[idx(side.loop)];
       for (const double s : {side.from, side.middle()}) {
         const double freedom = curve.freedom(s);
         ways_.push_back(freedom * normal_of(curve.tangent(s)));
@@ -51,7 +50,7 @@ public:
 
   void move(double amount) {
     for (std::size_t i = 0; i < mesh_.boundary.size(); ++i) {
-      mesh_.points[at(mesh_.boundary[i].corners[0])] += amount * ways_[2 * i];
+      mesh_.points[idx(mesh_.boundary[i].corners[0])] += amount * ways_[2 * i];
       mesh_.boundary[i].middle += amount * ways_[2 * i + 1];
     }
   }
@@ -75,8 +74,8 @@ double enclosed(const SideLoop& loop, const Enclosure& of) {
 double enclosed(const PlaneMesh& mesh, const Enclosure& of) {
   double sum = 0.0;
   for (const BoundarySide& side : mesh.boundary)
-    sum += enclosed(mesh.points[at(side.corners[0])] - of.origin, side.middle - of.origin,
-                    mesh.points[at(side.corners[1])] - of.origin, of.measure);
+    sum += enclosed(mesh.points[idx(side.corners[0])] - of.origin, side.middle - of.origin,
+                    mesh.points[idx(side.corners[1])] - of.origin, of.measure);
   return sum;
 }
 

@@ -1,5 +1,6 @@
 #include "geometry/boundary_surface.h"
 
+#include "geometry/base/index.h"
 #include "geometry/nearest_in_triangle.h"
 #include "geometry/triangle_shape.h"
 
@@ -28,14 +29,12 @@ constexpr double least_cosine = 0.5; // of a normal against its facet; below, th
 constexpr double most_departure =
     0.15; // of a curved triangle from its facet, over its longest side
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 } // namespace
 
 BoundarySurface::BoundarySurface(const SolidBoundary& boundary, double short_crease)
     : boundary_(&boundary), normals_(normals_of(boundary)),
       edges_(edge_curves(boundary.mesh, normals_)),
-      lines_(feature_lines(boundary, normals_, short_crease)), members_(at(lines_.n_patches)) {
+      lines_(feature_lines(boundary, normals_, short_crease)), members_(idx(lines_.n_patches)) {
   const TriangleMesh& mesh = boundary.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<CurvedTriangle::Side, 3> sides{};
@@ -50,14 +49,14 @@ BoundarySurface::BoundarySurface(const SolidBoundary& boundary, double short_cre
     }
     curved_.emplace_back(sides);
     is_curved_.push_back(static_cast<char>(is_curved(t)));
-    members_[at(lines_.patch[t])].push_back(static_cast<std::int32_t>(t));
+    members_[idx(lines_.patch[t])].push_back(static_cast<std::int32_t>(t));
   }
   for (const std::vector<std::int32_t>& patch : members_) {
     std::vector<Box> boxes;
     for (const std::int32_t t : patch) {
       Box& box = boxes.emplace_back();
       for (std::size_t i = 0; i < 3; ++i)
-        box.add(corner(mesh, mesh.triangles[at(t)], i));
+        box.add(corner(mesh, mesh.triangles[idx(t)], i));
     }
     trees_.emplace_back(boxes);
   }
@@ -79,22 +78,22 @@ bool BoundarySurface::is_curved(std::size_t t) const {
 }
 
 const EdgeCurve& BoundarySurface::curve(std::int32_t triangle, std::int32_t side) const {
-  return edges_.curves[at(edges_.of_triangle[at(triangle)][at(side)])];
+  return edges_.curves[idx(edges_.of_triangle[idx(triangle)][idx(side)])];
 }
 
 const LinePiece& BoundarySurface::piece(const LinePlace& place) const {
-  return lines_.chains[at(place.line)][at(place.piece)];
+  return lines_.chains[idx(place.line)][idx(place.piece)];
 }
 
 SurfacePlace BoundarySurface::place(std::int32_t patch, const Vec3& x) const {
-  const std::vector<std::int32_t>& members = members_[at(patch)];
+  const std::vector<std::int32_t>& members = members_[idx(patch)];
   SurfacePlace best;
   double least = std::numeric_limits<double>::infinity();
   std::int32_t first = std::numeric_limits<std::int32_t>::max();
-  trees_[at(patch)].walk(x, least, [&](std::int32_t i) {
-    const std::int32_t t = members[at(i)];
+  trees_[idx(patch)].walk(x, least, [&](std::int32_t i) {
+    const std::int32_t t = members[idx(i)];
     const TriangleMesh& mesh = boundary_->mesh;
-    const auto& triangle = mesh.triangles[at(t)];
+    const auto& triangle = mesh.triangles[idx(t)];
     const Vec3 &a = corner(mesh, triangle, 0), &b = corner(mesh, triangle, 1),
                &c = corner(mesh, triangle, 2);
     const std::array<double, 3> l = nearest_in_triangle(a, b, c, x);
@@ -112,10 +111,10 @@ SurfacePlace BoundarySurface::place(std::int32_t patch, const Vec3& x) const {
 LinePlace BoundarySurface::place_on_line(std::int32_t line, const Vec3& x) const {
   LinePlace best{line, 0, 0.0};
   double least = std::numeric_limits<double>::infinity();
-  const std::vector<LinePiece>& chain = lines_.chains[at(line)];
+  const std::vector<LinePiece>& chain = lines_.chains[idx(line)];
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Vec3& a = boundary_->mesh.points[at(chain[i].ends[0])];
-    const Vec3& b = boundary_->mesh.points[at(chain[i].ends[1])];
+    const Vec3& a = boundary_->mesh.points[idx(chain[i].ends[0])];
+    const Vec3& b = boundary_->mesh.points[idx(chain[i].ends[1])];
     const double t = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
     const double distance2 = (a + t * (b - a) - x).squaredNorm();
     if (distance2 < least) {
@@ -128,8 +127,8 @@ LinePlace BoundarySurface::place_on_line(std::int32_t line, const Vec3& x) const
 
 SurfacePlace BoundarySurface::on_triangle(const LinePlace& place) const {
   const LinePiece& on = piece(place);
-  const auto& triangle = boundary_->mesh.triangles[at(on.triangle)];
-  const std::size_t first = at(on.side), second = (first + 1) % 3;
+  const auto& triangle = boundary_->mesh.triangles[idx(on.triangle)];
+  const std::size_t first = idx(on.side), second = (first + 1) % 3;
   std::array<double, 3> l{};
   l[triangle[first] == on.ends[0] ? first : second] = 1.0 - place.t;
   l[triangle[first] == on.ends[0] ? second : first] = place.t;
@@ -137,18 +136,18 @@ SurfacePlace BoundarySurface::on_triangle(const LinePlace& place) const {
 }
 
 Vec3 BoundarySurface::point(const SurfacePlace& place) const {
-  if (is_curved_[at(place.triangle)] == 0)
+  if (is_curved_[idx(place.triangle)] == 0)
     return flat_point(place);
-  return curved_[at(place.triangle)].at(place.v, place.w).position;
+  return curved_[idx(place.triangle)].at(place.v, place.w).position;
 }
 
 Vec3 BoundarySurface::point(const LinePlace& place) const {
   const LinePiece& on = piece(place);
   const EdgeCurve& along = curve(on.triangle, on.side);
   if (place.t == 0.0 || place.t == 1.0)
-    return boundary_->mesh.points[at(on.ends[place.t == 0.0 ? 0 : 1])];
-  const Vec3& a = boundary_->mesh.points[at(on.ends[0])];
-  const Vec3& b = boundary_->mesh.points[at(on.ends[1])];
+    return boundary_->mesh.points[idx(on.ends[place.t == 0.0 ? 0 : 1])];
+  const Vec3& a = boundary_->mesh.points[idx(on.ends[0])];
+  const Vec3& b = boundary_->mesh.points[idx(on.ends[1])];
   const Vec3 chord = a + place.t * (b - a);
   if (along.straight)
     return chord;
@@ -157,7 +156,7 @@ Vec3 BoundarySurface::point(const LinePlace& place) const {
 }
 
 Vec3 BoundarySurface::flat_point(const SurfacePlace& place) const {
-  const auto& triangle = boundary_->mesh.triangles[at(place.triangle)];
+  const auto& triangle = boundary_->mesh.triangles[idx(place.triangle)];
   const Vec3& a = corner(boundary_->mesh, triangle, 0);
   // So that planes across an axis are kept to the bit.
   return a + place.v * (corner(boundary_->mesh, triangle, 1) - a) +
@@ -165,7 +164,7 @@ Vec3 BoundarySurface::flat_point(const SurfacePlace& place) const {
 }
 
 double BoundarySurface::curvature(std::int32_t triangle) const {
-  const std::size_t t = at(triangle);
+  const std::size_t t = idx(triangle);
   double largest = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;

@@ -1,6 +1,7 @@
 #include "geometry/domain_remesher.h"
 
 #include "geometry/base/error.h"
+#include "geometry/base/index.h"
 #include "geometry/boundary_curve.h"
 #include "geometry/boundary_measure.h"
 #include "geometry/boundary_sides.h"
@@ -40,8 +41,6 @@ constexpr double chord_turn = std::numbers::pi / 36.0;
 
 /// Rounds of splitting sides whose triangles turn inside out.
 constexpr int most_rounds = 6;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void refuse(const std::string& what, const Vec2& x) {
   throw Error(Fault::geometry, "", fmt::format("{} near ({:.6g}, {:.6g})", what, x.x(), x.y()));
@@ -90,29 +89,29 @@ bool is_valid(const std::array<Vec2, 3>& x, const std::array<Vec2, 3>& m) {
 std::vector<char> inverted_sides(const PlaneMesh& mesh) {
   std::vector<std::int32_t> next(mesh.points.size(), -1); // side that starts at a corner
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-    next[at(mesh.boundary[i].corners[0])] = static_cast<std::int32_t>(i);
+    next[idx(mesh.boundary[i].corners[0])] = static_cast<std::int32_t>(i);
   std::vector<char> flags(mesh.boundary.size(), 0);
   for (const auto& triangle : mesh.triangles) {
     std::array<Vec2, 3> x, m;
     std::array<std::int32_t, 3> sides{-1, -1, -1};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t a = triangle[k], b = triangle[(k + 1) % 3];
-      x[k] = mesh.points[at(a)];
-      m[k] = 0.5 * (mesh.points[at(a)] + mesh.points[at(b)]);
-      const std::int32_t side = next[at(a)];
-      if (side >= 0 && mesh.boundary[at(side)].corners[1] == b) {
+      x[k] = mesh.points[idx(a)];
+      m[k] = 0.5 * (mesh.points[idx(a)] + mesh.points[idx(b)]);
+      const std::int32_t side = next[idx(a)];
+      if (side >= 0 && mesh.boundary[idx(side)].corners[1] == b) {
         sides[k] = side;
-        m[k] = mesh.boundary[at(side)].middle;
+        m[k] = mesh.boundary[idx(side)].middle;
       }
     }
     if (is_valid(x, m))
       continue;
     if (std::all_of(sides.begin(), sides.end(), [](std::int32_t side) { return side < 0; }))
       for (std::size_t k = 0; k < 3; ++k)
-        sides[k] = next[at(triangle[k])];
+        sides[k] = next[idx(triangle[k])];
     for (const std::int32_t side : sides)
       if (side >= 0)
-        flags[at(side)] = 1;
+        flags[idx(side)] = 1;
   }
   return flags;
 }
@@ -188,7 +187,7 @@ private:
   template <class Field> void require_within_limit(const PlaneMesh& mesh, const Field& size) const {
     double expected = 0.0;
     for (const auto& [a, b, c] : mesh.triangles) {
-      const Vec2 &x = mesh.points[at(a)], &y = mesh.points[at(b)], &z = mesh.points[at(c)];
+      const Vec2 &x = mesh.points[idx(a)], &y = mesh.points[idx(b)], &z = mesh.points[idx(c)];
       const double h = size((x + y + z) / 3.0);
       expected += cross(y - x, z - x) / (h * h); // twice the area: as below
     }
@@ -238,12 +237,12 @@ private:
   void settle(RefinedDomain& domain) const {
     for (std::size_t i = 0; i < domain.sides.size(); ++i) {
       BoundarySide& side = domain.mesh.boundary[i];
-      const BoundaryCurve& curve = curves_[at(domain.sides[i].loop)];
+      const BoundaryCurve& curve = curves_[idx(domain.sides[i].loop)];
       const auto move = [&](Vec2& x, double s) {
         x = settle_(side.segment, settled_.original(curve.place(s)), x);
       };
-      move(domain.mesh.points[at(side.corners[0])], domain.sides[i].from);
-      move(domain.mesh.points[at(side.corners[1])], domain.sides[i].to);
+      move(domain.mesh.points[idx(side.corners[0])], domain.sides[i].from);
+      move(domain.mesh.points[idx(side.corners[1])], domain.sides[i].to);
       move(side.middle, domain.sides[i].middle());
     }
   }
@@ -252,7 +251,7 @@ private:
     RemeshedDomain result;
     for (const CurveSide& side : domain.sides) {
       const auto place = [&](double s) {
-        return settled_.original(curves_[at(side.loop)].place(s));
+        return settled_.original(curves_[idx(side.loop)].place(s));
       };
       result.corner_places.push_back(place(side.from));
       result.middle_places.push_back(place(side.middle()));

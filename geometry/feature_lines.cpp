@@ -1,5 +1,6 @@
 #include "geometry/feature_lines.h"
 
+#include "geometry/base/index.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/edge_table.h"
 
@@ -18,8 +19,6 @@ namespace {
 
 /// A chain that turns by more at a point has a corner there.
 constexpr double corner_turn = std::numbers::pi / 4.0;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// An edge that stays.
 struct Marked {
@@ -65,15 +64,15 @@ private:
       std::set<std::int32_t> parts;
       std::vector<std::int32_t> triangles;
       for (const EdgeUse& use : uses) {
-        parts.insert(boundary_.part[at(use.triangle)]);
+        parts.insert(boundary_.part[idx(use.triangle)]);
         triangles.push_back(use.triangle);
       }
-      const bool sharp = normals.is_sharp[at(first.triangle)][at(first.side)] != 0;
+      const bool sharp = normals.is_sharp[idx(first.triangle)][idx(first.side)] != 0;
       const bool asked = parts.size() > 1 || wanted.contains({first.low, first.high});
       if (!sharp && !asked)
         return;
       for (const std::int32_t end : {first.low, first.high})
-        edges_at_[at(end)].push_back(marked_.size());
+        edges_at_[idx(end)].push_back(marked_.size());
       marked_.push_back(
           {{first.low, first.high}, first.triangle, first.side, std::move(triangles), !asked});
     });
@@ -82,7 +81,7 @@ private:
 
   [[nodiscard]] std::vector<std::size_t> live(std::int32_t point) const {
     std::vector<std::size_t> result;
-    for (const std::size_t edge : edges_at_[at(point)])
+    for (const std::size_t edge : edges_at_[idx(point)])
       if (!dropped_[edge])
         result.push_back(edge);
     return result;
@@ -90,7 +89,7 @@ private:
 
   [[nodiscard]] double length(std::size_t edge) const {
     const auto& [a, b] = marked_[edge].ends;
-    return (boundary_.mesh.points[at(a)] - boundary_.mesh.points[at(b)]).norm();
+    return (boundary_.mesh.points[idx(a)] - boundary_.mesh.points[idx(b)]).norm();
   }
 
   [[nodiscard]] std::int32_t beyond(std::size_t edge, std::int32_t point) const {
@@ -116,7 +115,7 @@ private:
           way += length(edge);
           point = beyond(edge, point);
           next = live(point);
-          if (next.size() != 2 || boundary_.keep[at(point)] != 0)
+          if (next.size() != 2 || boundary_.keep[idx(point)] != 0)
             break;
           if (next.front() == edge)
             std::swap(next[0], next[1]);
@@ -134,11 +133,11 @@ private:
     const std::vector<std::size_t> edges = live(point);
     if (edges.empty())
       return false;
-    if (edges.size() != 2 || boundary_.keep[at(point)] != 0)
+    if (edges.size() != 2 || boundary_.keep[idx(point)] != 0)
       return true;
-    const Vec3& x = boundary_.mesh.points[at(point)];
-    const Vec3 in = x - boundary_.mesh.points[at(beyond(edges[0], point))];
-    const Vec3 out = boundary_.mesh.points[at(beyond(edges[1], point))] - x;
+    const Vec3& x = boundary_.mesh.points[idx(point)];
+    const Vec3 in = x - boundary_.mesh.points[idx(beyond(edges[0], point))];
+    const Vec3 out = boundary_.mesh.points[idx(beyond(edges[1], point))] - x;
     return in.dot(out) < std::cos(corner_turn) * in.norm() * out.norm();
   }
 
@@ -190,10 +189,10 @@ private:
     std::set<std::int32_t> patches;
     for (const LinePiece& piece : chain) {
       const auto [low, high] = std::minmax(piece.ends[0], piece.ends[1]);
-      for (const std::size_t edge : edges_at_[at(low)])
+      for (const std::size_t edge : edges_at_[idx(low)])
         if (marked_[edge].ends[1] == high || marked_[edge].ends[0] == high)
           for (const std::int32_t triangle : marked_[edge].triangles)
-            patches.insert(lines_.patch[at(triangle)]);
+            patches.insert(lines_.patch[idx(triangle)]);
     }
     lines_.patches.emplace_back(patches.begin(), patches.end());
     lines_.chains.push_back(std::move(chain));

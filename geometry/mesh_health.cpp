@@ -1,5 +1,6 @@
 #include "geometry/mesh_health.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/edge_table.h"
 #include "geometry/triangle_shape.h"
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -85,7 +85,7 @@ void count_edges(const TriangleMesh& mesh,
                  const std::vector<EdgeUse>& uses,
                  double feature_angle,
                  MeshHealth& health) {
-  const double cosine = std::cos(feature_angle * std::numbers::pi / 180.0);
+  const double cosine = std::cos(feature_angle * degree);
   const auto point = [&](std::int32_t i) { return mesh.points[static_cast<std::size_t>(i)]; };
   const auto normal = [&](const EdgeUse& use) {
     return doubled_area(mesh, mesh.triangles[static_cast<std::size_t>(use.triangle)]);

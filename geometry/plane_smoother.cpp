@@ -1,5 +1,6 @@
 #include "geometry/plane_smoother.h"
 
+#include "geometry/base/index.h"
 #include "geometry/profile_piece.h"
 
 #include <algorithm>
@@ -23,9 +24,9 @@ public:
   explicit Smoother(PlaneMesh& mesh) : mesh_(mesh), around_(mesh.points.size()) {
     for (const auto& triangle : mesh.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        around_[at(triangle[i])].push_back({triangle[(i + 1) % 3], triangle[(i + 2) % 3]});
+        around_[idx(triangle[i])].push_back({triangle[(i + 1) % 3], triangle[(i + 2) % 3]});
     for (const BoundarySide& side : mesh.boundary)
-      around_[at(side.corners[0])].clear();
+      around_[idx(side.corners[0])].clear();
   }
 
   void sweep() {
@@ -34,7 +35,7 @@ public:
         continue;
       Vec2 mean = Vec2::Zero();
       for (const auto& [b, c] : around_[i]) // each neighbour twice
-        mean += mesh_.points[at(b)] + mesh_.points[at(c)];
+        mean += mesh_.points[idx(b)] + mesh_.points[idx(c)];
       mean /= 2.0 * static_cast<double>(around_[i].size());
       if (least_around(i, mean) > least_around(i, mesh_.points[i]))
         mesh_.points[i] = mean;
@@ -42,12 +43,10 @@ public:
   }
 
 private:
-  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
   [[nodiscard]] double least_around(std::size_t i, const Vec2& place) const {
     double least = std::numbers::pi;
     for (const auto& [b, c] : around_[i])
-      least = std::min(least, smallest_angle(place, mesh_.points[at(b)], mesh_.points[at(c)]));
+      least = std::min(least, smallest_angle(place, mesh_.points[idx(b)], mesh_.points[idx(c)]));
     return least;
   }
 

@@ -1,5 +1,7 @@
 #include "geometry/settled_loops.h"
 
+#include "geometry/base/index.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,8 +24,6 @@ constexpr double no_length = 1e-3;
 
 /// Where a side is tried.
 constexpr std::array<double, 9> samples{0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 Vec2 on_side(const SideLoop& loop, std::size_t i, double xi) {
   const Vec2 &a = loop.corners[i], &m = loop.middles[i],
@@ -118,7 +118,7 @@ void SettledLoops::erase(SideLoop& loop, std::vector<Piece>& pieces, std::size_t
 }
 
 BoundaryPlace SettledLoops::original(const BoundaryPlace& place) const {
-  const Piece& piece = pieces_[at(place.loop)][at(place.side)];
+  const Piece& piece = pieces_[idx(place.loop)][idx(place.side)];
   const double xi = place.xi == 0.0   ? piece.from
                     : place.xi == 1.0 ? piece.to
                                       : piece.from + place.xi * (piece.to - piece.from);

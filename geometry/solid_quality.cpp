@@ -1,5 +1,7 @@
 #include "geometry/solid_quality.h"
 
+#include "geometry/base/index.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -16,8 +18,6 @@ constexpr int most_rounds = 12;      // through all poor tetrahedra
 constexpr double most_moves = 2.0;   // of nodes, over the number of tetrahedra: a bound of the time
 constexpr double first_step = 0.25;  // over the shortest edge at a node
 constexpr double least_step = 0.004; // likewise
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Of the angles between two faces of a tetrahedron that is turned the right way round; the
 /// largest one is that of the smallest angle.
@@ -56,7 +56,7 @@ public:
             static_cast<std::int64_t>(most_moves * static_cast<double>(mesh.tetrahedra.size()))) {
     for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e)
       for (const std::int32_t node : mesh.tetrahedra[e])
-        around_[at(node)].push_back(e);
+        around_[idx(node)].push_back(e);
   }
 
   void run() {
@@ -65,7 +65,7 @@ public:
       for (std::size_t e = 0; e < mesh_.tetrahedra.size(); ++e)
         if (quality(e) < wanted_)
           for (const std::int32_t node : mesh_.tetrahedra[e])
-            if (movable_[at(node)] != 0 && fresh_[at(node)] != 0 && moves_-- > 0)
+            if (movable_[idx(node)] != 0 && fresh_[idx(node)] != 0 && moves_-- > 0)
               better = move(node) || better;
       if (!better)
         return;
@@ -76,14 +76,14 @@ private:
   [[nodiscard]] double quality(std::size_t e) const {
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < 4; ++i)
-      corners[i] = mesh_.points[at(mesh_.tetrahedra[e][i])];
+      corners[i] = mesh_.points[idx(mesh_.tetrahedra[e][i])];
     return shape_quality(corners);
   }
 
   /// Quality of the worst tetrahedron around a node, or of one that is no better than `enough`;
   /// that one is the first to be asked the next time.
   double worst_around(std::int32_t node, double enough) {
-    std::vector<std::size_t>& around = around_[at(node)];
+    std::vector<std::size_t>& around = around_[idx(node)];
     double worst = std::numeric_limits<double>::infinity();
     for (std::size_t& e : around) {
       worst = std::min(worst, quality(e));
@@ -97,16 +97,17 @@ private:
 
   [[nodiscard]] double shortest_edge(std::int32_t node) const {
     double shortest = std::numeric_limits<double>::infinity();
-    for (const std::size_t e : around_[at(node)])
+    for (const std::size_t e : around_[idx(node)])
       for (const std::int32_t other : mesh_.tetrahedra[e])
         if (other != node)
-          shortest = std::min(shortest, (mesh_.points[at(other)] - mesh_.points[at(node)]).norm());
+          shortest =
+              std::min(shortest, (mesh_.points[idx(other)] - mesh_.points[idx(node)]).norm());
     return shortest;
   }
 
   bool move(std::int32_t node) {
     constexpr double gain = 1e-3;
-    Vec3& x = mesh_.points[at(node)];
+    Vec3& x = mesh_.points[idx(node)];
     double worst = worst_around(node, -std::numeric_limits<double>::infinity());
     const double before = worst;
     const double edge = shortest_edge(node);
@@ -123,11 +124,11 @@ private:
       }
       x = best;
     }
-    fresh_[at(node)] = 0;
+    fresh_[idx(node)] = 0;
     if (worst > before)
-      for (const std::size_t e : around_[at(node)])
+      for (const std::size_t e : around_[idx(node)])
         for (const std::int32_t other : mesh_.tetrahedra[e])
-          fresh_[at(other)] = static_cast<char>(other != node || fresh_[at(other)] != 0);
+          fresh_[idx(other)] = static_cast<char>(other != node || fresh_[idx(other)] != 0);
     return worst > before;
   }
 

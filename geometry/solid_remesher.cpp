@@ -1,6 +1,8 @@
 #include "geometry/solid_remesher.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
+#include "geometry/base/index.h"
 #include "geometry/boundary_surface.h"
 #include "geometry/mesh_health.h"
 #include "geometry/mesh_parts.h"
@@ -25,7 +27,6 @@ namespace billet::geometry {
 namespace {
 
 constexpr double most_tetrahedra = 2e5;
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Nodes are moved until tetrahedra are as good as this (`shape_quality`).
 constexpr double wanted_quality = 0.25;
@@ -46,8 +47,6 @@ constexpr int most_straightenings = 8;
 
 /// A straight mesh encloses the volume of the old triangles to this share, or something is missing.
 constexpr double volume_share = 0.1;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void refuse(const std::string& what, const Vec3& x) {
   throw Error(Fault::geometry, "",
@@ -97,12 +96,12 @@ PatchedSurface patched(const BoundarySurface& surface) {
   for (std::size_t i = 0; i < lines.chains.size(); ++i) {
     FeatureLine& line = result.lines.emplace_back();
     line.patches = lines.patches[i];
-    line.points.push_back(points[at(lines.chains[i].front().ends[0])]);
+    line.points.push_back(points[idx(lines.chains[i].front().ends[0])]);
     for (const LinePiece& piece : lines.chains[i])
-      line.points.push_back(points[at(piece.ends[1])]);
+      line.points.push_back(points[idx(piece.ends[1])]);
   }
   for (const std::int32_t point : lines.lone_corners)
-    result.corners.push_back(points[at(point)]);
+    result.corners.push_back(points[idx(point)]);
   return result;
 }
 
@@ -129,7 +128,7 @@ std::vector<SpaceSizeSample> size_samples(const BoundarySurface& surface,
   const TriangleMesh& mesh = surface.boundary().mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 middle = (mesh.points[at(a)] + mesh.points[at(b)] + mesh.points[at(c)]) / 3.0;
+    const Vec3 middle = (mesh.points[idx(a)] + mesh.points[idx(b)] + mesh.points[idx(c)]) / 3.0;
     double size = sizes.max;
     if (sizes.wanted)
       size = std::min(size, sizes.wanted(middle));

@@ -1,5 +1,6 @@
 #include "geometry/solid_shell.h"
 
+#include "geometry/base/index.h"
 #include "geometry/mesh_health.h"
 #include "geometry/solid_quality.h"
 
@@ -25,8 +26,6 @@ constexpr double least_bend = 0.4;
 
 /// A node is shifted for the volume by no more than this share of the edges around it.
 constexpr double most_shift = 0.1;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A rule for a triangle, exact up to degree four: Dunavant, Int. J. Numer. Meth. Engng 21 (1985)
 /// 1129, p = 4.
@@ -108,7 +107,7 @@ std::int32_t SolidShell::edge_between(std::int32_t a, std::int32_t b) const {
 
 Vec3 SolidShell::chord_middle(std::size_t edge) const {
   const auto& [a, b] = edges_[edge].corners;
-  return 0.5 * (solid_.mesh.points[at(a)] + solid_.mesh.points[at(b)]);
+  return 0.5 * (solid_.mesh.points[idx(a)] + solid_.mesh.points[idx(b)]);
 }
 
 void SolidShell::find_seats() {
@@ -116,7 +115,7 @@ void SolidShell::find_seats() {
   const std::vector<Vec3>& old = surface_.boundary().mesh.points;
   std::map<std::array<double, 3>, std::int32_t> corners;
   const auto add_corner = [&](std::int32_t point) {
-    const Vec3& x = old[at(point)];
+    const Vec3& x = old[idx(point)];
     corners[{x.x(), x.y(), x.z()}] = point;
   };
   for (const std::vector<LinePiece>& chain : lines.chains)
@@ -135,16 +134,16 @@ void SolidShell::find_seats() {
   };
   for (std::size_t f = 0; f < solid_.facets.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
-      sit(at(solid_.facets[f].corners[i]), solid_.facets[f].patch);
-      sit(n + at(facet_edges_[f][i]), solid_.facets[f].patch);
+      sit(idx(solid_.facets[f].corners[i]), solid_.facets[f].patch);
+      sit(n + idx(facet_edges_[f][i]), solid_.facets[f].patch);
     }
   for (const PatchedSolid::LineEdge& edge : solid_.edges) {
     const std::int32_t number = edge_between(edge.corners[0], edge.corners[1]);
     if (number < 0)
       continue; // cut off by exudation
-    seats_[n + at(number)].line = edge.line;
+    seats_[n + idx(number)].line = edge.line;
     for (const std::int32_t corner : edge.corners)
-      seats_[at(corner)].line = edge.line;
+      seats_[idx(corner)].line = edge.line;
   }
   for (std::size_t node = 0; node < n; ++node) {
     const Vec3& x = solid_.mesh.points[node];
@@ -162,7 +161,7 @@ SurfacePlace SolidShell::place(const Seat& seat, const Vec3& x) const {
 
 Vec3 SolidShell::seated(const Seat& seat, const Vec3& x) const {
   if (seat.point >= 0)
-    return surface_.boundary().mesh.points[at(seat.point)];
+    return surface_.boundary().mesh.points[idx(seat.point)];
   if (seat.line >= 0)
     return surface_.point(surface_.place_on_line(seat.line, x));
   return seat.patch >= 0 ? surface_.point(surface_.place(seat.patch, x)) : x;
@@ -206,8 +205,8 @@ std::array<std::size_t, 6> SolidShell::nodes_of(const PatchedSolid::Facet& facet
   const auto f = static_cast<std::size_t>(&facet - solid_.facets.data());
   std::array<std::size_t, 6> nodes{};
   for (std::size_t i = 0; i < 3; ++i) {
-    nodes[i] = at(facet.corners[i]);
-    nodes[3 + i] = n + at(facet_edges_[f][i]);
+    nodes[i] = idx(facet.corners[i]);
+    nodes[3 + i] = n + idx(facet_edges_[f][i]);
   }
   return nodes;
 }
@@ -215,7 +214,7 @@ std::array<std::size_t, 6> SolidShell::nodes_of(const PatchedSolid::Facet& facet
 void SolidShell::improve_nodes(const std::vector<char>& movable, double wanted) {
   // The place on the straight triangles is where a node's search starts from.
   const Confine confine = [&](std::int32_t node, const Vec3& x) {
-    return seated(seats_[at(node)], x);
+    return seated(seats_[idx(node)], x);
   };
   improve(solid_.mesh, movable, confine, wanted);
 }
@@ -245,7 +244,7 @@ void SolidShell::settle(const SettleSolid& settle) {
     for (const std::size_t node : nodes_of(facet)) {
       // All triangles of a patch are of one part.
       const Vec3& x = position(node);
-      parts[node].insert(boundary.part[at(surface_.place(facet.patch, x).triangle)]);
+      parts[node].insert(boundary.part[idx(surface_.place(facet.patch, x).triangle)]);
     }
   for (std::size_t node = 0; node < seats_.size(); ++node)
     if (!parts[node].empty()) {
@@ -288,7 +287,7 @@ std::vector<double> SolidShell::freedom() const {
   for (const PatchedSolid::Facet& facet : solid_.facets) {
     const std::array<std::size_t, 6> nodes = nodes_of(facet);
     const Vec3 middle = (position(nodes[0]) + position(nodes[1]) + position(nodes[2])) / 3.0;
-    const bool holds = boundary.hold[at(surface_.place(facet.patch, middle).triangle)] != 0;
+    const bool holds = boundary.hold[idx(surface_.place(facet.patch, middle).triangle)] != 0;
     for (const std::size_t node : nodes) {
       on[node] = 1;
       held[node] = static_cast<char>(held[node] != 0 || holds);
@@ -332,7 +331,8 @@ void SolidShell::restore_volume(double wanted) {
   double mean_edge = 0.0;
   for (const RemeshedSolid::Edge& edge : edges_)
     mean_edge +=
-        (solid_.mesh.points[at(edge.corners[0])] - solid_.mesh.points[at(edge.corners[1])]).norm() /
+        (solid_.mesh.points[idx(edge.corners[0])] - solid_.mesh.points[idx(edge.corners[1])])
+            .norm() /
         static_cast<double>(edges_.size());
   const double most = most_shift * mean_edge;
   double shifted = 0.0;
@@ -358,7 +358,7 @@ void SolidShell::restore_volume(double wanted) {
 std::array<Vec3, 4> SolidShell::corners_of(std::size_t tetrahedron) const {
   std::array<Vec3, 4> corners;
   for (std::size_t i = 0; i < 4; ++i)
-    corners[i] = solid_.mesh.points[at(solid_.mesh.tetrahedra[tetrahedron][i])];
+    corners[i] = solid_.mesh.points[idx(solid_.mesh.tetrahedra[tetrahedron][i])];
   return corners;
 }
 
@@ -367,7 +367,7 @@ double SolidShell::bend(std::size_t tetrahedron) const {
   std::array<Vec3, 6> middles;
   for (std::size_t i = 0; i < 6; ++i) {
     const std::int32_t edge = tetra_edges_[tetrahedron][i];
-    middles[i] = edge >= 0 ? edges_[at(edge)].middle
+    middles[i] = edge >= 0 ? edges_[idx(edge)].middle
                            : Vec3(0.5 * (corners[tetra_ends[i][0]] + corners[tetra_ends[i][1]]));
   }
   return bent_jacobian(corners, middles);
@@ -381,7 +381,7 @@ bool SolidShell::straighten() {
         if (edge >= 0)
           bent.insert(edge);
   for (const std::int32_t edge : bent)
-    edges_[at(edge)].middle = 0.5 * (edges_[at(edge)].middle + chord_middle(at(edge)));
+    edges_[idx(edge)].middle = 0.5 * (edges_[idx(edge)].middle + chord_middle(idx(edge)));
   return !bent.empty();
 }
 
@@ -432,16 +432,16 @@ RemeshedSolid SolidShell::result() && {
   const SolidBoundary& boundary = surface_.boundary();
   for (const PatchedSolid::Facet& facet : solid_.facets) {
     const Vec3 middle =
-        (solid_.mesh.points[at(facet.corners[0])] + solid_.mesh.points[at(facet.corners[1])] +
-         solid_.mesh.points[at(facet.corners[2])]) /
+        (solid_.mesh.points[idx(facet.corners[0])] + solid_.mesh.points[idx(facet.corners[1])] +
+         solid_.mesh.points[idx(facet.corners[2])]) /
         3.0;
     result.facets.push_back(
-        {facet.corners, boundary.part[at(surface_.place(facet.patch, middle).triangle)]});
+        {facet.corners, boundary.part[idx(surface_.place(facet.patch, middle).triangle)]});
   }
   for (std::size_t e = 0; e < edges_.size(); ++e)
     if (old_line_piece_[e] >= 0) {
       const std::int32_t line = seats_[solid_.mesh.points.size() + e].line;
-      const auto& ends = surface_.lines().chains[at(line)][at(old_line_piece_[e])].ends;
+      const auto& ends = surface_.lines().chains[idx(line)][idx(old_line_piece_[e])].ends;
       const auto [low, high] = std::minmax(ends[0], ends[1]);
       result.on_lines.push_back({e, {low, high}});
     }

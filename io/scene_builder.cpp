@@ -30,7 +30,6 @@ namespace {
 
 using mechanics::ElementKind;
 using mechanics::Face;
-using mechanics::idx;
 using mechanics::Index;
 using mechanics::Mesh;
 

@@ -1,6 +1,7 @@
 #include "io/stl.h"
 
 #include "geometry/base/error.h"
+#include "io/text.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -47,21 +48,11 @@ std::string contents(const std::filesystem::path& path) {
   return text;
 }
 
-bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-
 bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
     return std::tolower(static_cast<unsigned char>(x)) ==
            std::tolower(static_cast<unsigned char>(y));
   });
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back()))
-    text.remove_suffix(1);
-  return text;
 }
 
 void note_normal(StlFile& file, const Vec3& stated) {
@@ -139,7 +130,7 @@ public:
   std::string_view next() {
     skip_space();
     std::size_t n = 0;
-    while (n < rest_.size() && !is_space(rest_[n]))
+    while (n < rest_.size() && !is_blank(rest_[n]))
       ++n;
     const std::string_view word = rest_.substr(0, n);
     rest_.remove_prefix(n);
@@ -183,7 +174,7 @@ public:
 private:
   void skip_space() {
     std::size_t n = 0;
-    for (; n < rest_.size() && is_space(rest_[n]); ++n)
+    for (; n < rest_.size() && is_blank(rest_[n]); ++n)
       line_ += rest_[n] == '\n' ? 1 : 0;
     rest_.remove_prefix(n);
   }

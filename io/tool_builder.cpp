@@ -1,6 +1,7 @@
 #include "io/tool_builder.h"
 
 #include "geometry/analytic_surfaces.h"
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
 #include "geometry/profile.h"
 #include "geometry/revolved_profile.h"
@@ -23,8 +24,6 @@
 namespace billet::io {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::string smoothing_note(const geometry::Smoothing& s, double feature_angle) {
   if (s.curved == 0 && s.kept == 0)

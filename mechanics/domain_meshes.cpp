@@ -33,7 +33,7 @@ std::map<Side, Index> middles(const Mesh& mesh) {
 }
 
 template <std::size_t n>
-std::vector<Index> flat(const std::vector<std::array<std::int32_t, n>>& cells) {
+std::vector<Index> in_one_list(const std::vector<std::array<std::int32_t, n>>& cells) {
   std::vector<Index> corners;
   corners.reserve(n * cells.size());
   for (const auto& cell : cells)
@@ -48,7 +48,7 @@ Mesh triangle_mesh(const geometry::PlaneMesh& domain) {
   points.reserve(domain.points.size());
   for (const Vec2& p : domain.points)
     points.emplace_back(p.x(), p.y(), 0.0);
-  Mesh mesh = quadratic_mesh(ElementKind::tri6, std::move(points), flat(domain.triangles));
+  Mesh mesh = quadratic_mesh(ElementKind::tri6, std::move(points), in_one_list(domain.triangles));
   const std::map<Side, Index> middle_of = middles(mesh);
   for (const geometry::BoundarySide& boundary : domain.boundary) {
     const auto [a, b] = boundary.corners;
@@ -66,7 +66,7 @@ Mesh triangle_mesh(const geometry::PlaneMesh& domain) {
 }
 
 Mesh tetrahedron_mesh(const geometry::SolidMesh& domain) {
-  return quadratic_mesh(ElementKind::tet10, domain.points, flat(domain.tetrahedra));
+  return quadratic_mesh(ElementKind::tet10, domain.points, in_one_list(domain.tetrahedra));
 }
 
 Mesh tetrahedron_mesh(const geometry::RemeshedSolid& solid) {

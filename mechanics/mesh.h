@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "geometry/base/index.h"
 #include "geometry/base/vector.h"
 
 #include <array>
@@ -20,9 +21,6 @@
 namespace billet::mechanics {
 
 using Index = std::int32_t;
-
-/// A number of a node, a cell or a degree of freedom as the subscript of a container.
-[[nodiscard]] constexpr std::size_t idx(Index i) { return static_cast<std::size_t>(i); }
 
 /// Kinds of cell the solver knows by name.
 enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet10 };

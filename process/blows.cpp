@@ -1,6 +1,7 @@
 #include "process/blows.h"
 
 #include "geometry/first_contact.h"
+#include "process/touch.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +16,6 @@ namespace {
 
 /// A ram slower than this share of its first speed stands still: a millionth of its energy is left.
 constexpr double still = 1e-3;
-
-/// Longest way to the workpiece, in sizes of the body.
-constexpr double reach_share = 100.0;
 
 } // namespace
 
@@ -65,7 +63,7 @@ std::string Blows::bring_to_touch(std::size_t tool,
     return "";
   const auto way =
       geometry::distance_to_contact(*scene_->tools[tool].surface, contact_->pose(tool, time, x),
-                                    drive(tool).axis, points, reach_share * size_);
+                                    drive(tool).axis, points, most_sizes_to_touch * size_);
   if (!way)
     return fmt::format("the press '{}' strikes nothing: {}", scene_->tools[tool].name,
                        way.error().reason);

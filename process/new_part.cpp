@@ -17,8 +17,6 @@ namespace billet::process {
 
 namespace {
 
-Vec3 in_space(const Vec2& x) { return {x.x(), x.y(), 0.0}; }
-
 /// Faces that touch a tool are off it by up to this share of their length.
 constexpr double off = 0.05;
 

@@ -18,7 +18,6 @@
 
 namespace billet::process {
 
-using mechanics::idx;
 using mechanics::Index;
 
 /// Nodes of which one component follows a displacement over time (0: fixed).

@@ -298,8 +298,6 @@ Value mean(const std::array<double, 3>& l, const std::array<Value, 3>& values) {
   return l[0] * values[0] + l[1] * values[1] + l[2] * values[2];
 }
 
-Vec3 in_space(const Vec2& at) { return {at.x(), at.y(), 0.0}; }
-
 } // namespace
 
 SolidPart solid_part(const Scene& scene,

@@ -20,7 +20,6 @@ namespace {
 using geometry::DisplayMesh;
 using geometry::FacetBody;
 
-constexpr double reach_share = 100.0;     // longest way to touch, in sizes of the workpiece
 constexpr double facet_tolerance = 1e-6;  // share of the size of the scene
 constexpr std::size_t most_facets = 4000; // asked how far a drawing is from its surface
 constexpr int cells = 4;                  // a side of a face's grid of samples
@@ -179,7 +178,7 @@ public:
       throw Error(Fault::case_file, "",
                   fmt::format("tool '{}' has touch = true but does not move", tool.name),
                   "give it a velocity, a displacement or a force, or place it where it touches");
-    const double reach = reach_share * size_;
+    const double reach = most_sizes_to_touch * size_;
     // Contact points are what carries the load of a driven tool: it must rest on one, and a node
     // between them may lie inside it by the curve of the tool over a part of a face.
     const std::span<const Vec3> all = points_;
@@ -206,7 +205,7 @@ private:
     for (const Vec3& p : points_)
       points.push_back(start.to_tool(p - offset));
     std::vector<geometry::Projection> feet(points.size());
-    tool.surface->project(points, reach_share * size_, feet);
+    tool.surface->project(points, most_sizes_to_touch * size_, feet);
     return std::none_of(feet.begin(), feet.end(), [&](const geometry::Projection& foot) {
       return foot.gap < -facet_tolerance * size_;
     });

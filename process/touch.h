@@ -11,6 +11,9 @@
 
 namespace billet::process {
 
+/// Longest way of a tool to the workpiece, in sizes of the workpiece.
+inline constexpr double most_sizes_to_touch = 100.0;
+
 /// Sets the offset of every tool that is to be brought to touch.
 ///
 /// @param x  positions of the nodes, shape (n_dofs) [mm]

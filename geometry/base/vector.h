@@ -14,4 +14,7 @@ using Vec3 = Eigen::Vector3d;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 
+/// A point or vector of the plane as one of space, z = 0.
+[[nodiscard]] inline Vec3 in_space(const Vec2& x) { return {x.x(), x.y(), 0.0}; }
+
 } // namespace billet

@@ -31,6 +31,7 @@ inline constexpr Number not_negative_number{quantity::number, not_negative};
 inline constexpr Number fraction_number{quantity::number, fraction};
 inline constexpr Number positive_stress{quantity::stress, positive};
 inline constexpr Number not_negative_stress{quantity::stress, not_negative};
+inline constexpr Number any_length{quantity::length, any_value};
 inline constexpr Number positive_length{quantity::length, positive};
 inline constexpr Number positive_time{quantity::duration, positive};
 inline constexpr Number not_negative_time{quantity::duration, not_negative};

@@ -8,7 +8,7 @@ namespace billet::io {
 
 namespace {
 
-constexpr std::array materials{
+constexpr std::array all_materials{
     LibraryMaterial{
         "c15-cold", R"(
 elastic = { young = "206 GPa", poisson = 0.3 }
@@ -131,13 +131,13 @@ void complete(Table& table, const Table& from) {
 
 } // namespace
 
-std::span<const LibraryMaterial> material_library() { return materials; }
+std::span<const LibraryMaterial> material_library() { return all_materials; }
 
 const LibraryMaterial* find_library_material(std::string_view name) {
   const auto* const found =
-      std::find_if(materials.begin(), materials.end(),
+      std::find_if(all_materials.begin(), all_materials.end(),
                    [&](const LibraryMaterial& material) { return material.name == name; });
-  return found == materials.end() ? nullptr : found;
+  return found == all_materials.end() ? nullptr : found;
 }
 
 std::optional<Node> with_library(const Node& section) {

@@ -2,6 +2,7 @@
 
 #include "io/case/document.h"
 #include "io/case/suggestion.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 
@@ -20,15 +21,6 @@ struct Override {
   std::string_view value;
 };
 
-std::string_view trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
-  while (!text.empty() && is_space(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
-
 /// Takes one part of a dotted key, quoted or not, off the front of `text`; none when it is empty.
 std::optional<std::string> take_part(std::string_view& text) {
   text = trimmed(text);
@@ -46,7 +38,7 @@ std::optional<std::string> take_part(std::string_view& text) {
 }
 
 /// "a.b=v" as parts and value; none when it has not that form.
-std::optional<Override> split(std::string_view text) {
+std::optional<Override> as_override(std::string_view text) {
   Override result;
   while (result.path.size() < most_parts) {
     std::optional<std::string> part = take_part(text);
@@ -133,7 +125,7 @@ Node* step(Node& from,
 
 void apply(Node& root, const std::string& text, Complaints& complaints) {
   const TextPlace place{0, 0, complaints.add_override(text)};
-  const std::optional<Override> override = split(text);
+  const std::optional<Override> override = as_override(text);
   if (!override) {
     complaints.add(place, "allowed is KEY=VALUE with a dotted key such as contact.penalty=1e4");
     return;

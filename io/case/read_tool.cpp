@@ -10,8 +10,6 @@ namespace billet::io {
 
 namespace {
 
-constexpr Number any_length{quantity::length, any_value};
-
 std::optional<PlaceRotation> as_place_rotation(const At& at) {
   TableReader table(at);
   PlaceRotation rotation;

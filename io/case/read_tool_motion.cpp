@@ -7,8 +7,6 @@ namespace billet::io {
 
 namespace {
 
-constexpr Number any_length{quantity::length, any_value};
-
 /// Rows [t, ux, uy(, uz)] as one function of time for each component.
 std::optional<DisplacementMotion> as_displacement(const At& at) {
   std::vector<Number> columns(at.context.in_space() ? 4 : 3, any_length);

@@ -13,8 +13,6 @@ namespace billet::io {
 
 namespace {
 
-constexpr Number any_length{quantity::length, any_value};
-
 /// `inside` stands beside the kind's key or in its table.
 void read_inside(TableReader& outer, TableReader& inner, bool& inside) {
   const bool is_inner = inner.optional("inside", inside, as_flag);
@@ -42,7 +40,7 @@ template <class Round> std::optional<ToolSurface> read_round(TableReader& table,
   return surface;
 }
 
-std::optional<ToolSurface> read_cylinder(TableReader& table, const At& at) {
+std::optional<ToolSurface> read_cylinder_surface(TableReader& table, const At& at) {
   TableReader inner(at);
   CylinderSurface surface;
   inner.required("point", surface.point, as_vector, any_length);
@@ -79,7 +77,7 @@ std::optional<ToolSurface> read_torus(TableReader& table, const At& at) {
   return surface;
 }
 
-std::optional<ToolSurface> read_profile(TableReader& /*table*/, const At& at) {
+std::optional<ToolSurface> read_profile_surface(TableReader& /*table*/, const At& at) {
   const std::optional<InputFile> file = as_input_file(at);
   return file ? std::optional<ToolSurface>(ProfileSurface{*file}) : std::nullopt;
 }
@@ -158,7 +156,7 @@ std::optional<ToolSurface> read_revolution(TableReader& /*table*/, const At& at)
   return good ? std::optional<ToolSurface>(surface) : std::nullopt;
 }
 
-std::optional<ToolSurface> read_stl(TableReader& table, const At& at) {
+std::optional<ToolSurface> read_stl_surface(TableReader& table, const At& at) {
   StlSurface surface;
   LengthUnit unit;
   const std::optional<InputFile> file = as_input_file(at);
@@ -180,14 +178,14 @@ std::optional<ToolSurface> as_tool_surface(const At& at) {
   static constexpr std::array kinds{
       Kind<ToolSurface>{"plane", Scenes::all, &read_plane},
       Kind<ToolSurface>{"circle", Scenes::plane, &read_round<CircleSurface>},
-      Kind<ToolSurface>{"cylinder", Scenes::space, &read_cylinder},
+      Kind<ToolSurface>{"cylinder", Scenes::space, &read_cylinder_surface},
       Kind<ToolSurface>{"sphere", Scenes::space, &read_round<SphereSurface>},
       Kind<ToolSurface>{"cone", Scenes::space, &read_cone},
       Kind<ToolSurface>{"torus", Scenes::space, &read_torus},
       Kind<ToolSurface>{"revolution", Scenes::space, &read_revolution},
-      Kind<ToolSurface>{"profile", Scenes::plane, &read_profile},
+      Kind<ToolSurface>{"profile", Scenes::plane, &read_profile_surface},
       Kind<ToolSurface>{"points", Scenes::plane, &read_points},
-      Kind<ToolSurface>{"stl", Scenes::space, &read_stl},
+      Kind<ToolSurface>{"stl", Scenes::space, &read_stl_surface},
   };
   return read_one_kind<ToolSurface>(at, kinds);
 }

@@ -59,7 +59,7 @@ void check_corners(const BoxMesh& box, const At& at) {
     at.complain(fmt::format("found x = {}, allowed is x >= 0: x is the radius", box.low.x()));
 }
 
-std::optional<MeshSource> read_box(TableReader& table, const At& at) {
+std::optional<MeshSource> read_box_mesh(TableReader& table, const At& at) {
   BoxMesh box;
   const List* const corners = as_list(at, 2, "2 corners [[x0, y0], [x1, y1]]");
   if (corners != nullptr) {
@@ -91,7 +91,7 @@ std::optional<int> as_sector(const At& at) {
   return std::nullopt;
 }
 
-std::optional<MeshSource> read_cylinder(TableReader& table, const At& at) {
+std::optional<MeshSource> read_cylinder_mesh(TableReader& table, const At& at) {
   CylinderMesh mesh;
   TableReader inner(at);
   inner.required("radius", mesh.radius, as_number, positive_length);
@@ -103,12 +103,12 @@ std::optional<MeshSource> read_cylinder(TableReader& table, const At& at) {
   return mesh;
 }
 
-std::optional<MeshSource> read_file(TableReader& /*table*/, const At& at) {
+std::optional<MeshSource> read_mesh_file(TableReader& /*table*/, const At& at) {
   const std::optional<InputFile> file = as_input_file(at);
   return file ? std::optional<MeshSource>(FileMesh{*file}) : std::nullopt;
 }
 
-std::optional<MeshSource> read_outline(TableReader& table, const At& at) {
+std::optional<MeshSource> read_outline_mesh(TableReader& table, const At& at) {
   OutlineMesh mesh;
   const std::optional<InputFile> file = as_input_file(at);
   table.required("size", mesh.size, as_number, positive_length);
@@ -117,7 +117,7 @@ std::optional<MeshSource> read_outline(TableReader& table, const At& at) {
   return file ? std::optional<MeshSource>(mesh) : std::nullopt;
 }
 
-std::optional<MeshSource> read_stl(TableReader& table, const At& at) {
+std::optional<MeshSource> read_stl_mesh(TableReader& table, const At& at) {
   StlMesh mesh;
   const std::optional<InputFile> file = as_input_file(at);
   LengthUnit unit;
@@ -134,11 +134,11 @@ std::optional<MeshSource> read_stl(TableReader& table, const At& at) {
 
 std::optional<MeshSource> as_mesh(const At& at) {
   static constexpr std::array kinds{
-      Kind<MeshSource>{"box", Scenes::all, &read_box},
-      Kind<MeshSource>{"cylinder", Scenes::space, &read_cylinder},
-      Kind<MeshSource>{"file", Scenes::all, &read_file},
-      Kind<MeshSource>{"outline", Scenes::plane, &read_outline},
-      Kind<MeshSource>{"stl", Scenes::space, &read_stl},
+      Kind<MeshSource>{"box", Scenes::all, &read_box_mesh},
+      Kind<MeshSource>{"cylinder", Scenes::space, &read_cylinder_mesh},
+      Kind<MeshSource>{"file", Scenes::all, &read_mesh_file},
+      Kind<MeshSource>{"outline", Scenes::plane, &read_outline_mesh},
+      Kind<MeshSource>{"stl", Scenes::space, &read_stl_mesh},
   };
   return read_one_kind<MeshSource>(at, kinds);
 }

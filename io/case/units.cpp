@@ -1,5 +1,8 @@
 #include "io/case/units.h"
 
+#include "geometry/base/angle.h"
+#include "io/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +42,6 @@ constexpr Dimension temperature_dimension{0, 0, 0, 1};
 constexpr Dimension angle_dimension{0, 0, 0, 0, 1};
 constexpr Dimension angular_speed_dimension{0, 0, -1, 0, 1};
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double pound_force = 4.4482216152605; // exact by definition [N]
 constexpr double psi = 6.894757293168361e3;     // pound_force / (0.0254 m)^2 [Pa]
 
@@ -103,15 +105,7 @@ Unit product(const Unit& a, const Unit& b, int exponent) {
   return c;
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-    text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-    text.remove_suffix(1);
-  return text;
-}
-
-bool is_name_byte(char c) {
+bool is_part_of_unit(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalpha(byte) != 0 || byte >= 0x80;
 }
@@ -184,7 +178,7 @@ private:
       return Unit{};
     rest_ = trimmed(rest_);
     std::size_t size = 0;
-    while (size < rest_.size() && is_name_byte(rest_[size]) &&
+    while (size < rest_.size() && is_part_of_unit(rest_[size]) &&
            !rest_.substr(size).starts_with("\u00b7") && !is_superscript(rest_.substr(size)))
       ++size;
     return with_superscript(look_up(rest_.substr(0, size)), size);

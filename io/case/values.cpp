@@ -47,7 +47,7 @@ std::size_t vector_size(const At& at, const List& list) {
   return list.size() == 2 ? 2 : 3; // the analysis is not known
 }
 
-bool is_name_byte(char c) {
+bool is_part_of_name(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalnum(byte) != 0 || byte >= 0x80 || c == '_' || c == '-' || c == ' ';
 }
@@ -102,7 +102,7 @@ std::optional<int> as_count(const At& at) {
 std::optional<std::string> as_name(const At& at) {
   const auto* const text = at.node.as<std::string>();
   if (text != nullptr && !text->empty() && text->size() <= 64 &&
-      std::all_of(text->begin(), text->end(), is_name_byte) && text->front() != ' ' &&
+      std::all_of(text->begin(), text->end(), is_part_of_name) && text->front() != ' ' &&
       text->back() != ' ')
     return *text;
   at.complain_found("a name of 1 to 64 letters, digits, '_', '-' and inner spaces");

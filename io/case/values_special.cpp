@@ -1,6 +1,7 @@
 // Values of the case file that are more than numbers: files, selectors, shear strengths.
 
 #include "io/case/values.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 
@@ -13,14 +14,6 @@ namespace billet::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ')
-    text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ')
-    text.remove_suffix(1);
-  return text;
-}
 
 /// Whether `path` lies in `folder` or below, links followed.
 bool is_inside(const fs::path& path, const fs::path& folder) {

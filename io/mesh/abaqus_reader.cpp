@@ -4,6 +4,7 @@
 #include "geometry/base/error.h"
 #include "io/mesh/raw_mesh.h"
 #include "io/mesh/scanner.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ std::string upper(std::string_view text) {
 }
 
 /// Parts between commas, without blanks at their ends; a comma at the end opens no new part.
-std::vector<std::string_view> split(std::string_view text) {
+std::vector<std::string_view> comma_parts(std::string_view text) {
   std::vector<std::string_view> parts;
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
@@ -139,7 +140,7 @@ private:
     while (text.ends_with(',') && next_line())
       text += line_;
     Keyword keyword;
-    for (const std::string_view part : split(text)) {
+    for (const std::string_view part : comma_parts(text)) {
       const std::size_t equals = part.find('=');
       const std::string key = upper(trimmed(part.substr(0, equals)));
       if (keyword.name.empty())
@@ -211,7 +212,7 @@ private:
   // --- nodes and elements ----------------------------------------------------------------------
 
   void read_node(const Keyword& keyword) {
-    const std::vector<std::string_view> parts = split(line_);
+    const std::vector<std::string_view> parts = comma_parts(line_);
     if (parts.size() < 3)
       scanner_.fail("a node is written: number, x, y[, z]");
     const std::int64_t node = number(parts[0]);
@@ -240,7 +241,7 @@ private:
 
   /// An element may go on over several lines, until it has all its nodes.
   void read_element(const Keyword& keyword) {
-    for (const std::string_view part : split(line_))
+    for (const std::string_view part : comma_parts(line_))
       pending_.push_back(number(part));
     const auto whole = static_cast<std::size_t>(type_.n_nodes) + 1;
     if (pending_.size() > whole)
@@ -290,7 +291,7 @@ private:
       scanner_.fail(fmt::format("*{} has no name", keyword.name),
                     fmt::format("write *{0}, {0}=NAME", keyword.name));
     Sets& sets = of_nodes ? node_sets_ : element_sets_;
-    const std::vector<std::string_view> parts = split(line_);
+    const std::vector<std::string_view> parts = comma_parts(line_);
     if (keyword.parameters.contains("GENERATE"))
       return generate(parts, named(sets, name));
     for (const std::string_view part : parts) {

@@ -3,6 +3,7 @@
 
 #include "io/mesh/raw_mesh.h"
 #include "io/mesh/scanner.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ struct GmshType {
   std::optional<ElementKind> kind; ///< takes the first nodes of the file's
 };
 
-constexpr std::array types{
+constexpr std::array gmsh_types{
     GmshType{1, "line2", 1, 2, {}},
     GmshType{2, "tri3", 2, 3, {}},
     GmshType{3, "quad4", 2, 4, ElementKind::quad4},
@@ -266,7 +267,7 @@ private:
   // --- elements --------------------------------------------------------------------------------
 
   const GmshType& type(std::int64_t number) const {
-    for (const GmshType& known : types)
+    for (const GmshType& known : gmsh_types)
       if (known.number == number)
         return known;
     scanner_.fail(fmt::format("elements of Gmsh's type {} are not known", number),

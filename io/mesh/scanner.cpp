@@ -1,6 +1,7 @@
 #include "io/mesh/scanner.h"
 
 #include "geometry/base/error.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +16,6 @@
 namespace billet::io {
 
 namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 /// What was found, short enough for a message and without unprintable characters.
 std::string shown(std::string_view text) {
@@ -61,14 +60,6 @@ bool parse_real(std::string_view text, double& value) {
 }
 
 bool parse_integer(std::string_view text, std::int64_t& value) { return parse_whole(text, value); }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
 
 Scanner::Scanner(const std::filesystem::path& path)
     : file_(path.string()), content_(read_content(path)) {}

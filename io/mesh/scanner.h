@@ -22,9 +22,6 @@ namespace billet::io {
 [[nodiscard]] bool parse_real(std::string_view text, double& value);
 [[nodiscard]] bool parse_integer(std::string_view text, std::int64_t& value);
 
-/// Text without blanks at its ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-
 /// A place in a text that moves forward only.
 class Scanner {
 public:

@@ -4,6 +4,7 @@
 #include "io/mesh/raw_mesh.h"
 #include "io/mesh/scanner.h"
 #include "io/mesh/vtu_guard.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -39,7 +40,7 @@ struct VtkType {
   ElementKind kind;
 };
 
-constexpr std::array types{
+constexpr std::array vtk_types{
     VtkType{VTK_QUAD, 4, ElementKind::quad4},
     VtkType{VTK_QUADRATIC_QUAD, 8, ElementKind::quad8},
     VtkType{VTK_BIQUADRATIC_QUAD, 9, ElementKind::quad8},
@@ -81,14 +82,14 @@ private:
   vtkLogger::Verbosity verbosity_;
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path,
-                       const std::string& message,
-                       const std::string& remedy = {}) {
+[[noreturn]] void refuse(const std::filesystem::path& path,
+                         const std::string& message,
+                         const std::string& remedy = {}) {
   throw Error(Fault::geometry, path.string(), message, remedy);
 }
 
 const VtkType* find_type(int number) {
-  for (const VtkType& known : types)
+  for (const VtkType& known : vtk_types)
     if (known.number == number)
       return &known;
   return nullptr;
@@ -111,27 +112,27 @@ std::vector<vtkIdType> checked_offsets(vtkUnstructuredGrid& grid,
   const vtkIdType n =
       grid.GetCellTypesArray() == nullptr ? 0 : grid.GetCellTypesArray()->GetNumberOfTuples();
   if (offsets == nullptr || n == 0)
-    fail(path, "the file has no cells");
+    refuse(path, "the file has no cells");
   if (offsets->GetNumberOfTuples() != n + 1)
-    fail(path,
-         fmt::format("there are {} cell types, but {} cells", n, offsets->GetNumberOfTuples() - 1));
+    refuse(path, fmt::format("there are {} cell types, but {} cells", n,
+                             offsets->GetNumberOfTuples() - 1));
   std::vector<vtkIdType> begin;
   for (vtkIdType i = 0; i <= n; ++i)
     begin.push_back(static_cast<vtkIdType>(offsets->GetTuple1(i)));
   const vtkIdType size = cells->GetConnectivityArray()->GetNumberOfTuples();
   if (begin.front() != 0 || begin.back() != size || !std::is_sorted(begin.begin(), begin.end()))
-    fail(path, "the offsets of the cells do not fit their point numbers");
+    refuse(path, "the offsets of the cells do not fit their point numbers");
   return begin;
 }
 
 void read_points(vtkUnstructuredGrid& grid, const std::filesystem::path& path, RawMesh& mesh) {
   if (grid.GetPoints() == nullptr || grid.GetNumberOfPoints() == 0)
-    fail(path, "the file has no points");
+    refuse(path, "the file has no points");
   for (vtkIdType i = 0; i < grid.GetNumberOfPoints(); ++i) {
     Vec3 point;
     grid.GetPoint(i, point.data());
     if (!point.allFinite())
-      fail(path, fmt::format("a coordinate of point {} is not a finite number", i));
+      refuse(path, fmt::format("a coordinate of point {} is not a finite number", i));
     mesh.points.push_back(point);
   }
 }
@@ -153,8 +154,8 @@ void read_cells(vtkUnstructuredGrid& grid, const std::filesystem::path& path, Ra
       continue;
     }
     if (begin[i + 1] - begin[i] != type->n_nodes)
-      fail(path, fmt::format("cell {} of type {} has {} points, not {}", i, number,
-                             begin[i + 1] - begin[i], type->n_nodes));
+      refuse(path, fmt::format("cell {} of type {} has {} points, not {}", i, number,
+                               begin[i + 1] - begin[i], type->n_nodes));
     CellBlock& block = mesh.blocks[std::string(mechanics::name(type->kind))];
     block.dimension = mechanics::dimension(type->kind);
     block.kind = type->kind;
@@ -162,8 +163,8 @@ void read_cells(vtkUnstructuredGrid& grid, const std::filesystem::path& path, Ra
     for (vtkIdType k = 0; k < mechanics::nodes_per_element(type->kind); ++k) {
       const double node = nodes->GetTuple1(begin[i] + k);
       if (!(node >= 0.0) || node >= static_cast<double>(mesh.points.size()))
-        fail(path, fmt::format("cell {} has point {}; points are numbered 0 to {}", i, node,
-                               mesh.points.size() - 1));
+        refuse(path, fmt::format("cell {} has point {}; points are numbered 0 to {}", i, node,
+                                 mesh.points.size() - 1));
       block.nodes.push_back(static_cast<Index>(node));
     }
   }
@@ -202,11 +203,11 @@ RawMesh read_vtu(const std::filesystem::path& path) {
   try {
     reader->Update();
   } catch (const std::exception&) { // sizes in damaged data: bad_alloc, length_error
-    fail(path, "the file asks for more memory than there is", "it may be damaged");
+    refuse(path, "the file asks for more memory than there is", "it may be damaged");
   }
   if (reader->GetErrorCode() != 0 || !messages.first().empty())
-    fail(path, fmt::format("VTK cannot read the file: {}", messages.first()),
-         "it may be damaged or cut short");
+    refuse(path, fmt::format("VTK cannot read the file: {}", messages.first()),
+           "it may be damaged or cut short");
   RawMesh mesh;
   read_points(*reader->GetOutput(), path, mesh);
   read_cells(*reader->GetOutput(), path, mesh);

@@ -20,7 +20,7 @@ std::string remedy_for(int reason) {
   case ENOSPC:
   case EDQUOT:
   case EFBIG:
-    return "free some space, or choose another folder with -o";
+    return "free some space and go on with --resume, or choose another folder with -o";
   case EACCES:
   case EPERM:
   case EROFS:
@@ -28,13 +28,6 @@ std::string remedy_for(int reason) {
   default:
     return "choose another folder with -o";
   }
-}
-
-[[noreturn]] void fail(const std::filesystem::path& path, int reason) {
-  throw Error(
-      Fault::input_output, path.string(),
-      fmt::format("cannot be written: {}", reason == 0 ? "unknown reason" : std::strerror(reason)),
-      remedy_for(reason));
 }
 
 /// A file name next to the final one; removed unless it was renamed.
@@ -56,7 +49,7 @@ public:
     std::error_code error;
     std::filesystem::rename(path_, final_path, error);
     if (error)
-      fail(final_path, error.value());
+      cannot_write(final_path, error.value());
     renamed_ = true;
   }
 
@@ -66,6 +59,13 @@ private:
 };
 
 } // namespace
+
+void cannot_write(const std::filesystem::path& path, int reason) {
+  throw Error(
+      Fault::input_output, path.string(),
+      fmt::format("cannot be written: {}", reason == 0 ? "unknown reason" : std::strerror(reason)),
+      remedy_for(reason));
+}
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
   write_file(path, [text](std::ostream& stream) {
@@ -84,13 +84,13 @@ void write_file(const std::filesystem::path& path,
   errno = 0;
   std::ofstream stream(temporary.path(), std::ios::binary | std::ios::trunc);
   if (!stream)
-    fail(path, errno);
+    cannot_write(path, errno);
   write(stream);
   if (!stream.flush())
-    fail(path, errno);
+    cannot_write(path, errno);
   stream.close();
   if (!stream)
-    fail(path, errno);
+    cannot_write(path, errno);
   temporary.rename(path);
 }
 
@@ -100,7 +100,7 @@ void make_folder(const std::filesystem::path& path) {
   if (!error && !std::filesystem::is_directory(path, error))
     error = std::make_error_code(std::errc::not_a_directory);
   if (error)
-    fail(path, error.value());
+    cannot_write(path, error.value());
 }
 
 } // namespace billet::io

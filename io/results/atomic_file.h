@@ -12,6 +12,10 @@
 
 namespace billet::io {
 
+/// @param reason  errno of what failed; 0: unknown
+/// @throws Error  (Fault::input_output) naming the path, the reason of the system and a remedy
+[[noreturn]] void cannot_write(const std::filesystem::path& path, int reason);
+
 /// Writes `text` to `path`.
 /// @throws Error  (Fault::input_output) naming the path and the reason of the system
 void write_file(const std::filesystem::path& path, std::string_view text);

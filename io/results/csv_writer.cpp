@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <cstring>
@@ -19,17 +20,10 @@ namespace billet::io {
 
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path,
-                       const std::string& message,
-                       const std::string& remedy = {}) {
+[[noreturn]] void refuse_table(const std::filesystem::path& path,
+                               const std::string& message,
+                               const std::string& remedy = {}) {
   throw Error(Fault::input_output, path.string(), message, remedy);
-}
-
-[[noreturn]] void fail(const std::filesystem::path& path, int reason) {
-  fail(path, fmt::format("cannot be written: {}", std::strerror(reason)),
-       reason == ENOSPC || reason == EFBIG || reason == EDQUOT
-           ? "free some space, then go on with --resume"
-           : "choose another folder with -o");
 }
 
 int open_table(const std::filesystem::path& path, int mode) {
@@ -37,7 +31,7 @@ int open_table(const std::filesystem::path& path, int mode) {
   const int file =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | mode, permissions);
   if (file < 0)
-    fail(path, errno);
+    cannot_write(path, errno);
   return file;
 }
 
@@ -53,7 +47,7 @@ void append(int file, const std::filesystem::path& path, std::string_view row) {
       const int reason = n < 0 ? errno : ENOSPC;
       // If this fails too there is nothing left to do: the error below is reported anyway.
       [[maybe_unused]] const int result = before >= 0 ? ::ftruncate(file, before) : 0;
-      fail(path, reason);
+      cannot_write(path, reason);
     }
     written += static_cast<std::size_t>(n);
   }
@@ -70,10 +64,9 @@ std::string cell(const std::string& text) {
 }
 
 std::string header(const std::vector<std::string>& columns) {
-  std::string row;
-  for (const std::string& column : columns)
-    row += (row.empty() ? "" : ",") + cell(column);
-  return row + "\n";
+  std::vector<std::string> cells(columns.size());
+  std::transform(columns.begin(), columns.end(), cells.begin(), cell);
+  return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
 } // namespace
@@ -94,16 +87,16 @@ CsvWriter CsvWriter::resume(std::filesystem::path path,
   std::ifstream stream(path, std::ios::binary);
   const std::string content(std::istreambuf_iterator<char>(stream), {});
   if (!stream.is_open() || stream.bad())
-    fail(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+    refuse_table(path, fmt::format("cannot be read: {}", std::strerror(errno)));
   if (!content.starts_with(header(columns)))
-    fail(path, "the table has other columns than this run",
-         "resume with the case file the run was begun with");
+    refuse_table(path, "the table has other columns than this run",
+                 "resume with the case file the run was begun with");
   std::size_t end = header(columns).size();
   for (std::size_t row = 0; row < rows; ++row) {
     const std::size_t line_end = content.find('\n', end);
     if (line_end == std::string::npos)
-      fail(path, fmt::format("the table has {} rows; the checkpoint needs {}", row, rows),
-           "start the run anew");
+      refuse_table(path, fmt::format("the table has {} rows; the checkpoint needs {}", row, rows),
+                   "start the run anew");
     end = line_end + 1;
   }
   stream.close();

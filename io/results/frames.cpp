@@ -18,7 +18,6 @@ namespace billet::io {
 
 namespace {
 
-using mechanics::idx;
 using mechanics::Index;
 
 /// For each local node of an element kind, the integration points whose mean it shows: the closest,

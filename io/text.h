@@ -1,0 +1,21 @@
+// Text of the files a user gives.
+
+#pragma once
+
+#include <string_view>
+
+namespace billet::io {
+
+/// Space, tab and what ends lines, in any locale.
+[[nodiscard]] constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Text without blanks at its ends.
+[[nodiscard]] constexpr std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+} // namespace billet::io
