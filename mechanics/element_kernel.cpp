@@ -1,6 +1,7 @@
 #include "mechanics/element_kernel.h"
 
 #include "mechanics/elements/elements.h"
+#include "mechanics/lanes.h"
 
 #include <Eigen/Dense>
 
@@ -9,6 +10,8 @@
 #include <cstddef>
 #include <numbers>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace billet::mechanics {
 
@@ -16,28 +19,34 @@ namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
-/// Shape functions and their reference gradients at every integration point of an element.
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Shape functions and their reference gradients at every integration point of an element, node by
+/// node and point by point.
 template <class Element> struct PointTable {
   static constexpr int nodes = Element::Shape::nodes;
   static constexpr int dim = Element::Shape::dim;
   static constexpr int points = Element::Rule::points;
-  using Gradient = Eigen::Matrix<double, nodes, dim>;
 
-  std::array<Eigen::Matrix<double, nodes, 1>, points> N;
-  std::array<Gradient, points> dN;
-  std::array<double, points> weight;
+  std::array<Lanes<nodes>, points> N;
+  std::array<std::array<Lanes<nodes>, dim>, points> dN; ///< by each reference coordinate
+  std::array<Lanes<points>, nodes> N_at_points;
+  std::array<std::array<Lanes<points>, dim>, nodes> dN_at_points;
+  Lanes<points> weight;
 
   PointTable() {
     for (int g = 0; g < points; ++g) {
-      const auto k = static_cast<std::size_t>(g);
       const auto xi = Element::Rule::point(g);
       const auto values = Element::Shape::values(xi);
       const auto gradients = Element::Shape::gradients(xi);
-      weight[k] = Element::Rule::weight(g);
+      weight.set(g, Element::Rule::weight(g));
       for (int a = 0; a < nodes; ++a) {
-        N[k][a] = values[static_cast<std::size_t>(a)];
-        for (int i = 0; i < dim; ++i)
-          dN[k](a, i) = gradients[static_cast<std::size_t>(a)][static_cast<std::size_t>(i)];
+        N[at(g)].set(a, values[at(a)]);
+        N_at_points[at(a)].set(g, values[at(a)]);
+        for (std::size_t i = 0; i < dim; ++i) {
+          dN[at(g)][i].set(a, gradients[at(a)][i]);
+          dN_at_points[at(a)][i].set(g, gradients[at(a)][i]);
+        }
       }
     }
   }
@@ -46,6 +55,41 @@ template <class Element> struct PointTable {
 template <class Element> const PointTable<Element>& point_table() {
   static const PointTable<Element> table;
   return table;
+}
+
+/// A square matrix at several points.
+template <int dim, int points> using SquareLanes = std::array<std::array<Lanes<points>, dim>, dim>;
+
+template <int points> Lanes<points> determinant(const SquareLanes<2, points>& A) {
+  return A[0][0] * A[1][1] - A[0][1] * A[1][0];
+}
+
+/// The matrix of cofactors' transpose: the inverse times the determinant.
+template <int points> SquareLanes<2, points> adjugate(const SquareLanes<2, points>& A) {
+  return {{{A[1][1], -1.0 * A[0][1]}, {-1.0 * A[1][0], A[0][0]}}};
+}
+
+template <int points> SquareLanes<3, points> adjugate(const SquareLanes<3, points>& A) {
+  SquareLanes<3, points> C;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t p = (j + 1) % 3;
+      const std::size_t q = (j + 2) % 3;
+      const std::size_t r = (i + 1) % 3;
+      const std::size_t s = (i + 2) % 3;
+      C[i][j] = A[p][r] * A[q][s] - A[p][s] * A[q][r];
+    }
+  return C;
+}
+
+template <int points> Lanes<points> determinant(const SquareLanes<3, points>& A) {
+  Lanes<points> sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    sum += A[0][i] * (A[1][j] * A[2][k] - A[1][k] * A[2][j]);
+  }
+  return sum;
 }
 
 /// Everything one element kernel works with, on the stack.
@@ -58,178 +102,265 @@ template <class Element, Analysis analysis> struct Kernel {
   static constexpr int n_strains = dim == 2 ? 4 : 6;
   static constexpr bool planar = dim == 2;
   static constexpr bool axisymmetric = analysis == Analysis::axisymmetric;
+  /// Derivatives that strains are made of: by each coordinate and, about an axis, N / r.
+  static constexpr int slopes = axisymmetric ? dim + 1 : dim;
 
-  using Positions = Eigen::Matrix<double, nodes, dim, Eigen::RowMajor>;
-  using Square = Eigen::Matrix<double, dim, dim>;
-  using Gradient = Eigen::Matrix<double, nodes, dim>;
-  using Moduli = Eigen::Matrix<double, n_strains, n_strains>;
-  using StrainMatrix = Eigen::Matrix<double, n_strains, size, Eigen::RowMajor>;
-  using Vector = Eigen::Matrix<double, size, 1>;
-  using Matrix = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
-  using Pairs = Eigen::Matrix<double, nodes, nodes, Eigen::RowMajor>;
+  using NodalRow = Lanes<nodes>;
+  using AtPoints = Lanes<points>;
+  using Square = SquareLanes<dim, points>;
+  using Slopes = std::array<NodalRow, slopes>;
+  using Factor = std::array<std::array<double, slopes>, slopes>;
+  using Vector = std::array<NodalRow, dim>; ///< of all nodes, component by component
+  using Moduli = std::array<Lanes<n_strains>, n_strains>;
+  using Pairs = std::array<NodalRow, nodes>;
+  /// Tangent of displacement i by displacement j, i <= j, for each pair of nodes.
+  using Blocks = std::array<Pairs, static_cast<std::size_t>(dim*(dim + 1) / 2)>;
+  struct Components {
+    int i;
+    int j;
+  };
+  static constexpr std::array<Components, std::tuple_size_v<Blocks>> components = [] {
+    std::array<Components, std::tuple_size_v<Blocks>> all{};
+    std::size_t n = 0;
+    for (int i = 0; i < dim; ++i)
+      for (int j = i; j < dim; ++j)
+        all[n++] = {i, j};
+    return all;
+  }();
 
-  std::array<Gradient, points> gradient;                    ///< d N / d x, current
-  std::array<Eigen::Matrix<double, nodes, 1>, points> hoop; ///< N / r, current
-  std::array<double, points> volume;                        ///< current
+  std::array<Slopes, points> slope; ///< d N / d x and N / r, current
+  AtPoints volume;                  ///< current
   std::array<Mat3, points> b_pred;
   std::array<DeviatoricResponse, points> response;
 
-  /// Volume of point g in a configuration; `J` receives d x / d xi, `r` the radius.
-  static double measure(const Positions& x, int g, Square& J, double& r) {
+  /// Volumes of the points in a configuration; `J` receives d x / d xi, `r` the radius.
+  static AtPoints measure(const double* x, Square& J, AtPoints& r) {
     const auto& table = point_table<Element>();
-    const auto k = static_cast<std::size_t>(g);
-    J = x.transpose().lazyProduct(table.dN[k]);
-    double v = J.determinant() * table.weight[k];
+    J = {};
+    for (int a = 0; a < nodes; ++a)
+      for (std::size_t i = 0; i < dim; ++i)
+        for (std::size_t j = 0; j < dim; ++j)
+          J[i][j] += x[at(a * dim) + i] * table.dN_at_points[at(a)][j];
+    AtPoints v = determinant<points>(J) * table.weight;
     if constexpr (axisymmetric) {
-      r = table.N[k].dot(x.col(0));
-      v *= full_turn * r;
+      r = {};
+      for (int a = 0; a < nodes; ++a)
+        r += x[a * dim] * table.N_at_points[at(a)];
+      v = full_turn * (v * r);
     }
     return v;
   }
 
   /// Gradients, volumes and predictors at all points; false when the element is inverted.
   bool kinematics(const ElementInput& in) {
-    const Eigen::Map<const Positions> x(in.x);
-    const Eigen::Map<const Positions> x_old(in.x_old);
-    const auto& table = point_table<Element>();
-    for (int g = 0; g < points; ++g) {
-      const auto k = static_cast<std::size_t>(g);
-      Square J;
-      Square J_old;
-      double r = 1.0;
-      double r_old = 1.0;
-      volume[k] = measure(x, g, J, r);
-      const double volume_old = measure(x_old, g, J_old, r_old);
-      if (!(volume[k] > 0.0) || !(volume_old > 0.0) || !(r > 0.0))
+    Square J;
+    Square J_old;
+    AtPoints r;
+    AtPoints r_old;
+    volume = measure(in.x, J, r);
+    const AtPoints volume_old = measure(in.x_old, J_old, r_old);
+    for (int g = 0; g < points; ++g)
+      if (!(volume[g] > 0.0) || !(volume_old[g] > 0.0) || (axisymmetric && !(r[g] > 0.0)))
         return false;
-      gradient[k] = table.dN[k].lazyProduct(J.inverse().eval());
-      Mat3 f = Mat3::Identity();
-      f.template topLeftCorner<dim, dim>().noalias() = J * J_old.inverse();
-      if constexpr (axisymmetric) {
-        f(2, 2) = r / r_old;
-        hoop[k] = table.N[k] / r;
-      }
-      const Mat3 fb = f * in.old[k].b_e;
-      b_pred[k].noalias() = fb * f.transpose();
-      b_pred[k] = 0.5 * (b_pred[k] + b_pred[k].transpose()).eval();
-    }
+    set_slopes(J, r);
+    set_predictors(J, J_old, r / r_old, in.old);
     return true;
   }
 
-  /// Strain components of the nodal unknowns at point k.
-  StrainMatrix strain_matrix(std::size_t k) const {
-    StrainMatrix B = StrainMatrix::Zero();
-    const Gradient& d = gradient[k];
-    for (int a = 0; a < nodes; ++a) {
-      const int c = a * dim;
-      B(0, c) = d(a, 0);
-      B(1, c + 1) = d(a, 1);
-      B(3, c) = d(a, 1);
-      B(3, c + 1) = d(a, 0);
-      if constexpr (dim == 3) {
-        B(2, c + 2) = d(a, 2);
-        B(4, c + 1) = d(a, 2);
-        B(4, c + 2) = d(a, 1);
-        B(5, c) = d(a, 2);
-        B(5, c + 2) = d(a, 0);
-      } else if constexpr (axisymmetric) {
-        B(2, c) = hoop[k][a];
+  void set_slopes(const Square& J, [[maybe_unused]] const AtPoints& r) {
+    const auto& table = point_table<Element>();
+    const Square C = adjugate<points>(J);
+    const AtPoints per_volume = AtPoints::constant(1.0) / determinant<points>(J);
+    for (std::size_t j = 0; j < dim; ++j)
+      for (std::size_t i = 0; i < dim; ++i) {
+        const AtPoints inverse = C[i][j] * per_volume;
+        for (int g = 0; g < points; ++g) {
+          const NodalRow part = inverse[g] * table.dN[at(g)][i];
+          slope[at(g)][j] = i == 0 ? part : slope[at(g)][j] + part;
+        }
       }
-    }
-    return B;
+    if constexpr (axisymmetric)
+      for (int g = 0; g < points; ++g)
+        slope[at(g)][dim] = (1.0 / r[g]) * table.N[at(g)];
+  }
+
+  /// b_e,pred = f b_e f^T with the deformation gradient f of the increment. (M.4)
+  void set_predictors(const Square& J,
+                      const Square& J_old,
+                      [[maybe_unused]] const AtPoints& radii,
+                      std::span<const PointState> old) {
+    const Square C = adjugate<points>(J_old);
+    const AtPoints per_volume = AtPoints::constant(1.0) / determinant<points>(J_old);
+    SquareLanes<3, points> f{};
+    for (std::size_t i = 0; i < dim; ++i)
+      for (std::size_t j = 0; j < dim; ++j) {
+        for (std::size_t l = 0; l < dim; ++l)
+          f[i][j] += J[i][l] * C[l][j];
+        f[i][j] = f[i][j] * per_volume;
+      }
+    if constexpr (dim == 2)
+      f[2][2] = axisymmetric ? radii : AtPoints::constant(1.0);
+    SquareLanes<3, points> b;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        for (int g = 0; g < points; ++g)
+          b[i][j].set(g, old[at(g)].b_e(static_cast<int>(i), static_cast<int>(j)));
+    const SquareLanes<3, points> fb = product(f, b, false);
+    const SquareLanes<3, points> fbf = product(fb, f, true);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = i; j < 3; ++j)
+        for (int g = 0; g < points; ++g) {
+          const auto row = static_cast<int>(i);
+          const auto col = static_cast<int>(j);
+          b_pred[at(g)](row, col) = fbf[i][j][g];
+          b_pred[at(g)](col, row) = fbf[i][j][g];
+        }
+  }
+
+  /// A B, or A B^T.
+  static SquareLanes<3, points>
+  product(const SquareLanes<3, points>& A, const SquareLanes<3, points>& B, bool transposed) {
+    SquareLanes<3, points> AB{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t l = 0; l < 3; ++l)
+          AB[i][j] += A[i][l] * (transposed ? B[j][l] : B[l][j]);
+    return AB;
   }
 
   /// Components that turn strains in space into strains in the principal axes.
   static Moduli to_principal(const Mat3& n) {
-    Moduli T;
     constexpr std::array<std::array<int, 2>, 6> pair{
         {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
-    for (int row = 0; row < n_strains; ++row) {
-      const auto [p, q] = pair[static_cast<std::size_t>(row)];
-      const double engineering = row < 3 ? 1.0 : 2.0;
-      for (int col = 0; col < n_strains; ++col) {
-        const auto [i, j] = pair[static_cast<std::size_t>(col)];
-        const double both = n(i, p) * n(j, q) + n(j, p) * n(i, q);
-        T(row, col) = engineering * 0.5 * both;
+    std::array<Lanes<n_strains>, 3> first; // of each axis, the components that the strains take
+    std::array<Lanes<n_strains>, 3> second;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int s = 0; s < n_strains; ++s) {
+        first[at(axis)].set(s, n(pair[at(s)][0], axis));
+        second[at(axis)].set(s, n(pair[at(s)][1], axis));
       }
+    Moduli T;
+    for (int row = 0; row < n_strains; ++row) {
+      const std::size_t p = at(pair[at(row)][0]);
+      const std::size_t q = at(pair[at(row)][1]);
+      T[at(row)] = row < 3 ? first[p] * second[p] : first[p] * second[q] + second[p] * first[q];
     }
     return T;
   }
 
   /// Deviatoric spatial moduli in space. (M.8)
-  static Moduli moduli(const DeviatoricResponse& at) {
-    const Moduli T = to_principal(at.predictor.vectors);
+  static Moduli moduli(const DeviatoricResponse& response_at) {
+    const Moduli T = to_principal(response_at.predictor.vectors);
     Moduli DT;
     for (int a = 0; a < 3; ++a)
-      DT.row(a) = at.normal_moduli(a, 0) * T.row(0) + at.normal_moduli(a, 1) * T.row(1) +
-                  at.normal_moduli(a, 2) * T.row(2);
+      DT[at(a)] = response_at.normal_moduli(a, 0) * T[0] + response_at.normal_moduli(a, 1) * T[1] +
+                  response_at.normal_moduli(a, 2) * T[2];
     for (int i = 3; i < n_strains; ++i)
-      DT.row(i) = at.shear_moduli[i - 3] * T.row(i);
-    return T.transpose().lazyProduct(DT);
+      DT[at(i)] = response_at.shear_moduli[i - 3] * T[at(i)];
+    Moduli D;
+    for (int s = 0; s < n_strains; ++s)
+      for (int p = 0; p < n_strains; ++p)
+        D[at(s)] += T[at(p)][s] * DT[at(p)];
+    return D;
   }
 
   /// Adds `scale` * (I (x) I * trace_part - 2 * unit_part * II) to moduli.
   static void add_pressure(Moduli& D, double trace_part, double unit_part) {
-    D.template topLeftCorner<3, 3>().array() += trace_part;
     for (int i = 0; i < n_strains; ++i)
-      D(i, i) -= (i < 3 ? 2.0 : 1.0) * unit_part;
-  }
-
-  /// Adds the products of stress and gradients at point k, one for each pair of nodes: `G` acts on
-  /// each component alike, `hoops` on the radial one only.
-  void add_geometric(Pairs& G, Pairs& hoops, std::size_t k, const Mat3& tau) const {
-    const Gradient dt = gradient[k].lazyProduct(tau.template topLeftCorner<dim, dim>());
-    for (int i = 0; i < dim; ++i)
-      for (int a = 0; a < nodes; ++a)
-        G.row(a) += dt(a, i) * gradient[k].col(i).transpose();
-    if constexpr (axisymmetric)
-      for (int a = 0; a < nodes; ++a)
-        hoops.row(a) += tau(2, 2) * hoop[k][a] * hoop[k].transpose();
-  }
-
-  static void spread(Matrix& K, const Pairs& G, const Pairs& hoops) {
-    for (int a = 0; a < nodes; ++a)
-      for (int b = 0; b < nodes; ++b) {
-        for (int i = 0; i < dim; ++i)
-          K(a * dim + i, b * dim + i) += G(a, b);
-        if constexpr (axisymmetric)
-          K(a * dim, b * dim) += hoops(a, b);
+      for (int j = 0; j < n_strains; ++j) {
+        const double trace = i < 3 && j < 3 ? trace_part : 0.0;
+        const double unit = i != j ? 0.0 : i < 3 ? 2.0 * unit_part : unit_part;
+        D[at(i)].set(j, D[at(i)][j] + (trace - unit));
       }
   }
 
-  /// Adds B^T DB at point k: every row of B^T has three entries at most, so whole rows of DB are
-  /// summed up. `DB` holds dV D B.
-  void add_material(Matrix& K, std::size_t k, const StrainMatrix& DB) const {
-    const Gradient& d = gradient[k];
-    for (int a = 0; a < nodes; ++a) {
-      const int r = a * dim;
-      if constexpr (dim == 3) {
-        K.row(r) += d(a, 0) * DB.row(0) + d(a, 1) * DB.row(3) + d(a, 2) * DB.row(5);
-        K.row(r + 1) += d(a, 1) * DB.row(1) + d(a, 0) * DB.row(3) + d(a, 2) * DB.row(4);
-        K.row(r + 2) += d(a, 2) * DB.row(2) + d(a, 1) * DB.row(4) + d(a, 0) * DB.row(5);
-      } else {
-        K.row(r) += d(a, 0) * DB.row(0) + d(a, 1) * DB.row(3);
-        if constexpr (axisymmetric)
-          K.row(r) += hoop[k][a] * DB.row(2);
-        K.row(r + 1) += d(a, 1) * DB.row(1) + d(a, 0) * DB.row(3);
+  /// Strain component of the gradient of displacement i in direction l; none: it has none.
+  static constexpr int strain_of(int i, int l) {
+    constexpr int none = -1;
+    constexpr std::array<std::array<int, 3>, 3> component{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
+    if (l == dim) // the hoop's
+      return i == 0 ? 2 : none;
+    return component[at(i)][at(l)];
+  }
+
+  /// Derivative of the stress that works on displacement i by the gradient of displacement j, with
+  /// the stress itself that turns with the gradients. (M.3), (M.8)
+  template <int i, int j>
+  static Factor stiffness(const Moduli& D, const Mat3& tau, double volume_at) {
+    Factor A{};
+    for (int l = 0; l < slopes; ++l)
+      for (int m = 0; m < slopes; ++m) {
+        const int s = strain_of(i, l);
+        const int t = strain_of(j, m);
+        if (s >= 0 && t >= 0)
+          A[at(l)][at(m)] = volume_at * D[at(s)][t] + (i == j ? tau(l, m) : 0.0);
+      }
+    return A;
+  }
+
+  /// Adds S A S^T.
+  static void add_product(Pairs& K, const Slopes& S, const Factor& A) {
+    Slopes SA{};
+    for (std::size_t m = 0; m < slopes; ++m)
+      for (std::size_t l = 0; l < slopes; ++l)
+        SA[m] += A[l][m] * S[l];
+    for (int a = 0; a < nodes; ++a)
+      for (std::size_t m = 0; m < slopes; ++m)
+        K[at(a)] += SA[m][a] * S[m];
+  }
+
+  /// Adds what a point gives to the tangent.
+  ///
+  /// @param tau  Kirchhoff stress times the reference volume
+  static void
+  add_stiffness(Blocks& K, const Slopes& S, const Moduli& D, const Mat3& tau, double volume_at) {
+    [&]<std::size_t... block>(std::index_sequence<block...>) {
+      (add_product(K[block], S,
+                   stiffness<components[block].i, components[block].j>(D, tau, volume_at)),
+       ...);
+    }
+    (std::make_index_sequence<components.size()>());
+  }
+
+  /// Adds scale d (x) d.
+  static void add_dyad(Blocks& K, double scale, const Vector& d) {
+    for (std::size_t block = 0; block < K.size(); ++block) {
+      const auto [i, j] = components[block];
+      for (int a = 0; a < nodes; ++a)
+        K[block][at(a)] += (scale * d[at(i)][a]) * d[at(j)];
+    }
+  }
+
+  /// Writes the blocks, of which those below the diagonal follow by symmetry, node by node.
+  static void spread(const Blocks& blocks, double* tangent) {
+    Eigen::Map<Eigen::Matrix<double, size, size, Eigen::RowMajor>> K(tangent);
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+      const auto [i, j] = components[block];
+      for (int a = 0; a < nodes; ++a) {
+        const NodalRow& row = blocks[block][at(a)];
+        for (int b = 0; b < nodes; ++b) {
+          K(a * dim + i, b * dim + j) = row[b];
+          K(b * dim + j, a * dim + i) = row[b];
+        }
       }
     }
   }
 
-  /// Adds the nodal forces of the stress at point k.
-  void add_force(Eigen::Map<Positions>& force, std::size_t k, const Mat3& tau) const {
-    force += gradient[k].lazyProduct(tau.template topLeftCorner<dim, dim>());
+  /// Adds the nodal forces of the stress at a point.
+  static void add_force(Vector& force, const Slopes& S, const Mat3& tau) {
+    for (int i = 0; i < dim; ++i)
+      for (int l = 0; l < dim; ++l)
+        force[at(i)] += tau(l, i) * S[at(l)];
     if constexpr (axisymmetric)
-      force.col(0) += tau(2, 2) * hoop[k];
+      force[0] += tau(2, 2) * S[dim];
   }
 
-  /// Nodal coefficients of the divergence at point k.
-  Vector divergence(std::size_t k) const {
-    Vector d;
-    for (int a = 0; a < nodes; ++a)
-      for (int i = 0; i < dim; ++i)
-        d[a * dim + i] = gradient[k](a, i) + (axisymmetric && i == 0 ? hoop[k][a] : 0.0);
-    return d;
+  /// Adds `scale` times the nodal coefficients of the divergence at a point.
+  static void add_divergence(Vector& sum, const Slopes& S, double scale) {
+    for (std::size_t i = 0; i < dim; ++i)
+      sum[i] += scale * S[i];
+    if constexpr (axisymmetric)
+      sum[0] += scale * S[dim];
   }
 
   ElementStatus run(const Material& material, const ElementInput& in, ElementOutput& out) {
@@ -237,59 +368,46 @@ template <class Element, Analysis analysis> struct Kernel {
       return ElementStatus::inverted;
     if (!update(material, b_pred, in.old, planar, in.flow, response))
       return ElementStatus::no_return;
-    Eigen::Map<Positions> force(out.force);
-    force.setZero();
-    Matrix K;
-    Pairs G;
-    Pairs hoops;
-    if (out.tangent != nullptr) {
-      K.setZero();
-      G.setZero();
-      hoops.setZero();
-    }
+    Vector force{};
+    Vector dilatation{};
+    Blocks K;
+    if (out.tangent != nullptr)
+      K = Blocks{};
     const double kappa = material.elasticity.bulk();
     const double V0 = std::accumulate(in.volumes.begin(), in.volumes.end(), 0.0);
-    const double v = std::accumulate(volume.begin(), volume.end(), 0.0);
+    double v = 0.0;
+    for (int g = 0; g < points; ++g)
+      v += volume[g];
     const double theta = v / V0;
-    Vector dilatation = Vector::Zero();
-    for (std::size_t k = 0; k < points; ++k) {
-      const DeviatoricResponse& at = response[k];
-      out.trial[k] = at.state;
-      out.largest_plastic_increment = std::max(out.largest_plastic_increment, at.plastic_increment);
-      const double dV = in.volumes[k];
+    for (int g = 0; g < points; ++g) {
+      const DeviatoricResponse& response_at = response[at(g)];
+      out.trial[at(g)] = response_at.state;
+      out.largest_plastic_increment =
+          std::max(out.largest_plastic_increment, response_at.plastic_increment);
+      const double dV = in.volumes[at(g)];
       // Pressure times J: of the element's mean dilatation, or of the point's own.
-      const double p = Element::mean_dilatation ? kappa * std::log(theta) / theta * volume[k] / dV
-                                                : kappa * at.log_J;
-      const Mat3& n = at.predictor.vectors;
-      Mat3 tau = n * at.s.asDiagonal() * n.transpose();
+      const double p = Element::mean_dilatation ? kappa * std::log(theta) / theta * volume[g] / dV
+                                                : kappa * response_at.log_J;
+      const Mat3& n = response_at.predictor.vectors;
+      Mat3 tau = n * response_at.s.asDiagonal() * n.transpose();
       tau.diagonal().array() += p;
       tau *= dV;
-      add_force(force, k, tau);
+      add_force(force, slope[at(g)], tau);
       if (out.tangent == nullptr)
         continue;
       if constexpr (Element::mean_dilatation)
-        dilatation += volume[k] * divergence(k);
-      Moduli D = moduli(at);
+        add_divergence(dilatation, slope[at(g)], volume[g]);
+      Moduli D = moduli(response_at);
       add_pressure(D, Element::mean_dilatation ? p : kappa, p);
-      D *= dV;
-      const StrainMatrix B = strain_matrix(k);
-      StrainMatrix DB;
-      for (int r = 0; r < n_strains; ++r) {
-        DB.row(r) = D(r, 0) * B.row(0);
-        for (int s = 1; s < n_strains; ++s)
-          DB.row(r) += D(r, s) * B.row(s);
-      }
-      add_material(K, k, DB);
-      add_geometric(G, hoops, k, tau);
+      add_stiffness(K, slope[at(g)], D, tau, dV);
     }
+    for (int a = 0; a < nodes; ++a)
+      for (int i = 0; i < dim; ++i)
+        out.force[a * dim + i] = force[at(i)][a];
     if (out.tangent != nullptr) {
-      spread(K, G, hoops);
-      if constexpr (Element::mean_dilatation) {
-        const double scale = kappa * (1.0 - std::log(theta)) / (theta * theta * V0);
-        for (int r = 0; r < size; ++r)
-          K.row(r) += scale * dilatation[r] * dilatation.transpose();
-      }
-      Eigen::Map<Matrix>(out.tangent) = K;
+      if constexpr (Element::mean_dilatation)
+        add_dyad(K, kappa * (1.0 - std::log(theta)) / (theta * theta * V0), dilatation);
+      spread(K, out.tangent);
     }
     return ElementStatus::good;
   }
@@ -312,14 +430,13 @@ template <class Element> ElementKernel kernel_of(Analysis analysis) {
 template <class Element, Analysis analysis>
 double volumes_of(const double* x, std::span<double> out) {
   using K = Kernel<Element, analysis>;
-  const Eigen::Map<const typename K::Positions> positions(x);
+  typename K::Square J;
+  typename K::AtPoints r;
+  const typename K::AtPoints v = K::measure(x, J, r);
   double smallest = std::numeric_limits<double>::infinity();
   for (int g = 0; g < K::points; ++g) {
-    typename K::Square J;
-    double r = 1.0;
-    const double v = K::measure(positions, g, J, r);
-    out[static_cast<std::size_t>(g)] = v;
-    smallest = std::min(smallest, v);
+    out[at(g)] = v[g];
+    smallest = std::min(smallest, v[g]);
   }
   return smallest;
 }
@@ -365,11 +482,18 @@ void strain_gradient(ElementKind kind,
     constexpr int nodes = Element::Shape::nodes;
     const auto& table = point_table<Element>();
     const Eigen::Map<const Eigen::Matrix<double, nodes, dim, Eigen::RowMajor>> positions(x);
-    const Eigen::Matrix<double, dim, dim> J = positions.transpose() * table.dN[point];
+    Eigen::Matrix<double, nodes, dim> dN;
+    Eigen::Matrix<double, nodes, 1> N;
+    for (int a = 0; a < nodes; ++a) {
+      N[a] = table.N[point][a];
+      for (int i = 0; i < dim; ++i)
+        dN(a, i) = table.dN[point][at(i)][a];
+    }
+    const Eigen::Matrix<double, dim, dim> J = positions.transpose() * dN;
     Eigen::Map<Eigen::Matrix<double, nodes, dim, Eigen::RowMajor>> gradient(out.data());
-    gradient = table.dN[point] * J.inverse() * n.template topLeftCorner<dim, dim>();
+    gradient = dN * J.inverse() * n.template topLeftCorner<dim, dim>();
     if (analysis == Analysis::axisymmetric)
-      gradient.col(0) += n(2, 2) / table.N[point].dot(positions.col(0)) * table.N[point];
+      gradient.col(0) += n(2, 2) / N.dot(positions.col(0)) * N;
   });
 }
 

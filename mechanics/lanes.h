@@ -1,0 +1,72 @@
+// A few numbers, one for each node or point of an element, in the processor's vectors.
+//
+// Loops over rows this short the compiler turns into shuffles; said with vectors, the product of a
+// number and a row is one instruction or a few.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace billet::mechanics {
+
+/// `n` numbers; sums, products and quotients go number by number.
+template <int n> class Lanes {
+public:
+  Lanes() = default; ///< zeros
+  static Lanes constant(double value) {
+    Lanes all;
+    for (Part& part : all.parts_)
+      part.values = part.values + value;
+    return all;
+  }
+
+  double operator[](int i) const { return parts_[part_of(i)].values[i % width]; }
+  void set(int i, double value) { parts_[part_of(i)].values[i % width] = value; }
+
+  Lanes& operator+=(const Lanes& other) { return *this = *this + other; }
+
+  friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = a.parts_[i].values + b.parts_[i].values;
+    return result;
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = a.parts_[i].values - b.parts_[i].values;
+    return result;
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = a.parts_[i].values * b.parts_[i].values;
+    return result;
+  }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = a.parts_[i].values / b.parts_[i].values;
+    return result;
+  }
+  friend Lanes operator*(double factor, const Lanes& a) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = factor * a.parts_[i].values;
+    return result;
+  }
+
+private:
+  static constexpr int width = n <= 2 ? 2 : n <= 4 ? 4 : 8;
+  static constexpr std::size_t n_parts = static_cast<std::size_t>((n + width - 1) / width);
+  static constexpr std::size_t part_of(int i) { return static_cast<std::size_t>(i / width); }
+  using Vector [[gnu::vector_size(width * sizeof(double))]] = double;
+  struct Part {
+    Vector values;
+  };
+
+  std::array<Part, n_parts> parts_{};
+};
+
+} // namespace billet::mechanics
