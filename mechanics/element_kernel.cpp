@@ -19,8 +19,6 @@ namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
-constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Shape functions and their reference gradients at every integration point of an element, node by
 /// node and point by point.
 template <class Element> struct PointTable {
@@ -41,11 +39,11 @@ template <class Element> struct PointTable {
       const auto gradients = Element::Shape::gradients(xi);
       weight.set(g, Element::Rule::weight(g));
       for (int a = 0; a < nodes; ++a) {
-        N[at(g)].set(a, values[at(a)]);
-        N_at_points[at(a)].set(g, values[at(a)]);
+        N[idx(g)].set(a, values[idx(a)]);
+        N_at_points[idx(a)].set(g, values[idx(a)]);
         for (std::size_t i = 0; i < dim; ++i) {
-          dN[at(g)][i].set(a, gradients[at(a)][i]);
-          dN_at_points[at(a)][i].set(g, gradients[at(a)][i]);
+          dN[idx(g)][i].set(a, gradients[idx(a)][i]);
+          dN_at_points[idx(a)][i].set(g, gradients[idx(a)][i]);
         }
       }
     }
@@ -140,12 +138,12 @@ template <class Element, Analysis analysis> struct Kernel {
     for (int a = 0; a < nodes; ++a)
       for (std::size_t i = 0; i < dim; ++i)
         for (std::size_t j = 0; j < dim; ++j)
-          J[i][j] += x[at(a * dim) + i] * table.dN_at_points[at(a)][j];
+          J[i][j] += x[idx(a * dim) + i] * table.dN_at_points[idx(a)][j];
     AtPoints v = determinant<points>(J) * table.weight;
     if constexpr (axisymmetric) {
       r = {};
       for (int a = 0; a < nodes; ++a)
-        r += x[a * dim] * table.N_at_points[at(a)];
+        r += x[a * dim] * table.N_at_points[idx(a)];
       v = full_turn * (v * r);
     }
     return v;
@@ -175,13 +173,13 @@ template <class Element, Analysis analysis> struct Kernel {
       for (std::size_t i = 0; i < dim; ++i) {
         const AtPoints inverse = C[i][j] * per_volume;
         for (int g = 0; g < points; ++g) {
-          const NodalRow part = inverse[g] * table.dN[at(g)][i];
-          slope[at(g)][j] = i == 0 ? part : slope[at(g)][j] + part;
+          const NodalRow part = inverse[g] * table.dN[idx(g)][i];
+          slope[idx(g)][j] = i == 0 ? part : slope[idx(g)][j] + part;
         }
       }
     if constexpr (axisymmetric)
       for (int g = 0; g < points; ++g)
-        slope[at(g)][dim] = (1.0 / r[g]) * table.N[at(g)];
+        slope[idx(g)][dim] = (1.0 / r[g]) * table.N[idx(g)];
   }
 
   /// b_e,pred = f b_e f^T with the deformation gradient f of the increment. (M.4)
@@ -204,7 +202,7 @@ template <class Element, Analysis analysis> struct Kernel {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (int g = 0; g < points; ++g)
-          b[i][j].set(g, old[at(g)].b_e(static_cast<int>(i), static_cast<int>(j)));
+          b[i][j].set(g, old[idx(g)].b_e(static_cast<int>(i), static_cast<int>(j)));
     const SquareLanes<3, points> fb = product(f, b, false);
     const SquareLanes<3, points> fbf = product(fb, f, true);
     for (std::size_t i = 0; i < 3; ++i)
@@ -212,8 +210,8 @@ template <class Element, Analysis analysis> struct Kernel {
         for (int g = 0; g < points; ++g) {
           const auto row = static_cast<int>(i);
           const auto col = static_cast<int>(j);
-          b_pred[at(g)](row, col) = fbf[i][j][g];
-          b_pred[at(g)](col, row) = fbf[i][j][g];
+          b_pred[idx(g)](row, col) = fbf[i][j][g];
+          b_pred[idx(g)](col, row) = fbf[i][j][g];
         }
   }
 
@@ -236,14 +234,14 @@ template <class Element, Analysis analysis> struct Kernel {
     std::array<Lanes<n_strains>, 3> second;
     for (int axis = 0; axis < 3; ++axis)
       for (int s = 0; s < n_strains; ++s) {
-        first[at(axis)].set(s, n(pair[at(s)][0], axis));
-        second[at(axis)].set(s, n(pair[at(s)][1], axis));
+        first[idx(axis)].set(s, n(pair[idx(s)][0], axis));
+        second[idx(axis)].set(s, n(pair[idx(s)][1], axis));
       }
     Moduli T;
     for (int row = 0; row < n_strains; ++row) {
-      const std::size_t p = at(pair[at(row)][0]);
-      const std::size_t q = at(pair[at(row)][1]);
-      T[at(row)] = row < 3 ? first[p] * second[p] : first[p] * second[q] + second[p] * first[q];
+      const std::size_t p = idx(pair[idx(row)][0]);
+      const std::size_t q = idx(pair[idx(row)][1]);
+      T[idx(row)] = row < 3 ? first[p] * second[p] : first[p] * second[q] + second[p] * first[q];
     }
     return T;
   }
@@ -253,14 +251,14 @@ template <class Element, Analysis analysis> struct Kernel {
     const Moduli T = to_principal(response_at.predictor.vectors);
     Moduli DT;
     for (int a = 0; a < 3; ++a)
-      DT[at(a)] = response_at.normal_moduli(a, 0) * T[0] + response_at.normal_moduli(a, 1) * T[1] +
-                  response_at.normal_moduli(a, 2) * T[2];
+      DT[idx(a)] = response_at.normal_moduli(a, 0) * T[0] + response_at.normal_moduli(a, 1) * T[1] +
+                   response_at.normal_moduli(a, 2) * T[2];
     for (int i = 3; i < n_strains; ++i)
-      DT[at(i)] = response_at.shear_moduli[i - 3] * T[at(i)];
+      DT[idx(i)] = response_at.shear_moduli[i - 3] * T[idx(i)];
     Moduli D;
     for (int s = 0; s < n_strains; ++s)
       for (int p = 0; p < n_strains; ++p)
-        D[at(s)] += T[at(p)][s] * DT[at(p)];
+        D[idx(s)] += T[idx(p)][s] * DT[idx(p)];
     return D;
   }
 
@@ -270,7 +268,7 @@ template <class Element, Analysis analysis> struct Kernel {
       for (int j = 0; j < n_strains; ++j) {
         const double trace = i < 3 && j < 3 ? trace_part : 0.0;
         const double unit = i != j ? 0.0 : i < 3 ? 2.0 * unit_part : unit_part;
-        D[at(i)].set(j, D[at(i)][j] + (trace - unit));
+        D[idx(i)].set(j, D[idx(i)][j] + (trace - unit));
       }
   }
 
@@ -280,7 +278,7 @@ template <class Element, Analysis analysis> struct Kernel {
     constexpr std::array<std::array<int, 3>, 3> component{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
     if (l == dim) // the hoop's
       return i == 0 ? 2 : none;
-    return component[at(i)][at(l)];
+    return component[idx(i)][idx(l)];
   }
 
   /// Derivative of the stress that works on displacement i by the gradient of displacement j, with
@@ -293,7 +291,7 @@ template <class Element, Analysis analysis> struct Kernel {
         const int s = strain_of(i, l);
         const int t = strain_of(j, m);
         if (s >= 0 && t >= 0)
-          A[at(l)][at(m)] = volume_at * D[at(s)][t] + (i == j ? tau(l, m) : 0.0);
+          A[idx(l)][idx(m)] = volume_at * D[idx(s)][t] + (i == j ? tau(l, m) : 0.0);
       }
     return A;
   }
@@ -306,7 +304,7 @@ template <class Element, Analysis analysis> struct Kernel {
         SA[m] += A[l][m] * S[l];
     for (int a = 0; a < nodes; ++a)
       for (std::size_t m = 0; m < slopes; ++m)
-        K[at(a)] += SA[m][a] * S[m];
+        K[idx(a)] += SA[m][a] * S[m];
   }
 
   /// Adds what a point gives to the tangent.
@@ -327,7 +325,7 @@ template <class Element, Analysis analysis> struct Kernel {
     for (std::size_t block = 0; block < K.size(); ++block) {
       const auto [i, j] = components[block];
       for (int a = 0; a < nodes; ++a)
-        K[block][at(a)] += (scale * d[at(i)][a]) * d[at(j)];
+        K[block][idx(a)] += (scale * d[idx(i)][a]) * d[idx(j)];
     }
   }
 
@@ -337,7 +335,7 @@ template <class Element, Analysis analysis> struct Kernel {
     for (std::size_t block = 0; block < blocks.size(); ++block) {
       const auto [i, j] = components[block];
       for (int a = 0; a < nodes; ++a) {
-        const NodalRow& row = blocks[block][at(a)];
+        const NodalRow& row = blocks[block][idx(a)];
         for (int b = 0; b < nodes; ++b) {
           K(a * dim + i, b * dim + j) = row[b];
           K(b * dim + j, a * dim + i) = row[b];
@@ -350,7 +348,7 @@ template <class Element, Analysis analysis> struct Kernel {
   static void add_force(Vector& force, const Slopes& S, const Mat3& tau) {
     for (int i = 0; i < dim; ++i)
       for (int l = 0; l < dim; ++l)
-        force[at(i)] += tau(l, i) * S[at(l)];
+        force[idx(i)] += tau(l, i) * S[idx(l)];
     if constexpr (axisymmetric)
       force[0] += tau(2, 2) * S[dim];
   }
@@ -380,11 +378,11 @@ template <class Element, Analysis analysis> struct Kernel {
       v += volume[g];
     const double theta = v / V0;
     for (int g = 0; g < points; ++g) {
-      const DeviatoricResponse& response_at = response[at(g)];
-      out.trial[at(g)] = response_at.state;
+      const DeviatoricResponse& response_at = response[idx(g)];
+      out.trial[idx(g)] = response_at.state;
       out.largest_plastic_increment =
           std::max(out.largest_plastic_increment, response_at.plastic_increment);
-      const double dV = in.volumes[at(g)];
+      const double dV = in.volumes[idx(g)];
       // Pressure times J: of the element's mean dilatation, or of the point's own.
       const double p = Element::mean_dilatation ? kappa * std::log(theta) / theta * volume[g] / dV
                                                 : kappa * response_at.log_J;
@@ -392,18 +390,18 @@ template <class Element, Analysis analysis> struct Kernel {
       Mat3 tau = n * response_at.s.asDiagonal() * n.transpose();
       tau.diagonal().array() += p;
       tau *= dV;
-      add_force(force, slope[at(g)], tau);
+      add_force(force, slope[idx(g)], tau);
       if (out.tangent == nullptr)
         continue;
       if constexpr (Element::mean_dilatation)
-        add_divergence(dilatation, slope[at(g)], volume[g]);
+        add_divergence(dilatation, slope[idx(g)], volume[g]);
       Moduli D = moduli(response_at);
       add_pressure(D, Element::mean_dilatation ? p : kappa, p);
-      add_stiffness(K, slope[at(g)], D, tau, dV);
+      add_stiffness(K, slope[idx(g)], D, tau, dV);
     }
     for (int a = 0; a < nodes; ++a)
       for (int i = 0; i < dim; ++i)
-        out.force[a * dim + i] = force[at(i)][a];
+        out.force[a * dim + i] = force[idx(i)][a];
     if (out.tangent != nullptr) {
       if constexpr (Element::mean_dilatation)
         add_dyad(K, kappa * (1.0 - std::log(theta)) / (theta * theta * V0), dilatation);
@@ -435,7 +433,7 @@ double volumes_of(const double* x, std::span<double> out) {
   const typename K::AtPoints v = K::measure(x, J, r);
   double smallest = std::numeric_limits<double>::infinity();
   for (int g = 0; g < K::points; ++g) {
-    out[at(g)] = v[g];
+    out[idx(g)] = v[g];
     smallest = std::min(smallest, v[g]);
   }
   return smallest;
@@ -487,7 +485,7 @@ void strain_gradient(ElementKind kind,
     for (int a = 0; a < nodes; ++a) {
       N[a] = table.N[point][a];
       for (int i = 0; i < dim; ++i)
-        dN(a, i) = table.dN[point][at(i)][a];
+        dN(a, i) = table.dN[point][idx(i)][a];
     }
     const Eigen::Matrix<double, dim, dim> J = positions.transpose() * dN;
     Eigen::Map<Eigen::Matrix<double, nodes, dim, Eigen::RowMajor>> gradient(out.data());

@@ -10,7 +10,8 @@
 
 namespace billet::mechanics {
 
-/// `n` numbers; sums, products and quotients go number by number.
+/// `n` numbers; sums, products and quotients go number by number. What a vector has behind the last
+/// one takes part, be it as 0 / 0, and is never read.
 template <int n> class Lanes {
 public:
   Lanes() = default; ///< zeros
