@@ -1,0 +1,44 @@
+#include "mechanics/lanes.h"
+
+#include <gtest/gtest.h>
+
+namespace billet::mechanics::lanes_test {
+namespace {
+
+/// Lengths below, at and above those of the processor's vectors; all that elements have.
+template <class Length> class Lane : public testing::Test {};
+template <int n> struct Length { static constexpr int value = n; };
+using Lengths =
+    testing::Types<Length<2>, Length<3>, Length<4>, Length<6>, Length<8>, Length<10>, Length<20>>;
+TYPED_TEST_SUITE(Lane, Lengths);
+
+TYPED_TEST(Lane, GoesNumberByNumber) {
+  constexpr int n = TypeParam::value;
+  Lanes<n> a;
+  Lanes<n> b = Lanes<n>::constant(2.0);
+  for (int i = 0; i < n; ++i) {
+    EXPECT_EQ(a[i], 0.0);
+    EXPECT_EQ(b[i], 2.0);
+    a.set(i, i + 1.0);
+  }
+  b.set(n - 1, -4.0);
+  Lanes<n> sum = a;
+  sum += b;
+  const Lanes<n> difference = a - b;
+  const Lanes<n> product = a * b;
+  const Lanes<n> quotient = b / a;
+  const Lanes<n> scaled = 3.0 * a;
+  for (int i = 0; i < n; ++i) {
+    const double x = i + 1.0;
+    const double y = i == n - 1 ? -4.0 : 2.0;
+    EXPECT_EQ(sum[i], x + y);
+    EXPECT_EQ((a + b)[i], x + y);
+    EXPECT_EQ(difference[i], x - y);
+    EXPECT_EQ(product[i], x * y);
+    EXPECT_EQ(quotient[i], y / x);
+    EXPECT_EQ(scaled[i], 3.0 * x);
+  }
+}
+
+} // namespace
+} // namespace billet::mechanics::lanes_test
