@@ -368,9 +368,7 @@ template <class Element, Analysis analysis> struct Kernel {
       return ElementStatus::no_return;
     Vector force{};
     Vector dilatation{};
-    Blocks K;
-    if (out.tangent != nullptr)
-      K = Blocks{};
+    Blocks K{};
     const double kappa = material.elasticity.bulk();
     const double V0 = std::accumulate(in.volumes.begin(), in.volumes.end(), 0.0);
     double v = 0.0;
