@@ -179,9 +179,10 @@ bool Process::passes_through(double dt, std::string& why) const {
 }
 
 void Process::accept(double dt) {
-  if (scene_.remesh)
+  if (scene_.remesh) {
     remember();
-  earlier_forces_ = forces_on_tools();
+    earlier_forces_ = forces_on_tools();
+  }
   commit(dt);
   if (!refusal_event_.empty())
     events_.push_back(std::exchange(refusal_event_, {}));
