@@ -47,6 +47,13 @@ double faded(double offset, double way) {
   return std::copysign(std::max(fading * size, size - fading_by_way * way), offset);
 }
 
+/// What rounding makes of a gap that is zero [mm].
+double noise_of_gap(const Vec3& in_space, const Vec3& on_tool) {
+  constexpr double units_in_the_last_place = 16.0;
+  return units_in_the_last_place * std::numeric_limits<double>::epsilon() *
+         (in_space.lpNorm<Eigen::Infinity>() + on_tool.lpNorm<Eigen::Infinity>());
+}
+
 } // namespace
 
 ContactTerm::ContactTerm(const ContactSurface& surface,
@@ -96,6 +103,10 @@ void ContactTerm::start(std::size_t tool, std::span<const double> x, double time
 
 Index ContactTerm::face_of(std::size_t point) const {
   return static_cast<Index>(point / idx(surface_->points()));
+}
+
+double ContactTerm::touching_gap(std::size_t point) const {
+  return rounding * surface_->depth(face_of(point));
 }
 
 bool ContactTerm::acts(std::size_t tool, double time) const {
@@ -151,15 +162,15 @@ int ContactTerm::evaluate(const Tool& tool,
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
     const geometry::Projection& foot = state.foot[k];
-    const double touching = rounding * surface_->depth(face_of(k));
     const bool kept = keep && state.history[k].closed() && foot.found();
-    if (!(foot.gap <= touching + opening_gap(state, k)) && !kept) {
+    if (!(foot.gap <= opening_gap(state, k)) && !kept) {
       state.trial[k] = Traction{};
     } else {
       const PointHistory& old = state.history[k];
       InterfaceInput in{state.position[k], foot};
       in.projection.gap += old.offset;
-      in.rounding = touching;
+      in.rounding = touching_gap(k);
+      in.noise = noise_of_gap(positions_[k], state.position[k]);
       in.dt = trial.time - trial.time_old;
       in.softening = trial.softening;
       in.kept = kept;
@@ -194,8 +205,7 @@ bool ContactTerm::many_parted(const ToolState& state) const {
   for (std::size_t k = 0; k < state.history.size(); ++k)
     if (state.history[k].closed()) {
       ++closed;
-      const double touching = rounding * surface_->depth(face_of(k)) + opening_gap(state, k);
-      parted += state.foot[k].gap > touching ? 1 : 0;
+      parted += state.foot[k].gap > opening_gap(state, k) ? 1 : 0;
     }
   return parted > many * closed;
 }

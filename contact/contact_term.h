@@ -205,9 +205,12 @@ private:
   };
 
   [[nodiscard]] Penalty penalty() const;
+  /// Gap below which a point touches, but for a multiplier: rounding of coordinates [mm].
+  [[nodiscard]] double touching_gap(std::size_t point) const;
   /// Gap at which a point opens: a multiplier holds it beyond touching [mm].
   [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const {
-    return state.multiplier[point] / penalty().normal - state.history[point].offset;
+    return touching_gap(point) + state.multiplier[point] / penalty().normal -
+           state.history[point].offset;
   }
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
   /// Faces that known distances do not keep clear of a tool, in its frame.

@@ -185,7 +185,10 @@ Traction traction(const Friction& friction,
   out.status = Status::slip;
   out.traction = out.pressure * n;
   out.dtraction_dx = -penalty.normal * n * n.transpose() + out.pressure * foot.dnormal_dx;
-  const double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;
+  double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;
+  // Whether it sticks must not be left to the sign of a gap that is zero but for rounding.
+  if (resting)
+    holding = std::max(holding, penalty.normal * at.noise);
   const SlipState state{holding, at.strength, old.sliding, at.dt};
   out.limit = limit_at(friction, state, 0.0).shear;
   if (!old.closed())

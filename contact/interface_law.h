@@ -65,6 +65,7 @@ struct InterfaceInput {
   double softening = 1.0;  ///< of the stiffness against slip, below 1 on the way to a solution [-]
   bool kept = false;       ///< a point that was closed stays so, if need be under tension (C.15)
   double multiplier = 0.0; ///< pressure that needs no penetration (C.20) [MPa]
+  double noise = 0.0;      ///< of a gap: what coordinates of their size cannot tell [mm]
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.

@@ -6,6 +6,7 @@
 #include "tests/support/random_solid.h"
 #include "tests/support/sound_solid.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,10 +67,14 @@ TEST(RandomSolidsLong, AHundredAreMeshedOrRefusedWithAPlace) {
     const auto body = body_of(seed);
     if (!body)
       continue;
-    if (const auto angle = angle_of_mesh(*body, seed))
+    const auto angle = angle_of_mesh(*body, seed);
+    if (angle)
       angles.push_back(*angle);
     else
       ++refused;
+    std::printf("body %u: %s\n", seed,
+                angle ? fmt::format("{:.1f} deg", *angle).c_str() : "refused");
+    std::fflush(stdout); // a run of many minutes that is broken off says how far it came
   }
   ASSERT_FALSE(angles.empty());
   std::sort(angles.begin(), angles.end());

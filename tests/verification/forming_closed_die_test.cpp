@@ -126,7 +126,9 @@ TEST(ClosedDie, FillsItsCornersWhateverTheFriction) {
       }
       EXPECT_NEAR(sum[1], 0.0, 1e-5 * largest) << "the tools hold each other's balance";
       EXPECT_GT(done.last().loads[1].force[0], 0.05 * largest) << "the wall is met";
-      EXPECT_LT(done.last().report.max_penetration, 1e-2 * side) << mu;
+      // Rough corners on three nodes bend between the contact points of the mixed form.
+      const double allowed = kind == ElementKind::quad8 && mu == 1.0 ? 0.1 * side / 8 : 1e-3 * side;
+      EXPECT_LT(done.last().report.max_penetration, allowed) << mu;
       EXPECT_LT(done.last().report.energy.error(), 5e-3);
     }
 }
