@@ -1,6 +1,7 @@
 #include "process/increment_control.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace billet::process {
 
@@ -12,13 +13,15 @@ constexpr double easy_growth = 1.5;
 constexpr double careful_growth = 1.15;
 constexpr double shrinking = 0.7;
 constexpr double below_failure = 0.9; ///< of the length that failed
+constexpr double most_missed = 0.02;  ///< of the work of an increment
+constexpr double exact_share = 0.25;  ///< of the longest: no shorter for the sake of the balance
 constexpr double rise_of_ceiling = 1.1;
 
 } // namespace
 
 double step_towards(double left, double dt) { return dt >= left ? left : std::min(dt, 0.5 * left); }
 
-void IncrementControl::accepted(double step, int iterations) {
+void IncrementControl::accepted(double step, int iterations, double missed) {
   const double wanted = next_;
   const bool whole = step >= wanted; // else it tells little about the length wanted
   if (iterations <= easy_iterations) {
@@ -31,6 +34,10 @@ void IncrementControl::accepted(double step, int iterations) {
                       step == last_step_;
     next_ = longer == pays ? step * careful_growth : step * shrinking;
   }
+  // What trapezoids miss goes with the square of the length.
+  if (missed > most_missed)
+    next_ = std::min(next_, std::max(exact_share * limits_.max,
+                                     step * std::max(shrinking, std::sqrt(most_missed / missed))));
   if (ceiling_ > 0.0) {
     next_ = std::min(next_, ceiling_);
     ceiling_ = ceiling_ < limits_.max ? ceiling_ * rise_of_ceiling : 0.0;

@@ -5,6 +5,7 @@
 // past takes its iterations whatever the length, and shrinking would only add increments. So what
 // counts is the cost, iterations per time: an increment that laboured is shortened only as long as
 // that saves iterations, and one between the two grows as long as it is far shorter than it may be.
+// An easy one may be too long for the trapezoids of its work: the balance of energy tells.
 //
 // Theory: docs/theory/process.md (P.1).
 
@@ -36,7 +37,8 @@ public:
   ///
   /// @param step        its length, maybe shorter than wanted: something had to be met [s]
   /// @param iterations  that it took
-  void accepted(double step, int iterations);
+  /// @param missed      what its balance of energy misses, as a share of its work [-]
+  void accepted(double step, int iterations, double missed = 0.0);
 
   /// An increment of this length has failed.
   void failed(double step);

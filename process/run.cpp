@@ -44,9 +44,20 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 
 } // namespace
 
-double EnergyBalance::error() const {
-  const double largest = std::max({std::abs(external), elastic, plastic, friction, contact});
-  return largest > 0.0 ? std::abs(missing()) / largest : 0.0;
+double EnergyBalance::error() const { return error_since({}); }
+
+double EnergyBalance::error_since(const EnergyBalance& before) const {
+  const double largest = std::max({std::abs(external - before.external),
+                                   std::abs(elastic - before.elastic), plastic - before.plastic,
+                                   friction - before.friction, std::abs(contact - before.contact)});
+  return largest > 0.0 ? std::abs(missing() - before.missing()) / largest : 0.0;
+}
+
+double Process::missed_since(const EnergyBalance& before, double gone) const {
+  constexpr double half_of_the_budget = 0.0025; // the balance of a run is to be within 0.5 %
+  constexpr double early = 0.1;                 // what the first yield misses counts little later
+  const bool at_risk = gone > early && energy_.error() > half_of_the_budget;
+  return at_risk && !scene_.increments.max ? energy_.error_since(before) : 0.0;
 }
 
 void Process::start_stage(const Stage& stage) {
@@ -351,6 +362,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         control.set_next(*sooner);
         continue;
       }
+      const EnergyBalance before = energy_;
       accept(step);
       if (lands)
         time_ = landing;
@@ -359,7 +371,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       notify(observers, report(step, failures));
       const bool easy = failures == 0 && last_iterations_ <= IncrementControl::easy_iterations;
       adapt_penalty(easy ? Progress::easy : Progress::laboured);
-      control.accepted(step, last_iterations_);
+      control.accepted(step, last_iterations_, missed_since(before, (time_ - start) / length));
       failures = refusals = 0;
       tried.clear();
       for (const Observer* observer : observers)

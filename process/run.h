@@ -52,6 +52,8 @@ struct EnergyBalance {
   }
   /// |external - sum of the rest| over the largest of them [-].
   [[nodiscard]] double error() const;
+  /// That of what has been done since `before` [-].
+  [[nodiscard]] double error_since(const EnergyBalance& before) const;
 };
 
 /// One accepted increment.
@@ -294,6 +296,11 @@ private:
   void accept(double dt);
   /// Makes the trial the state of the run.
   void commit(double dt);
+  /// What the balance of the increment misses, as a share of its work, if the run needs better
+  /// ones and may choose them; else 0 [-].
+  ///
+  /// @param gone  share of the stage that is behind
+  [[nodiscard]] double missed_since(const EnergyBalance& before, double gone) const;
   void update_energy();
   /// Takes the increment just accepted into the sums over contact.
   void account_contact(double dt);

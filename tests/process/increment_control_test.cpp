@@ -48,6 +48,21 @@ TEST(IncrementControl, AStepShortenedForALandingDoesNotShortenTheNext) {
   EXPECT_DOUBLE_EQ(limits.first, laboured.next());
 }
 
+TEST(IncrementControl, IncrementsWhoseWorkIsKnownPoorlyAreShortenedButNotForEver) {
+  // What trapezoids miss goes with the square of the length: 2 % are missed at 0.4.
+  IncrementControl control(limits);
+  for (int i = 0; i < 40; ++i) {
+    const double step = control.next();
+    control.accepted(step, 3, 0.02 * (step / 0.4) * (step / 0.4));
+    EXPECT_LE(control.next(), 1.5 * 0.4);
+  }
+  EXPECT_GE(control.next(), 0.4);
+  IncrementControl hopeless(limits);
+  for (int i = 0; i < 40; ++i)
+    hopeless.accepted(hopeless.next(), 3, 1.0);
+  EXPECT_DOUBLE_EQ(hopeless.next(), 0.25 * limits.max);
+}
+
 TEST(IncrementControl, IterationsThatDoNotDependOnTheLengthDoNotHoldItShort) {
   for (const int iterations : {7, 9, 12, 20}) {
     IncrementControl control(limits);

@@ -38,7 +38,7 @@ struct Pass {
 };
 
 // The rows of frm09_rolling.csv.
-constexpr Pass thin{2.0, 1.6, 100.0, 0.08, 400.0, 16.0, {40, 3, 1}};
+constexpr Pass thin{2.0, 1.6, 100.0, 0.08, 400.0, 16.0, {40, 4, 1}};
 constexpr Pass thick{10.0, 8.0, 150.0, 0.12, 500.0, 80.0, {64, 4, 1}, 50.0, 10.0, 0.7, 1.6};
 
 /// The upper half of the strip, its front at the roll, pushed in by a plate that then stays behind.
@@ -83,11 +83,14 @@ struct Rolled {
 Rolled steady_mean(const Pass& pass, const FinishedRun& done) {
   Rolled sum{0.0, 0.0};
   double time = 0.0;
-  for (const Entry& now : done.recorder.entries) {
+  const std::vector<Entry>& entries = done.recorder.entries;
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    const Entry &before = entries[i - 1], &now = entries[i];
     if (now.report.time < pass.steady)
       continue;
-    sum.force += now.report.dt * now.loads[0].force[1];
-    sum.torque -= now.report.dt * now.loads[0].torque[2];
+    const double half = 0.5 * now.report.dt;
+    sum.force += half * (before.loads[0].force[1] + now.loads[0].force[1]);
+    sum.torque -= half * (before.loads[0].torque[2] + now.loads[0].torque[2]);
     time += now.report.dt;
   }
   return {sum.force / time, sum.torque / time};
