@@ -325,6 +325,18 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
   stiffening_next_ = stiffening_;
 }
 
+std::array<ContactTerm::WayOfTool, 2> ContactTerm::ways(std::size_t tool,
+                                                        const mechanics::Trial& trial) const {
+  const geometry::Motion& motion = tools_[tool].motion;
+  const geometry::Driven before = driven(tool, trial.x_old), now = driven(tool, trial.x);
+  const Vec3 from = motion.translation(trial.time_old, before);
+  const Vec3 to = motion.translation(trial.time, now);
+  const double angle = motion.angle(trial.time, now) - motion.angle(trial.time_old, before);
+  const Vec3 axis = motion.axis_point() + motion.offset;
+  const Vec3 turn = angle * motion.axis();
+  return {WayOfTool{to - from, turn, axis + from}, WayOfTool{to - from, turn, axis + to}};
+}
+
 double ContactTerm::longest_way(const ToolState& state,
                                 const geometry::Pose& pose,
                                 const geometry::Pose& pose_old) const {
@@ -350,16 +362,14 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   state.touches = false;
   closed_[t].clear();
   const double gone = longest_way(state, pose, pose_old);
+  const auto [way_old, way] = ways(t, trial);
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Traction& now = state.trial[k];
     PointHistory& history = state.history[k];
     const Vec3 position = pose.to_tool(positions_[k]);
     const Vec3 force = areas_[k] * (pose.rotation * now.traction);
-    // What the tool does where the point is and where it was: on a turning tool the chord of either
-    // alone would have the normal force do work.
-    const auto way = [&](const Vec3& X) -> Vec3 { return pose.to_space(X) - pose_old.to_space(X); };
-    work_.external +=
-        0.25 * (force + state.force[k]).dot(way(position) + way(state.history[k].position));
+    work_.external += 0.5 * (force.dot(way.of(positions_[k])) +
+                             state.force[k].dot(way_old.of(pose_old.to_space(history.position))));
     state.force[k] = force;
     const double sliding = history.sliding + now.slip.norm();
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));

@@ -18,6 +18,9 @@
 #include "mechanics/bulk.h"
 #include "mechanics/force_term.h"
 
+#include <Eigen/Geometry>
+
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -255,6 +258,18 @@ private:
   template <class Shape, class Rule>
   void
   add_border_of(std::size_t drive, const mechanics::Trial& trial, mechanics::System& system) const;
+  /// How a tool's material moves in the increment from where it is at a time.
+  struct WayOfTool {
+    Vec3 shift; ///< [mm]
+    Vec3 turn;  ///< about the axis [rad]
+    Vec3 axis;  ///< a point on it at that time [mm]
+
+    /// Along the arc [mm].
+    [[nodiscard]] Vec3 of(const Vec3& x) const { return shift + turn.cross(x - axis); }
+  };
+  /// From where it is at the beginning of the increment and at its end.
+  [[nodiscard]] std::array<WayOfTool, 2> ways(std::size_t tool,
+                                              const mechanics::Trial& trial) const;
   /// Of the tool or the workpiece in points that touch or touched, in the increment [mm].
   [[nodiscard]] double longest_way(const ToolState& state,
                                    const geometry::Pose& pose,

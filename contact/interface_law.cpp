@@ -15,6 +15,30 @@ struct Sliding {
   Mat3 dpath_dx; ///< [-]
 };
 
+/// (phi / sin phi - 1) / sin^2 phi of the angle between two normals, and its derivative by cos phi.
+struct ArcExcess {
+  double value, slope;
+};
+
+ArcExcess arc_excess(double cosine) {
+  constexpr double least = 0.5; // beyond 60 degrees the tool's surface is hardly an arc
+  const double c = std::max(cosine, least);
+  const double s2 = std::max(0.0, 1.0 - c * c);
+  ArcExcess arc{};
+  if (constexpr double small = 1e-3; s2 < small) { // terms of arcsin s, against cancellation
+    arc.value = 1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (5.0 / 112.0 + s2 * 35.0 / 1152.0));
+    arc.slope = -2.0 * c * (3.0 / 40.0 + s2 * (5.0 / 56.0 + s2 * 35.0 / 384.0));
+  } else {
+    const double s = std::sqrt(s2);
+    const double excess = std::acos(c) - s;
+    arc.value = excess / (s * s2);
+    arc.slope = ((c - 1.0) * s + 3.0 * c * excess) / (s * s2 * s2);
+  }
+  if (cosine < least)
+    arc.slope = 0.0;
+  return arc;
+}
+
 Sliding sliding(const PointHistory& old, const InterfaceInput& at) {
   const Vec3& n = at.projection.normal;
   const Mat3& H = at.projection.dnormal_dx;
@@ -23,6 +47,16 @@ Sliding sliding(const PointHistory& old, const InterfaceInput& at) {
   Sliding s;
   s.path = P * way;
   s.dpath_dx = P - n.dot(way) * H - n * (way.transpose() * H);
+  // In the direction in which the tool's surface has turned: its arc, not the arc's projection.
+  const double c = n.dot(old.normal);
+  const ArcExcess arc = arc_excess(c);
+  const Vec3 q = old.normal - c * n;
+  const Eigen::RowVector3d dc = old.normal.transpose() * H;
+  const Mat3 dq = -n * dc - c * H;
+  const double along = q.dot(way);
+  s.path += arc.value * along * q;
+  s.dpath_dx += q * (arc.slope * along * dc + arc.value * (way.transpose() * dq + q.transpose())) +
+                arc.value * along * dq;
   return s;
 }
 

