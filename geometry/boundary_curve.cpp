@@ -1,5 +1,6 @@
 #include "geometry/boundary_curve.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/profile_piece.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace billet::geometry {
 namespace {
 
 /// Cosine below which the tangent is too far off the chord for an arc, as at (G.18).
-constexpr double least_cosine = 0.25;
+constexpr double least_tangent_cosine = 0.25;
 
 /// Gauss points and weights on [0, 1].
 constexpr std::array<double, 5> gauss_points{0.046910077030668, 0.230765344947158, 0.5,
@@ -52,7 +53,8 @@ Vec2 tangent_at_end(const Vec2& first, const Vec2& second) {
 Vec2 handle(const Vec2& tangent, const Vec2& e) {
   const double length = e.norm();
   const double cosine = tangent.dot(e) / length;
-  return length * (cosine > least_cosine ? 2.0 / (3.0 * (1.0 + cosine)) : 1.0 / 3.0) * tangent;
+  return length * (cosine > least_tangent_cosine ? 2.0 / (3.0 * (1.0 + cosine)) : 1.0 / 3.0) *
+         tangent;
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 #include "geometry/boundary_sides.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/box_pairs.h"
-#include "geometry/profile_piece.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace {
 constexpr double steps_per_side = 4.0;
 
 /// Rounding of the number of sides.
-constexpr double slack = 1e-6;
+constexpr double rounding_of_counts = 1e-6;
 
 /// Most of them between two kept corners; such a domain has too many triangles.
 constexpr double most_sides = 1e6;
@@ -68,7 +68,7 @@ void spread(const BoundaryCurve& curve,
             const std::function<double(const Vec2&)>& size,
             std::vector<CurveSide>& sides) {
   const std::vector<Count> count = count_along(curve, span.from, span.to, size);
-  const double n = std::max(least, std::ceil(count.back().sides - slack));
+  const double n = std::max(least, std::ceil(count.back().sides - rounding_of_counts));
   double from = span.from;
   std::size_t k = 1;
   for (double i = 1.0; i <= n; i += 1.0) {
@@ -135,7 +135,7 @@ bool holds(const Hull& hull, const Vec2& x) {
 using Segments = std::array<std::array<Vec2, 2>, 3>;
 
 /// Of hulls without a common corner.
-bool overlap(const Hull& h, const Hull& k) {
+bool hulls_overlap(const Hull& h, const Hull& k) {
   const Segments first{{{h.a, h.apex}, {h.apex, h.b}, {h.a, h.b}}};
   const Segments second{{{k.a, k.apex}, {k.apex, k.b}, {k.a, k.b}}};
   for (const auto& [a, b] : first)
@@ -168,7 +168,7 @@ Box box(const Hull& hull) {
   return result;
 }
 
-/// Sets the flags of sides whose hulls overlap.
+/// Sets the flags of sides whose hulls hulls_overlap.
 bool flag_overlaps(const std::vector<Hull>& hulls, std::vector<char>& flags) {
   std::vector<Box> boxes(hulls.size());
   std::transform(hulls.begin(), hulls.end(), boxes.begin(), box);
@@ -178,7 +178,7 @@ bool flag_overlaps(const std::vector<Hull>& hulls, std::vector<char>& flags) {
     const bool before = h.b == k.a, after = k.b == h.a;
     const bool wrong = before || after ? (before && overlap_beyond_corner(h, k)) ||
                                              (after && overlap_beyond_corner(k, h))
-                                       : overlap(h, k);
+                                       : hulls_overlap(h, k);
     if (wrong)
       flags[static_cast<std::size_t>(i)] = flags[static_cast<std::size_t>(j)] = 1;
     any = any || wrong;

@@ -18,14 +18,15 @@ namespace {
 /// Edges whose normals differ by more are sharp.
 constexpr double sharp_turn = std::numbers::pi / 6.0;
 /// The same of edges that are said to be smooth: beyond, the surface could fold.
-constexpr double fold_turn = 5.0 * std::numbers::pi / 12.0;
+constexpr double crease_turn = 5.0 * std::numbers::pi / 12.0;
 
 CornerNormals normals_of(const SolidBoundary& boundary) {
-  return boundary.creases ? corner_normals(boundary.mesh, fold_turn, *boundary.creases)
+  return boundary.creases ? corner_normals(boundary.mesh, crease_turn, *boundary.creases)
                           : corner_normals(boundary.mesh, sharp_turn);
 }
 
-constexpr double least_cosine = 0.5; // of a normal against its facet; below, the patch may fold
+constexpr double least_patch_cosine =
+    0.5; // of a normal against its facet; below, the patch may fold
 constexpr double most_departure =
     0.15; // of a curved triangle from its facet, over its longest side
 
@@ -73,7 +74,7 @@ bool BoundarySurface::is_curved(std::size_t t) const {
   if (flat)
     return false;
   const CurvedTriangle::Shape shape = curved_[t].shape();
-  return shape.least_cosine > least_cosine &&
+  return shape.least_cosine > least_patch_cosine &&
          shape.departure < most_departure * shape_of(boundary_->mesh, triangle).longest;
 }
 

@@ -1,17 +1,15 @@
 #include "geometry/analytic_surfaces.h"
+#include "geometry/base/limits.h"
 #include "geometry/surface_check.h"
 #include "geometry/surface_of_revolution.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace billet::geometry {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The ray from (0, 0) along (cos, sin); the solid lies between it and the axis. (G.6)
 struct Ray {

@@ -1,5 +1,6 @@
 #include "geometry/corner_normals.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/edge_table.h"
 
 #include <Eigen/Geometry>
@@ -16,10 +17,6 @@ namespace {
 // A flat part this many times wider than another facet of the fan is a plane that the curved part
 // runs into, not a strip of it: it keeps its normal, and the fan takes it.
 constexpr double wider = 4.0;
-
-double angle_between(const Vec3& u, const Vec3& v) {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
 
 /// Disjoint sets of numbers; the smallest member stands for its set.
 class Sets {

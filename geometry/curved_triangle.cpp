@@ -20,7 +20,7 @@ constexpr double stalled = 1e-8;      // step that ends it if the last one was n
 constexpr double least_share = 1e-3;  // of a step
 constexpr double margin = 0.1;        // of the barycentric coordinates
 constexpr double overlap = 1e-13;     // of two triangles: a foot on their side is never lost
-constexpr int samples = 8;            // intervals along a side, for bounds and shape
+constexpr int intervals = 8;          // along a side, for bounds and shape
 constexpr double least_convex = 0.05; // of the squared distance against the metric
 
 /// Barycentric coordinates as functions of (v, w).
@@ -203,8 +203,8 @@ SurfacePoint CurvedTriangle::at(double v, double w) const {
 double CurvedTriangle::largest_bend() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
-    for (int k = 0; k <= samples && bends_[i]; ++k)
-      largest = std::max(largest, bend(i, static_cast<double>(k) / samples).f.norm());
+    for (int k = 0; k <= intervals && bends_[i]; ++k)
+      largest = std::max(largest, bend(i, static_cast<double>(k) / intervals).f.norm());
   return largest;
 }
 
@@ -241,9 +241,10 @@ CurvedTriangle::Shape CurvedTriangle::shape() const {
   const Vec3 n =
       (sides_[1].curve.control[0] - a).cross(sides_[2].curve.control[0] - a).stableNormalized();
   Shape shape{0.0, 1.0};
-  for (int i = 0; i <= samples; ++i)
-    for (int k = 0; i + k <= samples; ++k) {
-      const SurfacePoint s = at(static_cast<double>(i) / samples, static_cast<double>(k) / samples);
+  for (int i = 0; i <= intervals; ++i)
+    for (int k = 0; i + k <= intervals; ++k) {
+      const SurfacePoint s =
+          at(static_cast<double>(i) / intervals, static_cast<double>(k) / intervals);
       shape.departure = std::max(shape.departure, std::abs((s.position - a).dot(n)));
       shape.least_cosine = std::min(shape.least_cosine, s.normal().dot(n));
     }

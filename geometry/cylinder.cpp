@@ -1,14 +1,11 @@
 #include "geometry/analytic_surfaces.h"
+#include "geometry/base/limits.h"
 #include "geometry/surface_check.h"
 #include "geometry/surface_of_revolution.h"
-
-#include <limits>
 
 namespace billet::geometry {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // r = radius. (G.4)
 struct StraightLine {

@@ -1,7 +1,7 @@
 #include "geometry/domain_refinement.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
-#include "geometry/profile_piece.h"
 #include "geometry/triangulation_walk.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -1,5 +1,6 @@
 #include "geometry/domain_remesher.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
 #include "geometry/base/index.h"
 #include "geometry/boundary_curve.h"
@@ -8,7 +9,6 @@
 #include "geometry/domain_refinement.h"
 #include "geometry/plane_smoother.h"
 #include "geometry/polygon_widths.h"
-#include "geometry/profile_piece.h"
 #include "geometry/settled_loops.h"
 #include "geometry/size_field.h"
 

@@ -12,18 +12,19 @@ namespace billet::geometry {
 namespace {
 
 constexpr double least_crease = 0.05; // sine between two tangent planes that fixes their line
-constexpr double least_cosine = 0.25; // between a handle and its chord; below, a straight edge
-constexpr double close = 1e-3;        // steps of the parameter that are Newton's without a check
-constexpr double converged = 1e-14;   // step that ends the search
-constexpr double least_share = 1e-3;  // of a step
-constexpr double exact = 1e-12;       // share of the length that is rounding
+constexpr double least_handle_cosine =
+    0.25;                                // between a handle and its chord; below, a straight edge
+constexpr double close_on_curve = 1e-3;  // steps of the parameter that are Newton's without a check
+constexpr double found_on_curve = 1e-14; // step that ends the search
+constexpr double least_share_of_step = 1e-3;             // of a step
+constexpr double exact = 1e-12;                          // share of the length that is rounding
 constexpr double straight_offset = same_direction / 6.0; // share of the length, of a handle
 
 // Handle at the end with normal n0: in its tangent plane, exact to sixth order on circles and
 // unchanged by any extrusion. (G.17)
 Vec3 smooth_handle(const Vec3& e, const Vec3& n0, const Vec3& n1) {
   const double cosine = n0.dot(n1);
-  if (cosine < least_cosine)
+  if (cosine < least_handle_cosine)
     return e / 3.0;
   const Vec3 turn = n1 - n0;
   const double half = 1.0 + std::sqrt(0.5 * (1.0 + cosine));
@@ -38,7 +39,7 @@ Vec3 sharp_handle(const Vec3& e, const Vec3& n, const Vec3& m) {
     return e / 3.0;
   const double sine = line.norm(), length = e.norm();
   const double cosine = std::abs(line.dot(e)) / (sine * length);
-  if (cosine < least_cosine)
+  if (cosine < least_handle_cosine)
     return e / 3.0;
   const double sign = line.dot(e) < 0.0 ? -1.0 : 1.0;
   return 2.0 / 3.0 * length / (1.0 + cosine) * sign / sine * line;
@@ -130,8 +131,8 @@ CurvePoint EdgeCurve::at(double t) const {
           6.0 * (s * (c[2] - 2.0 * c[1] + c[0]) + t * (c[3] - 2.0 * c[2] + c[1]))};
 }
 
-// Newton's method; far from the solution the distance must fall, close to it differences of
-// distances are rounding and the plain step is taken.
+// Newton's method; far from the solution the distance must fall, close_on_curve to it differences
+// of distances are rounding and the plain step is taken.
 ClosestOnCurve closest_on(const EdgeCurve& curve, const Vec3& x) {
   const Vec3 chord = curve.control[3] - curve.control[0];
   double t = std::clamp((x - curve.control[0]).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
@@ -142,12 +143,13 @@ ClosestOnCurve closest_on(const EdgeCurve& curve, const Vec3& x) {
     const double slope = v.dot(c.d), square = c.d.squaredNorm(), bend = square + v.dot(c.dd);
     const bool convex = bend > 0.1 * square;
     const double next = std::clamp(t - slope / (convex ? bend : square), 0.0, 1.0);
-    double share = convex && std::abs(next - t) < close ? 0.0 : 1.0;
-    while (share > least_share && distance2_at(curve, t + share * (next - t), x) > v.squaredNorm())
+    double share = convex && std::abs(next - t) < close_on_curve ? 0.0 : 1.0;
+    while (share > least_share_of_step &&
+           distance2_at(curve, t + share * (next - t), x) > v.squaredNorm())
       share *= 0.5;
     const double step = (share > 0.0 ? share : 1.0) * (next - t);
     t += step;
-    if (std::abs(step) < converged)
+    if (std::abs(step) < found_on_curve)
       break;
   }
   ClosestOnCurve best{t, distance2_at(curve, t, x)};

@@ -1,6 +1,7 @@
 #include "geometry/facet_body.h"
 
 #include "geometry/base/box.h"
+#include "geometry/base/limits.h"
 #include "geometry/segment_pair.h"
 #include "geometry/triangle_mesh.h"
 #include "geometry/triangle_pair.h"
@@ -20,8 +21,6 @@
 namespace billet::geometry {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
 

@@ -18,7 +18,7 @@ namespace billet::geometry {
 namespace {
 
 /// A chain that turns by more at a point has a corner there.
-constexpr double corner_turn = std::numbers::pi / 4.0;
+constexpr double line_corner_turn = std::numbers::pi / 4.0;
 
 /// An edge that stays.
 struct Marked {
@@ -138,7 +138,7 @@ private:
     const Vec3& x = boundary_.mesh.points[idx(point)];
     const Vec3 in = x - boundary_.mesh.points[idx(beyond(edges[0], point))];
     const Vec3 out = boundary_.mesh.points[idx(beyond(edges[1], point))] - x;
-    return in.dot(out) < std::cos(corner_turn) * in.norm() * out.norm();
+    return in.dot(out) < std::cos(line_corner_turn) * in.norm() * out.norm();
   }
 
   void find_patches() {

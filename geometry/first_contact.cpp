@@ -1,13 +1,13 @@
 #include "geometry/first_contact.h"
 
 #include "geometry/base/box.h"
+#include "geometry/base/limits.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,10 +15,10 @@ namespace billet::geometry {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double contact_gap = 1e-12; // share of the size at which a gap counts as closed
 constexpr double near_gap = 1e-6;     // share of the size below which the root is bracketed
-constexpr int most_steps = 100000;    // grazing contact: each step closes a small part of the gap
+constexpr int most_steps_to_touch =
+    100000; // grazing contact: each step closes a small part of the gap
 constexpr int most_secants = 200;
 constexpr double facet_gap = 1e-9; // share of the size at which facets touch
 constexpr int most_retreats = 60;  // of doubled length
@@ -152,7 +152,7 @@ Outcome<double> distance_to_contact(const RigidSurface& surface,
   // The sign of the gap at the start: forwards until it closes, or backwards until it opens.
   const double side = now.gap >= 0.0 ? 1.0 : -1.0;
   const auto done = [&](const State& state) { return side * state.gap <= tolerance; };
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_steps_to_touch; ++step) {
     if (now.gap == infinity)
       return Failure{fmt::format("no point of the workpiece within {:g} of the tool", reach)};
     if (std::abs(now.gap) <= tolerance)
@@ -215,7 +215,7 @@ public:
   /// Where facets that cut at `cutting` closed: if that was long ago they glided along each other,
   /// and what counts is where the cut gets as deep as the tolerance.
   [[nodiscard]] double closing(double last_open, double clear, double cutting) const {
-    for (int i = 0; i < most_steps && last_open < cutting && open(last_open); ++i)
+    for (int i = 0; i < most_steps_to_touch && last_open < cutting && open(last_open); ++i)
       last_open += gap(last_open);
     if (cutting - last_open <= margin())
       return std::min(last_open, cutting);
@@ -255,7 +255,7 @@ double facet_contact(const PlacedBody& tool,
   double s = approach.retreat(std::min(0.0, latest)), last_open = s;
   // What is closed may be a tip about to enter or a wall to glide along: short steps first.
   double shortest = tolerance;
-  for (int i = 0; i < most_steps && s < latest; ++i) {
+  for (int i = 0; i < most_steps_to_touch && s < latest; ++i) {
     const double gap = approach.gap(s);
     shortest = gap > tolerance ? tolerance : 2.0 * shortest;
     if (approach.open(s))

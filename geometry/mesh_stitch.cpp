@@ -19,7 +19,7 @@ namespace billet::geometry {
 namespace {
 
 // Pairs looked at for each border edge before the search is given up: a heap of points.
-constexpr std::size_t most_pairs_each = 100;
+constexpr std::size_t most_stitches_each = 100;
 
 /// The border of a mesh.
 struct Border {
@@ -88,7 +88,7 @@ near_points(const TriangleMesh& mesh, const Border& border, double tolerance) {
       found.emplace_back(a, b);
       found.emplace_back(b, a);
     }
-    return ++looked_at < most_pairs_each * border.points.size();
+    return ++looked_at < most_stitches_each * border.points.size();
   });
   std::sort(found.begin(), found.end());
   return found;
@@ -143,7 +143,7 @@ Junctions junctions_of(const TriangleMesh& mesh, const Border& border, double to
     if (off <= tolerance && along > tolerance && along < length - tolerance &&
         std::find(t.begin(), t.end(), v) == t.end())
       found[{edge.triangle, edge.side}].push_back({along, v, off});
-    return ++looked_at < most_pairs_each * border.points.size();
+    return ++looked_at < most_stitches_each * border.points.size();
   });
   return found;
 }

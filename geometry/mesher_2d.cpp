@@ -1,5 +1,6 @@
 #include "geometry/mesher_2d.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
 #include "geometry/plane_smoother.h"
 #include "geometry/profile_piece.h"

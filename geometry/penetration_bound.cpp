@@ -1,5 +1,7 @@
 #include "geometry/penetration_bound.h"
 
+#include "geometry/base/limits.h"
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -16,15 +18,15 @@ namespace billet::geometry {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_halvings = 60;           // of a face: its width is then that of rounding
 constexpr int halvings_at_rim = 5;          // of what has its centre beyond the rim of an open tool
 constexpr int most_balls = 5;               // tried for a piece
 constexpr double largest_ball = 1e6;        // radius over that of the piece; more is rounding
 constexpr double small_ball = 30.0;         // likewise, tried first: from afar many facets are near
 constexpr double share_of_tolerance = 0.25; // that the curvature of the ball may take
-constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon(); // of a distance
-constexpr std::size_t grain = 64; // pieces a task should have at least
+constexpr double rounding_of_distance =
+    8.0 * std::numeric_limits<double>::epsilon(); // of a distance
+constexpr std::size_t grain = 64;                 // pieces a task should have at least
 
 /// A ball that holds no point of the tool.
 struct ClearBall {
@@ -122,7 +124,8 @@ double Search::excess(const Piece& piece) const {
 Heights Search::heights(const BezierPatch& shape, const ClearBall& ball) {
   Heights heights;
   for (const Vec3& point : shape.control())
-    heights[heights.size++] = (1.0 + rounding) * (point - ball.centre).norm() - ball.radius;
+    heights[heights.size++] =
+        (1.0 + rounding_of_distance) * (point - ball.centre).norm() - ball.radius;
   return heights;
 }
 

@@ -1,7 +1,7 @@
 #include "geometry/plane_smoother.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/base/index.h"
-#include "geometry/profile_piece.h"
 
 #include <algorithm>
 #include <array>

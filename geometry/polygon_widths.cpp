@@ -1,9 +1,9 @@
 #include "geometry/polygon_widths.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/box_pairs.h"
-#include "geometry/profile_piece.h"
 #include "geometry/triangulation_walk.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -1,5 +1,6 @@
 #include "geometry/profile.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/profile_piece.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #include "geometry/profile_piece.h"
 
+#include "geometry/base/angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

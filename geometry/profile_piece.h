@@ -10,6 +10,7 @@
 #include "geometry/base/vector.h"
 #include "geometry/profile.h"
 
+#include <numbers>
 #include <vector>
 
 namespace billet::geometry {
@@ -43,12 +44,10 @@ struct ProfilePiece {
   [[nodiscard]] Box bounds() const;
 };
 
+inline constexpr double drawn_angle = 2.0 * std::numbers::pi / 64.0; ///< of a chord of a drawn arc
+
 /// The unit vector right of the way: out of the tool.
 [[nodiscard]] inline Vec2 normal_of(const Vec2& tangent) { return {tangent.y(), -tangent.x()}; }
-
-[[nodiscard]] inline double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
 
 /// The piece from `from` along `segment`, which has no `flaw`.
 [[nodiscard]] ProfilePiece make_piece(const Vec2& from, const ProfileSegment& segment);

@@ -1,4 +1,5 @@
 #include "geometry/base/error.h"
+#include "geometry/base/limits.h"
 #include "geometry/profile.h"
 #include "geometry/profile_piece.h"
 
@@ -11,10 +12,8 @@ namespace billet::geometry {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double rim_slack = 1e-9; // share of the size by which a point may overshoot an open end
-constexpr std::size_t block_size = 16;                        // pieces that share a bounding box
-constexpr double drawn_angle = 2.0 * std::numbers::pi / 64.0; // of a chord of a drawn arc
+constexpr std::size_t block_size = 16; // pieces that share a bounding box
 
 // The unit vectors and the gap in the plane; `found` false beyond a rim.
 struct PlaneProjection {

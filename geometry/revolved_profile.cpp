@@ -20,9 +20,8 @@ namespace billet::geometry {
 namespace {
 
 constexpr double axis_slack = 1e-9; // share of the size within which a point is on the axis
-constexpr double drawn_angle = 2.0 * std::numbers::pi / 64.0; // of a chord of a drawn arc
 
-std::vector<Vec2> corners(const Profile& profile) {
+std::vector<Vec2> corners_of(const Profile& profile) {
   std::vector<Vec2> points{profile.start};
   for (const ProfileSegment& segment : profile.segments)
     points.push_back(segment.to);
@@ -46,7 +45,7 @@ Vec2 mirrored(const Vec2& x) { return {x.x(), -x.y()}; }
 // The way back along the mirror image, from the end to the start; the tool stays on the left, and
 // arcs turn as before.
 std::vector<ProfileSegment> way_back(const Profile& profile) {
-  const std::vector<Vec2> points = corners(profile);
+  const std::vector<Vec2> points = corners_of(profile);
   std::vector<ProfileSegment> back;
   for (std::size_t i = profile.segments.size(); i-- > 0;)
     back.push_back({mirrored(points[i]), profile.segments[i].radius, profile.segments[i].large});
@@ -64,7 +63,7 @@ Profile whole_section(const Profile& profile) {
   const bool starts = profile.start.y() == 0.0, ends = profile.segments.back().to.y() == 0.0;
   if (profile.closed || (!starts && !ends))
     return profile;
-  const std::vector<Vec2> points = corners(profile);
+  const std::vector<Vec2> points = corners_of(profile);
   std::vector<ProfileSegment> there = profile.segments, back = way_back(profile);
   Profile whole{profile.start, {}, starts && ends};
   if (starts && flat(points[0], there.front())) { // both halves in one, from the end of the first
@@ -87,7 +86,7 @@ class RevolvedProfile final : public RigidSurface {
 public:
   RevolvedProfile(const Axis& axis, Profile profile)
       : axis_(axis), profile_(std::move(profile)), section_(make_profile(whole_section(profile_))) {
-    for (const Vec2& p : corners(profile_))
+    for (const Vec2& p : corners_of(profile_))
       size_ = std::max(size_, p.cwiseAbs().maxCoeff());
   }
 

@@ -1,12 +1,12 @@
 #include "geometry/segment_pair.h"
 
+#include "geometry/base/angle.h"
+
 #include <algorithm>
 
 namespace billet::geometry {
 
 namespace {
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 double distance(const Segment& s, const Vec2& x) {
   const Vec2 along = s.to - s.from;

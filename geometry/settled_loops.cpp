@@ -23,7 +23,8 @@ constexpr int most_pieces = 32;
 constexpr double no_length = 1e-3;
 
 /// Where a side is tried.
-constexpr std::array<double, 9> samples{0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
+constexpr std::array<double, 9> sampled_shares{0.0,   0.125, 0.25,  0.375, 0.5,
+                                               0.625, 0.75,  0.875, 1.0};
 
 Vec2 on_side(const SideLoop& loop, std::size_t i, double xi) {
   const Vec2 &a = loop.corners[i], &m = loop.middles[i],
@@ -60,7 +61,8 @@ void SettledLoops::add(const SideLoop& loop,
       const Vec2 x = on_side(loop, i, xi);
       return (settled(i, xi, x) - x).norm() > far * chord;
     };
-    const bool divided = settle && std::any_of(samples.begin(), samples.end(), goes_far);
+    const bool divided =
+        settle && std::any_of(sampled_shares.begin(), sampled_shares.end(), goes_far);
     const int count =
         divided ? std::clamp(static_cast<int>(std::ceil(chord / least)), 2, most_pieces) : 1;
     for (int k = 0; k < count; ++k) {

@@ -20,9 +20,10 @@ namespace billet::geometry {
 namespace {
 
 constexpr double inside_surface = -std::numeric_limits<double>::infinity(); // no overshoot
-constexpr double least_cosine = 0.5; // of a normal against its facet; below, the patch may fold
-constexpr double aligned = 1e-6;     // share of the distance that may lie along the surface
-constexpr double rounding = 1e-12;   // share of the size of the mesh
+constexpr double least_normal_cosine =
+    0.5;                           // of a normal against its facet; below, the patch may fold
+constexpr double aligned = 1e-6;   // share of the distance that may lie along the surface
+constexpr double rounding = 1e-12; // share of the size of the mesh
 
 enum class Kind {
   facet,     ///< flat with straight sides: what the raw surface has
@@ -140,7 +141,7 @@ Kind SmoothTriangleSurface::classify(std::size_t t, const CurvedTriangle& patch)
     return straight ? Kind::facet : Kind::flat;
   }
   const CurvedTriangle::Shape shape = patch.shape();
-  if (!(shape.least_cosine > least_cosine)) {
+  if (!(shape.least_cosine > least_normal_cosine)) {
     ++smoothing_.kept;
     return Kind::unchanged;
   }

@@ -14,7 +14,7 @@ namespace billet::geometry {
 
 namespace {
 
-constexpr int most_rounds = 12;      // through all poor tetrahedra
+constexpr int most_rounds_of_moves = 12; // through all poor tetrahedra
 constexpr double most_moves = 2.0;   // of nodes, over the number of tetrahedra: a bound of the time
 constexpr double first_step = 0.25;  // over the shortest edge at a node
 constexpr double least_step = 0.004; // likewise
@@ -60,7 +60,7 @@ public:
   }
 
   void run() {
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_rounds_of_moves; ++round) {
       bool better = false;
       for (std::size_t e = 0; e < mesh_.tetrahedra.size(); ++e)
         if (quality(e) < wanted_)

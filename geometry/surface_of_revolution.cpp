@@ -1,5 +1,7 @@
 #include "geometry/surface_of_revolution.h"
 
+#include "geometry/base/limits.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -10,8 +12,6 @@
 namespace billet::geometry {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Adds the closed circle of radius r about `centre` in the plane of e1 and e2.
 void add_circle(DisplayMesh& mesh, const Vec3& centre, double r, const Vec3& e1, const Vec3& e2) {

@@ -1,5 +1,6 @@
 #include "geometry/triangle_features.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/edge_table.h"
 
 #include <Eigen/Geometry>
@@ -12,7 +13,7 @@ namespace billet::geometry {
 
 namespace {
 
-constexpr double rim_slack = 1e-9; // share of the size by which a point may overshoot a border
+constexpr double border_slack = 1e-9; // share of the size by which a point may overshoot a border
 constexpr double no_overshoot = -std::numeric_limits<double>::infinity();
 
 // Sums of unit normals shorter than this have cancelled: a fin without thickness.
@@ -21,10 +22,6 @@ constexpr double cancelled = 1e-12;
 Vec3 unit_or(const Vec3& sum, const Vec3& fallback) {
   const double length = sum.norm();
   return length > cancelled ? Vec3(sum / length) : fallback;
-}
-
-double angle_between(const Vec3& u, const Vec3& v) {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 } // namespace
@@ -171,7 +168,7 @@ Projection TriangleFeatures::around(const Vec3& x,
   const double distance = v.norm(), height = v.dot(pseudo_normal);
   const bool border = overshoot > no_overshoot, behind = height < 0.0;
   Projection p;
-  if (border && behind && overshoot > rim_slack * bounds_.size())
+  if (border && behind && overshoot > border_slack * bounds_.size())
     return p;
   if (distance <= rounding_ || (border && behind)) {
     p.gap = height; // the direction of v is rounding, or the sheet ends exactly here

@@ -1,5 +1,6 @@
 #include "geometry/triangle_surroundings.h"
 
+#include "geometry/base/limits.h"
 #include "geometry/triangle_shape.h"
 
 #include <Eigen/Geometry>
@@ -7,13 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace billet::geometry {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double steep = 1.0;        // what rises more is kept away from, if it does not touch
 constexpr double slenderest = 1e3;   // longest side over height: beyond, directions are uncertain
 constexpr double wider = 1.0 + 1e-6; // for rounding to single precision
@@ -46,7 +45,7 @@ SurroundingsOf::SurroundingsOf(const TriangleMesh& mesh, std::int32_t triangle)
   clear_ = shape.longest;
   radius_ = 2.0 * shape.longest; // no corner is as far from the middle as the longest side is long
   if (slender(shape))
-    slope_ = infinite;
+    slope_ = infinity;
 }
 
 SurroundingsOf::Other SurroundingsOf::other(std::int32_t triangle) const {
@@ -67,12 +66,12 @@ double SurroundingsOf::slope(const Other& other, const Way& way) {
   double slope = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (other.shared[k] >= 0 && !way.farthest[static_cast<std::size_t>(other.shared[k])])
-      return infinite;
+      return infinity;
     if (other.shared[k] >= 0)
       continue; // in the plane, and nothing beside
     const double beside = way.direction.dot(other.corners[k]) - way.reach;
     if (beside <= 0.0)
-      return infinite;
+      return infinity;
     slope = std::max(slope, std::abs(other.heights[k]) / beside);
   }
   return slope;
@@ -83,7 +82,7 @@ double SurroundingsOf::distance(const Other& other) const {
   const auto [low, high] = std::minmax_element(other.heights.begin(), other.heights.end());
   double distance = std::max({0.0, *low, -*high});
   for (const Way& way : ways_) {
-    double beside = infinite;
+    double beside = infinity;
     for (const Vec3& corner : other.corners)
       beside = std::min(beside, way.direction.dot(corner) - way.reach);
     distance = std::max(distance, beside);
@@ -92,16 +91,16 @@ double SurroundingsOf::distance(const Other& other) const {
 }
 
 void SurroundingsOf::add(std::int32_t triangle) {
-  if (triangle == triangle_ || slope_ == infinite)
+  if (triangle == triangle_ || slope_ == infinity)
     return;
   const Other other = this->other(triangle);
-  double least = infinite;
+  double least = infinity;
   for (const Way& way : ways_)
     least = std::min(least, slope(other, way));
   const auto is_shared = [](int corner) { return corner >= 0; };
   const bool touches = std::any_of(other.shared.begin(), other.shared.end(), is_shared);
   if (slender(shape_of(mesh_, mesh_.triangles[static_cast<std::size_t>(triangle)])))
-    slope_ = infinite;
+    slope_ = infinity;
   else if (touches || least <= steep)
     slope_ = std::max(slope_, least);
   else

@@ -21,14 +21,14 @@ constexpr double opposite = -0.766;
 constexpr double settled = 1e-3;
 /// Places nearer to each other than this share of the widest gap are the same.
 constexpr double same = 1e-9;
-constexpr int most_rounds = 30;
+constexpr int most_rounds_of_balls = 30;
 
 /// Diameter of the largest ball in the direction n that touches at x and again opposite to it.
 std::optional<double>
 ball_at(const RigidSurface& surface, const Vec3& x, const Vec3& n, double most) {
   double radius = 0.5 * most;
   std::optional<Vec3> beyond; // where the ball touches besides
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_rounds_of_balls; ++round) {
     const Vec3 middle = x + radius * n;
     Projection foot;
     surface.project(std::span(&middle, 1), 2.0 * radius, std::span(&foot, 1));

@@ -1,5 +1,6 @@
 #include "process/solid_part.h"
 
+#include "geometry/base/angle.h"
 #include "geometry/nearest_in_triangle.h"
 #include "mechanics/domain_meshes.h"
 #include "mechanics/elements/faces.h"
@@ -70,10 +71,6 @@ std::vector<char> beyond(std::vector<char> flags, std::span<const std::vector<ch
 
 /// A boundary that turns by more at an edge may have a crease there, 30 degrees.
 constexpr double sharp_turn = std::numbers::pi / 6.0;
-
-double angle_between(const Vec3& u, const Vec3& v) {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
 
 bool any(const std::vector<char>& flags) {
   return std::any_of(flags.begin(), flags.end(), [](char flag) { return flag != 0; });

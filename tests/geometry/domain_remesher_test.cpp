@@ -1,10 +1,10 @@
 // Domains meshed anew: what is kept of the boundary, what it encloses, how good the triangles are,
 // and what is refused.
 
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
 #include "geometry/boundary_curve.h"
 #include "geometry/domain_remesher.h"
-#include "geometry/profile_piece.h"
 #include "tests/support/sound_domain.h"
 
 #include <gtest/gtest.h>

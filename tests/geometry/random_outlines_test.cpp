@@ -1,8 +1,8 @@
 // A thousand random domains: meshed with sound triangles, or refused with the place.
 
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
 #include "geometry/domain_remesher.h"
-#include "geometry/profile_piece.h"
 #include "tests/support/random_outline.h"
 #include "tests/support/sound_domain.h"
 

@@ -1,6 +1,6 @@
 // The boundary of a part with what hangs on it, and that it hangs there still on a new mesh.
 
-#include "geometry/profile_piece.h"
+#include "geometry/base/angle.h"
 #include "mechanics/bulk.h"
 #include "mechanics/mesh_locator.h"
 #include "process/part_boundary.h"
@@ -71,7 +71,7 @@ Scene meshed_anew(Scene scene, double size, const std::vector<std::string>& keep
 double enclosed(const geometry::SideLoop& loop) {
   double twice = 0.0;
   for (std::size_t i = 0; i < loop.corners.size(); ++i)
-    twice += geometry::cross(loop.corners[i], loop.corners[(i + 1) % loop.corners.size()]);
+    twice += cross(loop.corners[i], loop.corners[(i + 1) % loop.corners.size()]);
   return 0.5 * twice;
 }
 

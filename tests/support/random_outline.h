@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "geometry/base/angle.h"
 #include "geometry/domain_remesher.h"
-#include "geometry/profile_piece.h"
 
 #include <algorithm>
 #include <cmath>
