@@ -36,8 +36,9 @@ std::vector<double> rotated(const std::vector<double>& x, int dim, const geometr
 /// by `angle` until time 1.
 struct Turning {
   Turning(const BodyKind& body, double angle)
-      : point(body.solid() ? Vec3(3, 1, -2) : Vec3(3, 1, 0)),
-        axis(body.solid() ? Vec3(Vec3(1, 2, 2) / 3.0) : Vec3(Vec3::UnitZ())),
+      : Turning(body, angle, body.solid() ? Vec3(3, 1, -2) : Vec3(3, 1, 0)) {}
+  Turning(const BodyKind& body, double angle, const Vec3& about)
+      : point(about), axis(body.solid() ? Vec3(Vec3(1, 2, 2) / 3.0) : Vec3(Vec3::UnitZ())),
         bench(make(body, point, axis, angle)) {
     std::vector<double> x = bench.x;
     const int dim = bench.mesh.dimension();
@@ -113,6 +114,23 @@ TEST(ContactObjectivity, TurnsStuckShearWithTheToolOverManySteps) {
     EXPECT_EQ(after[k].status, before[k].status);
     EXPECT_LT((after[k].shear - before[k].shear).norm(), 1e-9 * (1.0 + before[k].pressure));
   }
+}
+
+TEST(ContactWork, OfATurningRollIsThatOfItsTorqueWhateverTheAngle) {
+  // The body stays: what the roll does is lost to friction or held by the springs against slip.
+  constexpr double tolerance = 1e-12; // of the work
+  for (const BodyKind& body : {body_kinds()[0], body_kinds()[1], body_kinds()[6]})
+    for (const double angle : {0.01, 0.1, 0.33, 1.0}) {
+      Turning turning(body, angle, {2, -4, 0}); // about its axis
+      ContactTerm& contact = turning.bench.term;
+      const ContactWork before = contact.work();
+      turning.bench.commit(turning.bench.x, 1.0);
+      const double done = contact.work().external - before.external;
+      const double lost = contact.work().friction - before.friction;
+      const double held = contact.work().stored - before.stored;
+      EXPECT_GT(lost, 0.0) << body.name();
+      EXPECT_NEAR(done, lost + held, tolerance * lost) << body.name() << ", " << angle;
+    }
 }
 
 /// A stiff block walks at random over a floor, pressed at random.
