@@ -204,13 +204,19 @@ private:
   double size_;
 };
 
-/// A face on a symmetry plane or on the axis: nothing can touch it.
+/// A face on a symmetry plane, on the axis or held in every direction: nothing is to touch it.
 bool unreachable(const Mesh& mesh,
                  const Face& face,
                  const std::vector<std::array<char, 3>>& held,
                  bool axisymmetric) {
   if (axisymmetric && std::all_of(face.nodes.begin(), face.nodes.end(),
                                   [&](Index a) { return mesh.points[idx(a)][0] == 0.0; }))
+    return true;
+  // Told without looking at the axes: a clamped foot is none either where the part is turned.
+  if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](Index a) {
+        return std::all_of(held[idx(a)].begin(), held[idx(a)].begin() + mesh.dimension(),
+                           [](char is_held) { return is_held != 0; });
+      }))
     return true;
   for (int c = 0; c < mesh.dimension(); ++c) {
     const double level = mesh.points[idx(face.nodes.front())][c];

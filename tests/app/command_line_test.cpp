@@ -5,6 +5,10 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace billet::test::command_line_test {
 
 namespace {
@@ -44,6 +48,34 @@ TEST_F(CommandLine, help_and_version_answer_on_standard_output) {
   EXPECT_EQ(version.status, 0);
   EXPECT_TRUE(version.out.starts_with("billet ")) << version.out;
   EXPECT_EQ(version.err, "");
+}
+
+TEST_F(CommandLine, check_counts_no_clamped_face_among_those_to_touch_however_the_part_is_turned) {
+  for (const double angle : {0.0, 0.6}) {
+    std::string mesh = "*NODE\n";
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        mesh += fmt::format("{}, {:.17g}, {:.17g}\n", 3 * j + i + 1,
+                            i * std::cos(angle) - j * std::sin(angle),
+                            i * std::sin(angle) + j * std::cos(angle));
+    mesh += "*ELEMENT, TYPE=CPE4\n1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n3, 4, 5, 8, 7\n4, 5, 6, 9, 8\n"
+            "*NSET, NSET=foot\n1, 2, 3\n";
+    write_text(folder_.path() / "part.inp", mesh);
+    write_text(folder_.path() / "clamped.toml", R"(analysis = "plane-strain"
+workpiece = { element = "quad4", material = "steel", mesh = { file = "part.inp" } }
+material.steel = { elastic = { young = 2e5, poisson = 0.3 }, flow = { law = "perfect", yield = 300 } }
+support = [{ where = "set:foot", fix = ["x", "y"] }]
+time = { end = 1 }
+
+[[tool]]
+name    = "punch"
+surface = { circle = { centre = [20, 20], radius = 1 } }
+motion  = { velocity = [0, 0] }
+)");
+    const Outcome outcome = run({"check", "clamped.toml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(outcome.prints("6 of the boundary faces may be touched")) << outcome.out;
+  }
 }
 
 TEST_F(CommandLine, mistakes_end_with_status_2_and_say_what_to_do) {
