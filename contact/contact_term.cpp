@@ -30,6 +30,9 @@ constexpr double rounding_of_touch = 1e-9;
 constexpr double fading = 0.5;
 constexpr double fading_by_way = 0.25;
 
+/// A share of the increment that has not been asked for.
+constexpr double not_asked = std::numeric_limits<double>::quiet_NaN();
+
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
 
@@ -64,14 +67,16 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
                          const DriveScale& drives)
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
       enabled_(tools.size(), 1), held_(tools.size(), 0), positions_(surface.n_points()),
-      areas_(surface.n_points()), traction_(surface.n_points()), dtraction_(surface.n_points()),
-      symmetric_(surface.n_points()), touched_(surface.n_points()), loads_(tools.size()),
-      closed_(tools.size()), drives_(drive_unknowns(tools)), scale_(drives) {
+      velocity_(surface.n_points(), Vec3::Zero()), areas_(surface.n_points()),
+      traction_(surface.n_points()), dtraction_(surface.n_points()), symmetric_(surface.n_points()),
+      touched_(surface.n_points()), loads_(tools.size()), closed_(tools.size()),
+      drives_(drive_unknowns(tools)), scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
   for (ToolState& state : states_) {
     state.history.resize(n);
     state.multiplier.resize(n, 0.0);
+    state.touching.resize(n);
     state.trial.resize(n);
     state.position.resize(n);
     state.foot.resize(n);
@@ -153,11 +158,33 @@ double ContactTerm::strength(const Friction& friction, std::size_t point) const 
   return stress / std::numbers::sqrt3;
 }
 
-int ContactTerm::evaluate(const Tool& tool,
-                          ToolState& state,
-                          const mechanics::Trial& trial,
-                          bool keep) {
+double ContactTerm::touching_share(const Tool& tool,
+                                   const ToolState& state,
+                                   std::size_t point,
+                                   const Increment& increment) const {
+  const Vec3& before = state.history[point].position;
+  const Vec3 after =
+      increment.at_end.to_tool(increment.old.to_space(before) + increment.dt * velocity_[point]);
+  const std::array<Vec3, 2> places{before, after};
+  std::array<geometry::Projection, 2> feet;
+  for (geometry::Projection& foot : feet)
+    foot.patch = state.foot[point].patch;
+  tool.surface->project(places, reach_, feet);
+  if (!feet[0].found() || !feet[1].found() || !(feet[1].gap < 0.0))
+    return 0.0;
+  return feet[0].gap > 0.0 ? feet[1].gap / (feet[1].gap - feet[0].gap) : 1.0;
+}
+
+int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool keep) {
+  const Tool& tool = tools_[t];
+  ToolState& state = states_[t];
   const Penalty penalty = this->penalty();
+  const Increment increment{trial.time - trial.time_old, pose(t, trial.time_old, trial.x_old),
+                            pose(t, trial.time, trial.x_old)};
+  if (state.foretold_between != std::array{trial.time_old, trial.time}) {
+    state.foretold_between = {trial.time_old, trial.time};
+    std::fill(state.touching.begin(), state.touching.end(), not_asked);
+  }
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
@@ -171,7 +198,12 @@ int ContactTerm::evaluate(const Tool& tool,
       in.projection.gap += old.offset;
       in.rounding = touching_gap(k);
       in.noise = noise_of_gap(positions_[k], state.position[k]);
-      in.dt = trial.time - trial.time_old;
+      in.dt = increment.dt;
+      if (!old.closed()) {
+        if (std::isnan(state.touching[k]))
+          state.touching[k] = touching_share(tool, state, k, increment);
+        in.touching = state.touching[k];
+      }
       in.softening = trial.softening;
       in.kept = kept;
       in.multiplier = state.multiplier[k];
@@ -247,8 +279,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     const double asked = seconds_now();
     search(tools_[t], states_[t], place);
     times_.search += seconds_now() - asked;
-    system.contact_changes +=
-        evaluate(tools_[t], states_[t], trial, trial.first_guess && many_parted(states_[t]));
+    system.contact_changes += evaluate(t, trial, trial.first_guess && many_parted(states_[t]));
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
   }
@@ -323,6 +354,14 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
   }
   stiffening_old_ = stiffening_;
   stiffening_next_ = stiffening_;
+  remember_velocity(trial);
+}
+
+void ContactTerm::remember_velocity(const mechanics::Trial& trial) {
+  surface_->positions(trial.x_old, velocity_);
+  const double dt = trial.time - trial.time_old;
+  for (std::size_t k = 0; k < velocity_.size(); ++k)
+    velocity_[k] = dt > 0.0 ? Vec3((positions_[k] - velocity_[k]) / dt) : Vec3(Vec3::Zero());
 }
 
 std::array<ContactTerm::WayOfTool, 2> ContactTerm::ways(std::size_t tool,

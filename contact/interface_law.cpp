@@ -39,7 +39,8 @@ ArcExcess arc_excess(double cosine) {
   return arc;
 }
 
-Sliding sliding(const PointHistory& old, const InterfaceInput& at) {
+/// @param share  of the increment in which the point touches
+Sliding sliding(const PointHistory& old, const InterfaceInput& at, double share = 1.0) {
   const Vec3& n = at.projection.normal;
   const Mat3& H = at.projection.dnormal_dx;
   const Vec3 way = at.position - old.position;
@@ -57,6 +58,8 @@ Sliding sliding(const PointHistory& old, const InterfaceInput& at) {
   s.path += arc.value * along * q;
   s.dpath_dx += q * (arc.slope * along * dc + arc.value * (way.transpose() * dq + q.transpose())) +
                 arc.value * along * dq;
+  s.path *= share;
+  s.dpath_dx *= share;
   return s;
 }
 
@@ -125,7 +128,7 @@ Mat3 in_space(const TangentFrame& frame,
          foot.normal * (in_plane.transpose() * foot.dnormal_dx);
 }
 
-/// The shear of a point that was closed. (C.4)-(C.6)
+/// The shear of a point that was closed, or touches for a share of the increment. (C.4)-(C.6)
 void add_shear(const Friction& friction,
                const Penalty& penalty,
                const PointHistory& old,
@@ -135,7 +138,7 @@ void add_shear(const Friction& friction,
                Traction& out) {
   const geometry::Projection& foot = at.projection;
   const Vec3& n = foot.normal;
-  const Sliding s = sliding(old, at);
+  const Sliding s = sliding(old, at, old.closed() ? 1.0 : at.touching);
   const double stiffness = at.softening * (old.stiffness > 0.0 ? old.stiffness : penalty.tangent);
   const TangentFrame frame =
       friction.tensor ? frame_along(friction.tensor->direction, foot) : any_frame(n);
@@ -223,12 +226,17 @@ Traction traction(const Friction& friction,
   // Whether it sticks must not be left to the sign of a gap that is zero but for rounding.
   if (resting)
     holding = std::max(holding, penalty.normal * at.noise);
-  const SlipState state{holding, at.strength, old.sliding, at.dt};
+  const bool rubs = old.closed() || at.touching > 0.0;
+  SlipState state{holding, at.strength, old.sliding, at.dt};
+  if (!old.closed() && rubs) {
+    state.dt *= at.touching;
+    state.steepest = 1.0;
+  }
   out.limit = limit_at(friction, state, 0.0).shear;
-  if (!old.closed())
+  if (!rubs)
     return out;
   if (out.limit == 0.0 && !friction.depends_on_slip()) {
-    out.slip = sliding(old, at).path;
+    out.slip = sliding(old, at, old.closed() ? 1.0 : at.touching).path;
     return out;
   }
   add_shear(friction, penalty, old, at, scheme, state, out);

@@ -4,13 +4,14 @@
 // and workpiece together changes nothing (incremental objectivity, the paper's Fig. 13). Pressure
 // follows from the penetration itself, not from an accumulated increment; shear is an elastic
 // stick stress, turned with the normal, and kept within the law's limit (stick_slip.h). A point
-// that touches within the increment slides freely until its end, where sticking begins: a shear
-// that grew with the way since first touch would grow faster than the pressure and destroy
-// uniqueness. A point that has slid a long way turns its shear round within a small part of that
-// way: beside a neutral point a sharper turn would be a jump.
+// that touches within the increment rubs from then on: over the share of the way that its motion
+// foretells, with no more shear than pressure. A share that followed the gap of the trial would let
+// the shear grow faster than the pressure and destroy uniqueness. A point that has slid a long way
+// turns its shear round within a small part of that way: beside a neutral point a sharper turn
+// would be a jump.
 //
 // Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
-// Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18), (C.20).
+// Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18), (C.20), (C.42).
 
 #pragma once
 
@@ -66,6 +67,7 @@ struct InterfaceInput {
   bool kept = false;       ///< a point that was closed stays so, if need be under tension (C.15)
   double multiplier = 0.0; ///< pressure that needs no penetration (C.20) [MPa]
   double noise = 0.0;      ///< of a gap: what coordinates of their size cannot tell [mm]
+  double touching = 0.0; ///< share of the increment in which a point that was open rubs (C.42) [-]
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.

@@ -32,8 +32,8 @@ const ClosedPoint* find(std::span<const ClosedPoint> points, std::size_t point) 
   return found != points.end() && found->point == point ? &*found : nullptr;
 }
 
-/// Pressure over way in an increment in which a point closes or opens while it slides: on average
-/// half of the way, at half of the pressure. (W.10)
+/// Pressure over way in an increment in which a point opens, or closes unforetold, while it slides:
+/// on average half of the way, at half of the pressure. (W.10)
 double edge_of_contact(double pressure, const Vec3& way, const Vec3& normal) {
   return 0.25 * pressure * (way - way.dot(normal) * normal).norm();
 }
@@ -88,7 +88,7 @@ void Wear::add(const ContactTerm& contact, std::span<const double> x, double tim
         continue;
       double pressed_way = at.mean_pressure() * at.slip;
       const ClosedPoint* before = find(last_[t], at.point);
-      if (before != nullptr && !before->was_closed)
+      if (before != nullptr && !before->was_closed && before->slip == 0.0)
         pressed_way += edge_of_contact(before->pressure, before->to - before->from, before->normal);
       wear_off(t, at, pressed_way, place, Vec3::Zero());
     }

@@ -7,10 +7,9 @@ namespace {
 /// No shear without pressure: a limit that does not vanish with the pressure is cut to a steep
 /// cone (F.3). A point that lifts would otherwise lose its shear at once, and between the two
 /// states there may be no equilibrium at all.
-LimitAtSlip bounded(const LimitAtSlip& limit, double pressure) {
-  constexpr double steepest = 100.0;
-  if (limit.shear > steepest * pressure)
-    return {steepest * pressure, steepest, 0.0, 0.0};
+LimitAtSlip bounded(const LimitAtSlip& limit, const SlipState& at) {
+  if (limit.shear > at.steepest * at.pressure)
+    return {at.steepest * at.pressure, at.steepest, 0.0, 0.0};
   return limit;
 }
 
@@ -37,7 +36,7 @@ LimitAtSlip limit_at(const Friction& friction, const SlipState& at, double slip)
       tabled.value * grown.d_sliding + grown.value * (tabled.d_sliding + tabled.d_speed / at.dt);
   return bounded({limit.shear, limit.d_pressure + limit.d_factor * d_factor_d_pressure,
                   limit.d_shear_yield, limit.d_speed / at.dt + limit.d_factor * d_factor_d_slip},
-                 at.pressure);
+                 at);
 }
 
 } // namespace billet::contact

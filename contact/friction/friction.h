@@ -57,10 +57,11 @@ struct Friction {
 
 /// State of a point that its slip limit depends on.
 struct SlipState {
-  double pressure;      ///< [MPa]
-  double strength;      ///< k beneath [MPa]
-  double sliding = 0.0; ///< distance before the increment [mm]
-  double dt = 1.0;      ///< of the increment [s]
+  double pressure;         ///< [MPa]
+  double strength;         ///< k beneath [MPa]
+  double sliding = 0.0;    ///< distance before the increment [mm]
+  double dt = 1.0;         ///< of the increment, as far as the point touches [s]
+  double steepest = 100.0; ///< no more shear than this times the pressure (F.3) [-]
 };
 
 /// Slip limit with its derivatives by what changes within an increment.

@@ -192,6 +192,46 @@ TEST(ContactWork, IsThatOfTheTorqueOnATurningTool) {
   EXPECT_NEAR(external, friction, 5e-3 * friction); // the path is R sin(theta): -0.2 %
 }
 
+/// Friction work of a body that comes down on a floor at a slant, in equal increments: 0.3 forward,
+/// 0.1 down, over the exact one.
+double friction_of_a_landing(int increments, double share_in_the_air) {
+  constexpr double mu = 0.2, forward = 0.3, down = 0.1;
+  mechanics::Mesh mesh = bench_mesh(body_kinds()[0]);
+  const auto faces = faces_at(mesh, 1, 0.0);
+  ContactBench bench(std::move(mesh), body_kinds()[0].analysis, bench_material(),
+                     one_tool(still_tool(geometry::make_plane({0, 0, 0}, {0, 1, 0}), Coulomb{mu})),
+                     {Form::mixed, 1.0, 1.0}, faces);
+  const auto go = [&](double dx, double dy, double dt) {
+    std::vector<double> x = bench.x;
+    for (std::size_t i = 0; i < x.size(); i += 2) {
+      x[i] += dx;
+      x[i + 1] += dy;
+    }
+    bench.commit(x, bench.time_old + dt);
+  };
+  // Up and down again, to where it begins at the speed that it goes on with.
+  go(0.0, down * (1.0 + share_in_the_air), 1.0);
+  go(forward, -down, 1.0);
+  for (int i = 0; i < increments; ++i)
+    go(forward / increments, -down / increments, 1.0 / increments);
+  const double depth = down * (1.0 - share_in_the_air);
+  const double area = bench.term.area();
+  const double pressure = bench.surface.penalty().normal * depth;
+  const double exact = 0.5 * mu * pressure * forward * (1.0 - share_in_the_air) * area;
+  // What the springs against slip hold is no friction work.
+  return (bench.term.work().friction + bench.term.work().stored - 0.5 * pressure * depth * area) /
+         exact;
+}
+
+TEST(ContactWork, OfFrictionBeginsWhereAPointTouches) {
+  // (C.42). The pressure grows evenly from there, so the trapezoids are exact.
+  for (const double in_the_air : {0.0, 0.15, 0.5, 0.85})
+    for (const int increments : {1, 2, 3, 10}) {
+      const double found = friction_of_a_landing(increments, in_the_air);
+      EXPECT_NEAR(found, 1.0, 1e-3) << increments << " increments, in the air " << in_the_air;
+    }
+}
+
 TEST(ContactWork, NeverGainsFromFrictionAtConstantPressure) {
   for (const auto& [name, law] : every_law()) {
     const Walk walk = random_walk(law, 0.0);

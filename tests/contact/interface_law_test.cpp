@@ -149,7 +149,49 @@ TEST(InterfaceLaw, SwitchesFromStickToSlipWithoutAJump) {
   EXPECT_NEAR((below.shear - above.shear).norm(), 0.0, 1e-8); // 2 Kt little and rounding
 }
 
-TEST(InterfaceLaw, LetsAPointThatTouchesFirstSlideFreelyUntilTheIncrementEnds) {
+TEST(InterfaceLaw, LetsAPointThatTouchesFirstRubOverTheShareOfItsWay) {
+  // (C.42): Coulomb's shear at the end, the slide of the share less what the stiffness holds.
+  const auto floor = floor_plane();
+  constexpr double mu = 0.3, share = 0.25, way = 0.4, depth = 0.01;
+  PointHistory open;
+  open.position = Vec3(-0.3, 0.2, 0.0);
+  const Traction t = traction_at(*floor, Coulomb{mu}, open, {-0.3 + way, -depth, 0.0}, {}, share);
+  const double shear = mu * test_penalty.normal * depth;
+  EXPECT_EQ(t.status, Status::slip);
+  EXPECT_NEAR((t.shear - Vec3(-shear, 0, 0)).norm(), 0.0, rounding * shear);
+  const double slip = share * way - shear / test_penalty.tangent;
+  EXPECT_NEAR((t.slip - Vec3(slip, 0, 0)).norm(), 0.0, rounding);
+}
+
+TEST(InterfaceLaw, GivesAPointThatTouchesFirstNoMoreShearThanPressure) {
+  const auto floor = floor_plane();
+  PointHistory open;
+  open.position = Vec3(-0.3, 0.2, 0.0);
+  for (const double depth : {1e-7, 1e-4, 1e-2}) {
+    const double p = test_penalty.normal * depth;
+    for (const auto& [name, law] : every_law()) {
+      if (law.tensor)
+        continue;
+      const Traction t = traction_at(*floor, law, open, {0.1, -depth, 0.0}, {}, 0.5);
+      EXPECT_LE(t.shear.norm(), p * (1.0 + rounding)) << name;
+    }
+    const Traction stuck = traction_at(*floor, Sticking{}, open, {0.1, -depth, 0.0}, {}, 0.5);
+    EXPECT_NEAR(stuck.shear.norm(), p, rounding * p);
+  }
+}
+
+TEST(InterfaceLaw, GivesARateLawTheSpeedOfThePointThatTouchesFirst) {
+  // Half of the way in half of the time: the speed, and so the shear, is that of the whole.
+  const auto floor = floor_plane();
+  const Friction law = Viscoplastic{40.0, 0.1, 0.15};
+  PointHistory open;
+  open.position = Vec3(-0.3, 0.2, 0.0);
+  const Vec3 end(3.7, -0.1, 0.0); // the shear's elastic part is small beside the way
+  const double whole = traction_at(*floor, law, open, end, {}, 1.0).shear.norm();
+  EXPECT_NEAR(traction_at(*floor, law, open, end, {}, 0.5).shear.norm(), whole, 2e-3 * whole);
+}
+
+TEST(InterfaceLaw, LetsAPointThatTouchesUnforetoldSlideFreelyUntilTheIncrementEnds) {
   const auto floor = floor_plane();
   for (const auto& [name, law] : every_law()) {
     PointHistory open;

@@ -36,6 +36,9 @@ std::vector<Shape> shapes() {
 
 enum class Kind { first_touch, stick, slip };
 
+/// Of the increment, in the states that touch first.
+constexpr double touching = 0.3;
+
 /// A random state: history, and the place at the end of the increment.
 struct State {
   PointHistory old;
@@ -64,14 +67,14 @@ double derivative_error(const geometry::RigidSurface& surface,
                         const Friction& law,
                         const SlipScheme& scheme,
                         const State& s) {
-  const Traction at = traction_at(surface, law, s.old, s.x, scheme);
+  const Traction at = traction_at(surface, law, s.old, s.x, scheme, touching);
   double best = std::numeric_limits<double>::infinity();
   for (const double h : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
     Mat3 difference;
     for (int j = 0; j < 3; ++j) {
       const Vec3 step = h * Vec3::Unit(j);
-      const Traction above = traction_at(surface, law, s.old, s.x + step, scheme);
-      const Traction below = traction_at(surface, law, s.old, s.x - step, scheme);
+      const Traction above = traction_at(surface, law, s.old, s.x + step, scheme, touching);
+      const Traction below = traction_at(surface, law, s.old, s.x - step, scheme, touching);
       if (above.status != at.status || below.status != at.status)
         return -1.0;
       difference.col(j) = (above.traction - below.traction) / (2.0 * h);
@@ -98,7 +101,7 @@ TEST_P(InterfaceTangent, AgreesWithCentralDifferences) {
       const double error = derivative_error(*shape.surface, law, scheme, s);
       if (error < 0.0)
         continue;
-      const Status status = traction_at(*shape.surface, law, s.old, s.x, scheme).status;
+      const Status status = traction_at(*shape.surface, law, s.old, s.x, scheme, touching).status;
       const Kind kind = first                     ? Kind::first_touch
                         : status == Status::stick ? Kind::stick
                                                   : Kind::slip;

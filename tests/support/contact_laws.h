@@ -129,8 +129,11 @@ inline Traction traction_at(const geometry::RigidSurface& surface,
                             const Friction& friction,
                             const PointHistory& old,
                             const Vec3& x,
-                            const SlipScheme& scheme = {}) {
-  return traction(friction, test_penalty, old, {x, foot_of(surface, x), test_shear_yield}, scheme);
+                            const SlipScheme& scheme = {},
+                            double touching = 0.0) {
+  InterfaceInput at{x, foot_of(surface, x), test_shear_yield};
+  at.touching = touching;
+  return traction(friction, test_penalty, old, at, scheme);
 }
 
 /// A vector with components evenly spread over (-1, 1).
