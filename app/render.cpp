@@ -27,6 +27,7 @@ int render_results(const Arguments& arguments) {
   words.push_back(arguments.file);
   words.insert(words.end(), arguments.rest.begin(), arguments.rest.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words)
     argv.push_back(word.data());
   argv.push_back(nullptr);

@@ -187,6 +187,7 @@ void ContactSurface::positions(std::span<const double> x, std::span<Vec3> out) c
 std::vector<double> ContactSurface::line_coordinates() const {
   return visit_contact_face(kind_, form_, [](auto, auto rule) {
     std::vector<double> coordinates;
+    coordinates.reserve(std::size_t{decltype(rule)::points});
     for (int i = 0; i < decltype(rule)::points; ++i)
       coordinates.push_back(decltype(rule)::point(i)[0]);
     return coordinates;

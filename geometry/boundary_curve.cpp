@@ -234,8 +234,8 @@ std::vector<double> BoundaryCurve::stations(double turn, double step) const {
     const double end = i + 1 < pieces_.size() ? pieces_[i + 1].start : length_;
     const double way = end - pieces_[i].start;
     const double parts = std::ceil(std::max({1.0, pieces_[i].turn / turn, way / step}));
-    for (double k = 0.0; k < parts; k += 1.0)
-      result.push_back(pieces_[i].start + way * (k / parts));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(parts); ++k)
+      result.push_back(pieces_[i].start + way * (static_cast<double>(k) / parts));
   }
   return result;
 }

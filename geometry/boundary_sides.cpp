@@ -71,13 +71,14 @@ void spread(const BoundaryCurve& curve,
   const double n = std::max(least, std::ceil(count.back().sides - rounding_of_counts));
   double from = span.from;
   std::size_t k = 1;
-  for (double i = 1.0; i <= n; i += 1.0) {
-    const double wanted = count.back().sides * (i / n);
+  for (std::size_t i = 1; i <= static_cast<std::size_t>(n); ++i) {
+    const double share = static_cast<double>(i) / n;
+    const double wanted = count.back().sides * share;
     while (k + 1 < count.size() && count[k].sides < wanted)
       ++k;
     const Count &a = count[k - 1], &b = count[k];
     const double to =
-        i == n ? span.to : a.s + (b.s - a.s) * (wanted - a.sides) / (b.sides - a.sides);
+        share == 1.0 ? span.to : a.s + (b.s - a.s) * (wanted - a.sides) / (b.sides - a.sides);
     sides.push_back({span.loop, from, to});
     from = to;
   }
@@ -236,6 +237,7 @@ void separate(std::span<const BoundaryCurve> curves,
               double shortest) {
   while (true) {
     std::vector<Hull> hulls;
+    hulls.reserve(sides.size());
     for (const CurveSide& side : sides)
       hulls.push_back(hull(curves[static_cast<std::size_t>(side.loop)], side));
     std::vector<char> flags(sides.size(), 0);

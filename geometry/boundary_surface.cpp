@@ -149,7 +149,7 @@ Vec3 BoundarySurface::point(const LinePlace& place) const {
     return boundary_->mesh.points[idx(on.ends[place.t == 0.0 ? 0 : 1])];
   const Vec3& a = boundary_->mesh.points[idx(on.ends[0])];
   const Vec3& b = boundary_->mesh.points[idx(on.ends[1])];
-  const Vec3 chord = a + place.t * (b - a);
+  Vec3 chord = a + place.t * (b - a);
   if (along.straight)
     return chord;
   const Vec3 point = along.at(along.ends[0] == on.ends[0] ? place.t : 1.0 - place.t).position;

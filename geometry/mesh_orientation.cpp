@@ -63,8 +63,7 @@ Patch patch_from(const TriangleMesh& mesh,
   turned[static_cast<std::size_t>(first)] = 0;
   for (std::size_t next = 0; next < patch.triangles.size(); ++next) {
     const auto t = static_cast<std::size_t>(patch.triangles[next]);
-    patch.area[static_cast<std::size_t>(turned[t])] +=
-        0.5 * doubled_area(mesh, mesh.triangles[t]).norm();
+    patch.area[turned[t] != 0 ? 1 : 0] += 0.5 * doubled_area(mesh, mesh.triangles[t]).norm();
     for (std::size_t side = 0; side < 3; ++side) {
       const std::int32_t across = neighbours.across[t][side];
       patch.closed = patch.closed && across >= 0;
@@ -139,7 +138,7 @@ std::int64_t orient(TriangleMesh& mesh) {
       continue;
     const Patch patch = patch_from(mesh, neighbours, static_cast<std::int32_t>(first), turned);
     const char minority = patch.area[1] <= patch.area[0] ? 1 : 0;
-    const double share = patch.area[static_cast<std::size_t>(minority)];
+    const double share = patch.area[minority != 0 ? 1 : 0];
     if (!patch.closed && share > largest_minority * (patch.area[0] + patch.area[1]))
       continue;
     for (const std::int32_t number : patch.triangles) {

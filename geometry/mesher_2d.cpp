@@ -77,8 +77,8 @@ std::vector<Chord> chords(const std::vector<ProfilePiece>& pieces, double size) 
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const double parts = std::ceil(
         std::max({1.0, pieces[p].length() / size * (1.0 - 1e-9), pieces[p].sweep / most_turn}));
-    for (double i = 0.0; i < parts; i += 1.0)
-      result.push_back({i == 0.0 ? pieces[p].a : pieces[p].point(i / parts), p});
+    for (std::size_t i = 0; i < static_cast<std::size_t>(parts); ++i)
+      result.push_back({i == 0 ? pieces[p].a : pieces[p].point(static_cast<double>(i) / parts), p});
   }
   return result;
 }

@@ -122,8 +122,8 @@ public:
     if (result.size() == before || result.back().width > length)
       return;
     const double rays = std::min(most_rays, std::ceil(length / result.back().width));
-    for (double k = 0.0; k < rays; k += 1.0)
-      add_ray(i, (k + 0.5) / rays, most, result);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(rays); ++k)
+      add_ray(i, (static_cast<double>(k) + 0.5) / rays, most, result);
   }
 
   /// Ways from the end of side i, if it points into the domain, between the normals of both sides.
@@ -134,8 +134,9 @@ public:
     if (turn > -fan)
       return;
     const double rays = std::ceil(-turn / fan);
-    for (double k = 0.0; k <= rays; k += 1.0) {
-      const double angle = turn * (k / rays), c = std::cos(angle), s = std::sin(angle);
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(rays); ++k) {
+      const double angle = turn * (static_cast<double>(k) / rays);
+      const double c = std::cos(angle), s = std::sin(angle);
       const Vec2 normal = left_of(in);
       const Vec2 direction(c * normal.x() - s * normal.y(), s * normal.x() + c * normal.y());
       add_from_vertex(corners_[all_[i].next], direction, most, result);

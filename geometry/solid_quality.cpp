@@ -111,7 +111,8 @@ private:
     double worst = worst_around(node, -std::numeric_limits<double>::infinity());
     const double before = worst;
     const double edge = shortest_edge(node);
-    for (double step = first_step; step > least_step; step *= 0.5) {
+    double step = first_step;
+    while (step > least_step) {
       const Vec3 start = x;
       Vec3 best = x;
       for (const Vec3& way : ways_) {
@@ -123,6 +124,7 @@ private:
         }
       }
       x = best;
+      step *= 0.5;
     }
     fresh_[idx(node)] = 0;
     if (worst > before)

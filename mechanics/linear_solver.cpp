@@ -265,7 +265,7 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
                                                              double tolerance) {
   take_symmetric_part(matrix);
   Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(*pattern_, order_); });
-  const auto outcome =
+  auto outcome =
       solve_with_neighbour(cholesky, "cholmod-gmres", symmetric_part_, matrix, rhs, x, tolerance);
   if (outcome)
     ++work_.nearly_symmetric;

@@ -279,7 +279,7 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
       // Illinois: the end that stays put loses weight, or the secant would creep.
       (same_side ? slope_high : slope_low) *= 0.5;
     }
-    const auto now = try_step(terms, trial, x, step);
+    auto now = try_step(terms, trial, x, step);
     if (!now || std::abs(now->slope) <= close * std::abs(start) || trials == most_trials)
       return now;
     const bool same_side = (now->slope > 0.0) == (start > 0.0);

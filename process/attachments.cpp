@@ -49,6 +49,7 @@ NodeFlags node_flags(const Scene& scene) {
 std::vector<char> on_all(const std::vector<std::vector<char>>& flags,
                          std::span<const Index> nodes) {
   std::vector<char> result;
+  result.reserve(flags.size());
   for (const std::vector<char>& each : flags)
     result.push_back(static_cast<char>(
         std::all_of(nodes.begin(), nodes.end(), [&](Index a) { return each[idx(a)] != 0; })));

@@ -16,6 +16,7 @@ bool is_bare(char c) {
 
 template <class Items> std::string listed(const Items& items) {
   std::vector<std::string> texts;
+  texts.reserve(items.size());
   for (const auto& item : items)
     texts.push_back(toml_text(item));
   return toml_list(texts);
@@ -59,6 +60,7 @@ std::string toml_text(const std::vector<std::string>& values) {
 
 std::string toml_text(const std::vector<std::pair<double, double>>& rows) {
   std::vector<std::string> texts;
+  texts.reserve(rows.size());
   for (const auto& [first, second] : rows)
     texts.push_back(fmt::format("[{}, {}]", first, second));
   return toml_list(texts);

@@ -163,7 +163,7 @@ std::optional<Vec3> as_vector(const At& at, const Number& kind) {
 }
 
 std::optional<Vec3> as_direction(const At& at) {
-  const std::optional<Vec3> vector = as_vector(at, {});
+  std::optional<Vec3> vector = as_vector(at, {});
   if (!vector || vector->cwiseAbs().maxCoeff() > 0.0)
     return vector;
   at.complain("found a zero vector, allowed is a direction");

@@ -69,7 +69,7 @@ public:
 
   /// The essence of the first message; empty if there was none.
   [[nodiscard]] std::string first() const {
-    const std::string all = window_->GetOutput();
+    std::string all = window_->GetOutput();
     const std::size_t colon = all.find("): ");
     if (all.empty() || colon == std::string::npos)
       return all;

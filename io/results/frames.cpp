@@ -25,6 +25,8 @@ using mechanics::Index;
 std::vector<std::vector<int>> points_of_nodes(mechanics::ElementKind kind) {
   if (mechanics::is_simplex(kind)) {
     std::vector<std::vector<int>> points;
+    points.reserve(idx(mechanics::corners_per_element(kind)) +
+                   mechanics::element_edges(kind).size());
     for (int corner = 0; corner < mechanics::corners_per_element(kind); ++corner)
       points.push_back({corner});
     for (const auto& [a, b] : mechanics::element_edges(kind))

@@ -165,8 +165,8 @@ void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
   surface->SetPolys(vtk_cells(frame.polygons));
   add_fields(*surface->GetPointData(), frame.point_fields,
              static_cast<vtkIdType>(frame.points.size()));
-  add_fields(*surface->GetCellData(), frame.cell_fields,
-             static_cast<vtkIdType>(frame.lines.size() + frame.polygons.size()));
+  const std::size_t n_cells = frame.lines.size() + frame.polygons.size();
+  add_fields(*surface->GetCellData(), frame.cell_fields, static_cast<vtkIdType>(n_cells));
   add_field_data(*surface->GetFieldData(), frame);
   vtkNew<vtkXMLPolyDataWriter> writer;
   write(*writer, *surface, path);
