@@ -17,8 +17,7 @@ constexpr double off_inside = 0.5;
 
 ContactState ContactTerm::state() const {
   // Tries that failed on this mesh say nothing about contact on another one.
-  ContactState state{enabled_, held_,    work_, std::max(stiffening_old_, stiffening_next_),
-                     {},       velocity_};
+  ContactState state{enabled_, held_, work_, std::max(stiffening_old_, stiffening_next_), {}};
   for (const ToolState& tool : states_)
     state.history.push_back(tool.history);
   return state;
@@ -29,11 +28,6 @@ void ContactTerm::go_on_from(const ContactState& before, std::span<const PointSo
   held_ = before.held;
   work_ = before.work;
   stiffening_ = stiffening_old_ = stiffening_next_ = before.stiffening;
-  for (std::size_t k = 0; k < sources.size(); ++k) {
-    velocity_[k].setZero();
-    for (std::size_t i = 0; i < sources[k].points.size(); ++i)
-      velocity_[k] += sources[k].weights[i] * before.velocity[sources[k].points[i]];
-  }
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     ToolState& state = states_[t];
     state.touches = false;

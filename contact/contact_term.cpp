@@ -30,9 +30,6 @@ constexpr double rounding_of_touch = 1e-9;
 constexpr double fading = 0.5;
 constexpr double fading_by_way = 0.25;
 
-/// A share of the increment that has not been asked for.
-constexpr double not_asked = std::numeric_limits<double>::quiet_NaN();
-
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
 
@@ -67,7 +64,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
                          const DriveScale& drives)
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
       enabled_(tools.size(), 1), held_(tools.size(), 0), positions_(surface.n_points()),
-      velocity_(surface.n_points(), Vec3::Zero()), areas_(surface.n_points()),
+      foretold_positions_(surface.n_points()), areas_(surface.n_points()),
       traction_(surface.n_points()), dtraction_(surface.n_points()), symmetric_(surface.n_points()),
       touched_(surface.n_points()), loads_(tools.size()), closed_(tools.size()),
       drives_(drive_unknowns(tools)), scale_(drives) {
@@ -158,33 +155,41 @@ double ContactTerm::strength(const Friction& friction, std::size_t point) const 
   return stress / std::numbers::sqrt3;
 }
 
-double ContactTerm::touching_share(const Tool& tool,
-                                   const ToolState& state,
-                                   std::size_t point,
-                                   const Increment& increment) const {
-  const Vec3& before = state.history[point].position;
-  const Vec3 after =
-      increment.at_end.to_tool(increment.old.to_space(before) + increment.dt * velocity_[point]);
-  const std::array<Vec3, 2> places{before, after};
+void ContactTerm::foretell(std::span<const double> x) {
+  forget_foretold();
+  foretold_.assign(x.begin(), x.end());
+  surface_->positions(x, foretold_positions_);
+}
+
+void ContactTerm::forget_foretold() {
+  foretold_.clear();
+  for (ToolState& state : states_)
+    std::fill(state.touching.begin(), state.touching.end(), std::nullopt);
+}
+
+double
+ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::Trial& trial) const {
+  if (foretold_.empty())
+    return 0.0;
+  const ToolState& state = states_[t];
+  const std::span<const double> drives = held_[t] != 0 ? trial.x_old : std::span(foretold_);
+  const std::array<Vec3, 2> places{state.history[point].position,
+                                   pose(t, trial.time, drives).to_tool(foretold_positions_[point])};
   std::array<geometry::Projection, 2> feet;
   for (geometry::Projection& foot : feet)
     foot.patch = state.foot[point].patch;
-  tool.surface->project(places, reach_, feet);
-  if (!feet[0].found() || !feet[1].found() || !(feet[1].gap < 0.0))
+  tools_[t].surface->project(places, reach_, feet);
+  const double before = feet[0].gap + state.history[point].offset;
+  const double after = feet[1].gap + state.history[point].offset;
+  if (!feet[0].found() || !feet[1].found() || !(after < 0.0))
     return 0.0;
-  return feet[0].gap > 0.0 ? feet[1].gap / (feet[1].gap - feet[0].gap) : 1.0;
+  return before > 0.0 ? after / (after - before) : 1.0;
 }
 
 int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool keep) {
   const Tool& tool = tools_[t];
   ToolState& state = states_[t];
   const Penalty penalty = this->penalty();
-  const Increment increment{trial.time - trial.time_old, pose(t, trial.time_old, trial.x_old),
-                            pose(t, trial.time, trial.x_old)};
-  if (state.foretold_between != std::array{trial.time_old, trial.time}) {
-    state.foretold_between = {trial.time_old, trial.time};
-    std::fill(state.touching.begin(), state.touching.end(), not_asked);
-  }
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
@@ -198,11 +203,11 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
       in.projection.gap += old.offset;
       in.rounding = touching_gap(k);
       in.noise = noise_of_gap(positions_[k], state.position[k]);
-      in.dt = increment.dt;
+      in.dt = trial.time - trial.time_old;
       if (!old.closed()) {
-        if (std::isnan(state.touching[k]))
-          state.touching[k] = touching_share(tool, state, k, increment);
-        in.touching = state.touching[k];
+        if (!state.touching[k])
+          state.touching[k] = touching_share(t, k, trial);
+        in.touching = *state.touching[k];
       }
       in.softening = trial.softening;
       in.kept = kept;
@@ -354,14 +359,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
   }
   stiffening_old_ = stiffening_;
   stiffening_next_ = stiffening_;
-  remember_velocity(trial);
-}
-
-void ContactTerm::remember_velocity(const mechanics::Trial& trial) {
-  surface_->positions(trial.x_old, velocity_);
-  const double dt = trial.time - trial.time_old;
-  for (std::size_t k = 0; k < velocity_.size(); ++k)
-    velocity_[k] = dt > 0.0 ? Vec3((positions_[k] - velocity_[k]) / dt) : Vec3(Vec3::Zero());
+  forget_foretold();
 }
 
 std::array<ContactTerm::WayOfTool, 2> ContactTerm::ways(std::size_t tool,
@@ -437,7 +435,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
                           .to = position,
                           .foot = state.foot[k].foot,
                           .normal = history.normal,
-                          .was_closed = old.closed(),
+                          .touching = old.closed() ? 1.0 : state.touching[k].value_or(0.0),
                           .pressure_old = old.pressure,
                           .pressure = now.pressure,
                           .slip = now.slip.norm(),

@@ -22,6 +22,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -71,7 +72,6 @@ struct ContactState {
   ContactWork work;
   double stiffening = 1.0;                        ///< penalty over that of the case [-]
   std::vector<std::vector<PointHistory>> history; ///< shape (n_tools, n_points)
-  std::vector<Vec3> velocity;                     ///< of the points, shape (n_points) [mm/s]
 };
 
 /// How the free degrees of freedom of driven tools enter the equations: as lengths, so that one
@@ -130,8 +130,14 @@ public:
     return tools_[tool].motion.pose(time, driven(tool, x));
   }
 
-  /// Begins a try of an increment: enforcement is that of the committed state.
+  /// Begins a try of an increment: enforcement is that of the committed state, nothing is foretold.
   void restart();
+  /// Tells where everything will be at the end of this try if it goes on as it does. Points that
+  /// come down on a tool rub from where they touch; without this, from the next increment on.
+  /// (C.42)
+  ///
+  /// @param x  shape (n_dofs + n_extra) [mm]
+  void foretell(std::span<const double> x);
   /// Makes the normal penalty stiffer from the next trial on. (C.21)
   void stiffen(double factor) { stiffening_ *= factor; }
   /// Changes the penalty with which the tries of the next increment begin; below that of the case
@@ -195,9 +201,8 @@ private:
   /// Working memory of one tool; shape (n_points) each.
   struct ToolState {
     std::vector<PointHistory> history;
-    std::vector<double> multiplier; ///< of the trial [MPa]
-    std::vector<double> touching;   ///< shares of the increment foretold so far; NaN: not asked
-    std::array<double, 2> foretold_between{}; ///< times that they hold for [s]
+    std::vector<double> multiplier;              ///< of the trial [MPa]
+    std::vector<std::optional<double>> touching; ///< shares of the increment, those asked for
     std::vector<Traction> trial;
     std::vector<Vec3> position; ///< tried, tool frame
     std::vector<geometry::Projection> foot;
@@ -225,18 +230,11 @@ private:
                                                                 const geometry::Pose& pose) const;
   /// @return points whose status is not that of the trial before
   [[nodiscard]] int evaluate(std::size_t tool, const mechanics::Trial& trial, bool keep);
-  /// An increment as its beginning knows it.
-  struct Increment {
-    double dt;             ///< [s]
-    geometry::Pose old;    ///< of a tool
-    geometry::Pose at_end; ///< likewise, if what drives it stayed where it is
-  };
   /// Share of the increment in which a point that was open touches the tool, as the motion of point
   /// and tool foretells at its beginning, whatever the trial; 0: they would not meet. (C.42)
-  [[nodiscard]] double touching_share(const Tool& tool,
-                                      const ToolState& state,
-                                      std::size_t point,
-                                      const Increment& increment) const;
+  [[nodiscard]] double
+  touching_share(std::size_t tool, std::size_t point, const mechanics::Trial& trial) const;
+  void forget_foretold();
   /// k of the material beneath a point in the trial [MPa].
   [[nodiscard]] double strength(const Friction& friction, std::size_t point) const;
   /// Whether so many points have lost a tool that the trial says nothing about the contact set.
@@ -288,8 +286,6 @@ private:
   [[nodiscard]] double longest_way(const ToolState& state,
                                    const geometry::Pose& pose,
                                    const geometry::Pose& pose_old) const;
-  /// For what the next increment foretells.
-  void remember_velocity(const mechanics::Trial& trial);
   void commit_tool(std::size_t t, const mechanics::Trial& trial);
   /// Energy of a closed point in its normal penalty over its area [N/mm].
   [[nodiscard]] double stored(const Traction& now, double multiplier) const;
@@ -307,7 +303,8 @@ private:
   std::vector<char> held_; ///< likewise one flag a tool
   std::vector<ToolState> states_;
   std::vector<Vec3> positions_;
-  std::vector<Vec3> velocity_; ///< of the points in the last committed increment [mm/s]
+  std::vector<double> foretold_;         ///< unknowns at the end of this try; empty: not told [mm]
+  std::vector<Vec3> foretold_positions_; ///< of the points, then
   std::vector<double> areas_;
   std::vector<Vec3> traction_;
   std::vector<Mat3> dtraction_;

@@ -16,6 +16,7 @@ Penalty ContactTerm::penalty() const {
 }
 
 void ContactTerm::restart() {
+  forget_foretold();
   stiffening_ = stiffening_next_;
   for (ToolState& state : states_) {
     std::fill(state.changes.begin(), state.changes.end(), 0);

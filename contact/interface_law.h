@@ -5,10 +5,10 @@
 // follows from the penetration itself, not from an accumulated increment; shear is an elastic
 // stick stress, turned with the normal, and kept within the law's limit (stick_slip.h). A point
 // that touches within the increment rubs from then on: over the share of the way that its motion
-// foretells, with no more shear than pressure. A share that followed the gap of the trial would let
-// the shear grow faster than the pressure and destroy uniqueness. A point that has slid a long way
-// turns its shear round within a small part of that way: beside a neutral point a sharper turn
-// would be a jump.
+// foretells, with a limit of no more than the pressure. A share that followed the gap of the trial
+// would let the shear grow faster than the pressure and destroy uniqueness. A point that has slid a
+// long way turns its shear round within a small part of that way: beside a neutral point a sharper
+// turn would be a jump.
 //
 // Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
 // Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18), (C.20), (C.42).

@@ -49,10 +49,13 @@ void ProcessWindow::add(std::span<const std::vector<ClosedPoint>> closed,
     tools_[t].begin();
     for (const ClosedPoint& at : closed[t]) {
       const std::size_t g = beneath.point[at.point];
-      const Values at_end{at.pressure, at.slip / dt, at.sliding, beneath.strain[g],
+      const double sliding_time = at.touching * dt;
+      const double speed = at.slip > 0.0 ? at.slip / sliding_time : 0.0;
+      const Values at_end{at.pressure, speed, at.sliding, beneath.strain[g],
                           beneath.strain_rate[g]};
       Values means = at_end;
       means[static_cast<std::size_t>(WindowQuantity::pressure)] = at.mean_pressure();
+      means[static_cast<std::size_t>(WindowQuantity::speed)] = at.slip / dt;
       tools_[t].add(means, at_end, at.area);
       total_.add(means, at_end, at.area);
     }

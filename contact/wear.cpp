@@ -88,7 +88,7 @@ void Wear::add(const ContactTerm& contact, std::span<const double> x, double tim
         continue;
       double pressed_way = at.mean_pressure() * at.slip;
       const ClosedPoint* before = find(last_[t], at.point);
-      if (before != nullptr && !before->was_closed && before->slip == 0.0)
+      if (before != nullptr && before->touching == 0.0)
         pressed_way += edge_of_contact(before->pressure, before->to - before->from, before->normal);
       wear_off(t, at, pressed_way, place, Vec3::Zero());
     }

@@ -128,8 +128,10 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
   }
   if (passes_through(dt, why))
     return false;
-  if (contact_)
+  if (contact_) {
     contact_->restart();
+    contact_->foretell(trial_x_);
+  }
   const auto outcome =
       newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);
   if (!outcome)

@@ -192,18 +192,29 @@ TEST(ContactWork, IsThatOfTheTorqueOnATurningTool) {
   EXPECT_NEAR(external, friction, 5e-3 * friction); // the path is R sin(theta): -0.2 %
 }
 
-/// Friction work of a body that comes down on a floor at a slant, in equal increments: 0.3 forward,
-/// 0.1 down, over the exact one.
-double friction_of_a_landing(int increments, double share_in_the_air) {
+/// What moves when body and floor meet.
+enum class Moves { body, floor };
+
+/// Friction work of a body that comes down on a floor at a slant, or of a floor that comes up so,
+/// in equal increments: 0.3 forward, 0.1 down, over the exact one.
+double friction_of_a_landing(int increments, double share_in_the_air, Moves moves) {
   constexpr double mu = 0.2, forward = 0.3, down = 0.1;
   mechanics::Mesh mesh = bench_mesh(body_kinds()[0]);
   const auto faces = faces_at(mesh, 1, 0.0);
+  Tool floor = still_tool(geometry::make_plane({0, 0, 0}, {0, 1, 0}), Coulomb{mu});
+  if (moves == Moves::floor)
+    floor.motion.displacement = {
+        TimeFunction({{0.0, 0.0}, {1.0, 0.0}, {2.0, -forward}, {3.0, -2.0 * forward}}),
+        TimeFunction({{0.0, 0.0},
+                      {1.0, -down * (1.0 + share_in_the_air)},
+                      {2.0, -down * share_in_the_air},
+                      {3.0, down * (1.0 - share_in_the_air)}}),
+        TimeFunction(0.0)};
   ContactBench bench(std::move(mesh), body_kinds()[0].analysis, bench_material(),
-                     one_tool(still_tool(geometry::make_plane({0, 0, 0}, {0, 1, 0}), Coulomb{mu})),
-                     {Form::mixed, 1.0, 1.0}, faces);
+                     one_tool(std::move(floor)), {Form::mixed, 1.0, 1.0}, faces);
   const auto go = [&](double dx, double dy, double dt) {
     std::vector<double> x = bench.x;
-    for (std::size_t i = 0; i < x.size(); i += 2) {
+    for (std::size_t i = 0; i < x.size() && moves == Moves::body; i += 2) {
       x[i] += dx;
       x[i + 1] += dy;
     }
@@ -225,11 +236,12 @@ double friction_of_a_landing(int increments, double share_in_the_air) {
 
 TEST(ContactWork, OfFrictionBeginsWhereAPointTouches) {
   // (C.42). The pressure grows evenly from there, so the trapezoids are exact.
-  for (const double in_the_air : {0.0, 0.15, 0.5, 0.85})
-    for (const int increments : {1, 2, 3, 10}) {
-      const double found = friction_of_a_landing(increments, in_the_air);
-      EXPECT_NEAR(found, 1.0, 1e-3) << increments << " increments, in the air " << in_the_air;
-    }
+  for (const Moves moves : {Moves::body, Moves::floor})
+    for (const double in_the_air : {0.0, 0.15, 0.5, 0.85})
+      for (const int increments : {1, 2, 3, 10}) {
+        const double found = friction_of_a_landing(increments, in_the_air, moves);
+        EXPECT_NEAR(found, 1.0, 1e-3) << increments << " increments, in the air " << in_the_air;
+      }
 }
 
 TEST(ContactWork, NeverGainsFromFrictionAtConstantPressure) {

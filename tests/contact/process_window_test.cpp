@@ -68,5 +68,22 @@ TEST(ProcessWindow, keeps_tools_apart_and_sums_them_up) {
   EXPECT_EQ(window.total().contact_time, 2.0);
 }
 
+TEST(ProcessWindow, takes_the_speed_while_a_point_touches) {
+  // (C.42): a fifth of the increment, and none foretold.
+  const Bench bench;
+  ProcessWindow window(1);
+  ClosedPoint landed = closed_point(0, 0.0, 100.0, 1.0), surprised = closed_point(1, 0.0, 1.0, 1.0);
+  landed.touching = 0.2;
+  surprised.touching = 0.0;
+  surprised.slip = 0.0;
+  const std::vector<std::vector<ClosedPoint>> closed{{landed, surprised}};
+  window.add(closed, bench.beneath(), 0.5);
+  const Window found = window.tool(0);
+  const WindowRange& speed = found[WindowQuantity::speed];
+  EXPECT_DOUBLE_EQ(speed.highest, 0.2 / (0.2 * 0.5));
+  EXPECT_EQ(speed.lowest, 0.0);
+  EXPECT_DOUBLE_EQ(speed.mean, 0.5 * 0.2 / 0.5) << "over the increment, as the pressure";
+}
+
 } // namespace
 } // namespace billet::contact::process_window_test

@@ -60,7 +60,7 @@ TEST(DrivenTools, are_where_the_press_of_that_travel_is) {
   const double needed = pressed.last().loads[0].force[1];
   std::printf("[DRIVE] the travel of %.2f kN, prescribed, needs %.2f kN (<= 0.1 %% apart)\n",
               force / 1e3, needed / 1e3);
-  EXPECT_NEAR(needed, force, 1e-3 * force); // first touch slides freely in other increments
+  EXPECT_NEAR(needed, force, 1e-3 * force); // what touches first does so in other increments
 }
 
 /// A strip on a plane, pulled under a roll that is pressed in and turns as it likes.

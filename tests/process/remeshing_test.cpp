@@ -320,6 +320,56 @@ TEST(Remeshing, TellsItsObserversBeforeAndAfter) {
   EXPECT_EQ(about_to, done);
 }
 
+/// What a round punch touches first in the increments that follow an exchange of the mesh.
+class FirstTouches final : public Observer {
+public:
+  struct Touch {
+    double share;    ///< of the increment
+    double by_speed; ///< what it is by the velocity that the new mesh has taken over
+  };
+  FirstTouches(double radius, double speed) : radius_(radius), speed_(speed) {}
+  void remeshed(const Process& process, const RemeshReport&) override {
+    velocity_.resize(process.surface()->n_points());
+    process.surface()->positions(process.velocity(), velocity_);
+  }
+  void incremented(const Process& process, const IncrementReport& report) override {
+    for (const contact::ClosedPoint& at : process.contact()->closed()[0])
+      if (const double gap = at.from.norm() - radius_;
+          !velocity_.empty() && at.pressure_old == 0.0 && gap > 0.0) {
+        const Vec3 way = report.dt * (velocity_[at.point] + Vec3(0, speed_, 0));
+        const double deep = std::max(0.0, radius_ - (at.from + way).norm());
+        touches.push_back({at.touching, deep / (gap + deep)});
+      }
+    velocity_.clear();
+  }
+  std::vector<Touch> touches;
+
+private:
+  double radius_, speed_;
+  std::vector<Vec3> velocity_; ///< of the contact points; empty: the mesh is not new
+};
+
+TEST(Remeshing, ForetellsFirstTouchByTheMotionBeforeTheBalance) {
+  // The balance moves points by hair's breadths in next to no time: that is no speed to go by.
+  constexpr double radius = 6.0;
+  Upsetting u = billet(ElementKind::quad4, 10, 0.2, contact::Coulomb{0.2});
+  u.analysis = Analysis::plane_strain;
+  Scene scene = remeshed(std::move(u), every(0.2));
+  contact::Tool& punch = scene.tools[0];
+  punch.surface = geometry::make_circle(Vec3::Zero(), radius, false);
+  punch.motion.place.translation = Vec3(0.0, billet_height + radius, 0.0);
+  Process process(std::move(scene));
+  FirstTouches seen(radius, 1.0);
+  ASSERT_EQ(process.run({&seen}), RunStatus::done);
+  int rubbed = 0;
+  for (const auto& [share, by_speed] : seen.touches) {
+    std::printf("%.3f of the increment\n", share);
+    EXPECT_NEAR(share, by_speed, 1e-9);
+    rubbed += share > 0.05 && share < 0.95 ? 1 : 0;
+  }
+  EXPECT_GE(rubbed, 3) << "neither all of the increment nor nothing of it";
+}
+
 // ------------------------------------------------------ threads and units
 
 TEST(Remeshing, IsTheSameToTheBitForAnyNumberOfThreads) {

@@ -96,6 +96,7 @@ public:
       border.corner.resize(n_extra);
     }
     x.resize(x.size() + n_extra, 0.0);
+    velocity.resize(x.size(), 0.0);
     system.residual.resize(x.size());
     term.start(x, 0.0);
   }
@@ -111,6 +112,7 @@ public:
   /// Assembles a trial and makes it the committed state; keeps the books of what the forces of the
   /// nodes do on their way.
   void commit(const std::vector<double>& trial, double time) {
+    term.foretell(gone_on(time));
     assemble(trial, time);
     bulk.commit({time_old, time, x, trial});
     term.commit({time_old, time, x, trial});
@@ -119,8 +121,17 @@ public:
     };
     entered -= 0.5 * (last_force + force()).dot(as_vector(trial) - as_vector(x));
     last_force = force();
+    for (std::size_t i = 0; i < x.size(); ++i)
+      velocity[i] = (trial[i] - x[i]) / (time - time_old);
     x = trial;
     time_old = time;
+  }
+  /// Where all would be at a time if it went on as in the last increment.
+  [[nodiscard]] std::vector<double> gone_on(double time) const {
+    std::vector<double> later = x;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      later[i] += (time - time_old) * velocity[i];
+    return later;
   }
   /// Dense copy of the tangent.
   [[nodiscard]] Eigen::MatrixXd tangent() const {
@@ -144,6 +155,7 @@ public:
   ContactSurface surface;
   ContactTerm term;
   std::vector<double> x;
+  std::vector<double> velocity; ///< of the last committed increment
   mechanics::System system;
   mechanics::System bulk_system;
   Eigen::VectorXd last_force = Eigen::VectorXd::Zero(pattern.n_dofs()); ///< committed [N]
