@@ -5,6 +5,7 @@
 #include "geometry/base/error.h"
 #include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
+#include "io/step.h"
 #include "io/stl.h"
 #include "io/stl_report.h"
 #include "io/stl_tool.h"
@@ -17,21 +18,15 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace billet::app {
 
 namespace {
 
-int info_stl(const std::filesystem::path& path, const std::optional<std::string>& unit) {
-  const Outcome<double> factor =
-      unit ? io::length_factor(*unit, io::UnitSystem{}) : Outcome<double>(1.0);
-  if (!factor)
-    throw Error(Fault::usage, "",
-                fmt::format("--unit needs a unit of length such as mm, m or in, not '{}'", *unit));
-  const io::StlFile file = io::read_stl(path);
-  const io::StlTool tool = io::examine(file, {*factor});
-  fmt::print("{}: {} STL, lengths in {}\n", path.string(), file.binary ? "binary" : "ASCII",
-             unit ? "mm" : "the file's own unit");
+int info_facets(const io::FacetFile& file, double factor, std::string_view lengths) {
+  const io::StlTool tool = io::examine(file, {factor});
+  fmt::print("{}: {}, lengths in {}\n", file.path.string(), io::name(file.format), lengths);
   for (const io::ReportRow& row : io::table(file, tool))
     fmt::print("  {:24s} {}\n", row.name, row.value);
   for (const std::string& remark : io::remarks(file, tool))
@@ -39,6 +34,15 @@ int info_stl(const std::filesystem::path& path, const std::optional<std::string>
   for (const Complaint& complaint : tool.complaints)
     fmt::print("  wrong: {}\n", complaint.text());
   return tool.complaints.empty() ? 0 : static_cast<int>(Fault::geometry);
+}
+
+int info_stl(const std::filesystem::path& path, const std::optional<std::string>& unit) {
+  const Outcome<double> factor =
+      unit ? io::length_factor(*unit, io::UnitSystem{}) : Outcome<double>(1.0);
+  if (!factor)
+    throw Error(Fault::usage, "",
+                fmt::format("--unit needs a unit of length such as mm, m or in, not '{}'", *unit));
+  return info_facets(io::read_stl(path), *factor, unit ? "mm" : "the file's own unit");
 }
 
 int info_mesh(const std::filesystem::path& path) {
@@ -84,6 +88,11 @@ int show_info(const Arguments& arguments) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".stl")
     return info_stl(path, arguments.unit);
+  const bool is_step = suffix == ".step" || suffix == ".stp";
+  if (is_step && arguments.unit)
+    throw Error(Fault::usage, "", "--unit is for STL files: a STEP file knows its unit");
+  if (is_step)
+    return info_facets(io::read_step(path), 1.0, "mm");
   return info_mesh(path);
 }
 

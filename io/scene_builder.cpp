@@ -88,7 +88,7 @@ struct MeshMaker {
     return mechanics::triangle_mesh(domain);
   }
   Mesh operator()(const StlMesh& stl) const {
-    const StlFile file = read_stl(stl.file.path);
+    const FacetFile file = read_stl(stl.file.path);
     const StlTool body = tool_mesh(file, {stl.unit_factor, false, stl.feature_angle});
     notes.push_back(fmt::format("workpiece: {}", report(file, body)));
     const geometry::SolidMesh domain = at_file(
@@ -479,11 +479,13 @@ void note_molten(const mechanics::Material& material, std::vector<std::string>& 
 /// Keys that are read and kept but change nothing here: said, not passed over.
 void note_keys_without_effect(const Case& content, std::vector<std::string>& notes) {
   constexpr double default_feature_angle = 30.0;
+  const auto raw = [&](const auto* facets) {
+    return facets != nullptr && !facets->smooth && facets->feature_angle != default_feature_angle;
+  };
   for (const Tool& tool : content.tools)
-    if (const auto* stl = std::get_if<StlSurface>(&tool.surface))
-      if (!stl->smooth && stl->feature_angle != default_feature_angle)
-        notes.push_back(fmt::format(
-            "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
+    if (raw(std::get_if<StlSurface>(&tool.surface)) || raw(std::get_if<StepSurface>(&tool.surface)))
+      notes.push_back(fmt::format(
+          "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
   const Material& material = content.materials.at(content.workpiece.material);
   if (material.library.empty() && material.density && !material.heating)
     notes.push_back("density has no effect in this version: there is no inertia");

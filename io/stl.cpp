@@ -55,7 +55,7 @@ bool same_word(std::string_view a, std::string_view b) {
   });
 }
 
-void note_normal(StlFile& file, const Vec3& stated) {
+void note_normal(FacetFile& file, const Vec3& stated) {
   const std::array<Vec3, 3>& f = file.facets.back();
   if (stated.dot((f[1] - f[0]).cross(f[2] - f[0])) < 0.0)
     ++file.opposed_normals;
@@ -79,7 +79,7 @@ std::size_t promised_size(const std::string& bytes) {
   return first_facet + facet_bytes * number_at<std::uint32_t>(bytes, header_bytes);
 }
 
-void read_binary(const std::string& bytes, StlFile& file) {
+void read_binary(const std::string& bytes, FacetFile& file) {
   const std::string place = file.path.string();
   if (bytes.size() < first_facet)
     refuse(place,
@@ -98,7 +98,7 @@ void read_binary(const std::string& bytes, StlFile& file) {
     file.doubts.push_back({place, message, remedy});
   }
   const std::size_t count = whole;
-  file.binary = true;
+  file.format = FacetFormat::binary_stl;
   const std::string_view header(bytes.data(), std::min(header_bytes, std::strlen(bytes.c_str())));
   file.solids = {std::string(trimmed(header))};
   file.facets.reserve(count);
@@ -198,7 +198,7 @@ Vec3 stated_normal(std::string_view text) {
   return normal.allFinite() ? normal : Vec3::Zero();
 }
 
-void read_facet(Words& words, StlFile& file) {
+void read_facet(Words& words, FacetFile& file) {
   words.expect("normal");
   const Vec3 normal = stated_normal(words.line());
   words.expect("outer");
@@ -214,7 +214,7 @@ void read_facet(Words& words, StlFile& file) {
   note_normal(file, normal);
 }
 
-void read_ascii(std::string_view text, StlFile& file) {
+void read_ascii(std::string_view text, FacetFile& file) {
   Words words(text, file.path);
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (!same_word(word, "solid"))
@@ -254,8 +254,8 @@ void put(std::string& bytes, const Vec3& v) {
 
 } // namespace
 
-StlFile read_stl(const std::filesystem::path& path) {
-  StlFile file;
+FacetFile read_stl(const std::filesystem::path& path) {
+  FacetFile file;
   file.path = path;
   std::string bytes = contents(path);
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

@@ -8,30 +8,16 @@
 
 #pragma once
 
-#include "geometry/base/error.h"
-#include "geometry/base/vector.h"
 #include "geometry/triangle_mesh.h"
+#include "io/facet_file.h"
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace billet::io {
 
-/// What an STL file holds, as it stands there.
-struct StlFile {
-  std::filesystem::path path;
-  bool binary = false;
-  std::vector<std::string> solids;         ///< names, in order; binary: the header text
-  std::vector<std::array<Vec3, 3>> facets; ///< corners, file units
-  std::int64_t opposed_normals = 0;        ///< facets whose stated normal contradicts their corners
-  std::vector<Complaint> doubts;           ///< why the file may be truncated
-};
-
 /// @throws Error(Fault::geometry) naming file and line (ASCII) or facet (binary)
-[[nodiscard]] StlFile read_stl(const std::filesystem::path& path);
+[[nodiscard]] FacetFile read_stl(const std::filesystem::path& path);
 
 /// Writes a binary STL; coordinates are rounded to single precision.
 ///

@@ -70,7 +70,7 @@ std::string repairs_text(const StlTool& tool) {
 
 } // namespace
 
-std::vector<std::string> remarks(const StlFile& file, const StlTool& tool) {
+std::vector<std::string> remarks(const FacetFile& file, const StlTool& tool) {
   std::vector<std::string> remarks;
   if (tool.health.closed())
     for (const Complaint& doubt : file.doubts)
@@ -89,7 +89,7 @@ std::vector<std::string> remarks(const StlFile& file, const StlTool& tool) {
     remarks.push_back(fmt::format("{} touch in a point only, the first at {}",
                                   counted(tool.health.non_manifold_vertices, "fan"),
                                   coordinates(*tool.health.non_manifold_vertex_at)));
-  if (file.binary && tool.precision > tool.repairs.tolerance)
+  if (file.format == FacetFormat::binary_stl && tool.precision > tool.repairs.tolerance)
     remarks.push_back(
         fmt::format("so far from the origin the file's coordinates are known to {:.3g} "
                     "only; export the surface nearer to it",
@@ -97,13 +97,13 @@ std::vector<std::string> remarks(const StlFile& file, const StlTool& tool) {
   return remarks;
 }
 
-std::string report(const StlFile& file, const StlTool& tool) {
+std::string report(const FacetFile& file, const StlTool& tool) {
   const MeshHealth& h = tool.health;
   const Vec3 size = h.bounds.high - h.bounds.low;
   std::string text = fmt::format("{} ({}): {} facets, {} points, {}, {:g} x {:g} x {:g}; {}; {}",
-                                 file.path.string(), file.binary ? "binary" : "ASCII", h.triangles,
-                                 h.points, counted(h.components, "part"), size.x(), size.y(),
-                                 size.z(), openness(h), counted(h.feature_edges, "feature edge"));
+                                 file.path.string(), name(file.format), h.triangles, h.points,
+                                 counted(h.components, "part"), size.x(), size.y(), size.z(),
+                                 openness(h), counted(h.feature_edges, "feature edge"));
   if (!tool.repairs.notes().empty())
     text += "; repaired: " + repairs_text(tool);
   for (const std::string& remark : remarks(file, tool))
@@ -111,7 +111,7 @@ std::string report(const StlFile& file, const StlTool& tool) {
   return text;
 }
 
-std::vector<ReportRow> table(const StlFile& file, const StlTool& tool) {
+std::vector<ReportRow> table(const FacetFile& file, const StlTool& tool) {
   const MeshHealth& h = tool.health;
   const geometry::SelfIntersections& cuts = tool.intersections;
   const auto first = [](const std::optional<Vec3>& at) {

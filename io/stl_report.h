@@ -12,7 +12,7 @@
 namespace billet::io {
 
 /// One paragraph for the log: triangles, size, closed or open, volume, repairs, remarks.
-[[nodiscard]] std::string report(const StlFile& file, const StlTool& tool);
+[[nodiscard]] std::string report(const FacetFile& file, const StlTool& tool);
 
 /// A row of the table of `billet info`.
 struct ReportRow {
@@ -21,11 +21,11 @@ struct ReportRow {
 };
 
 /// Everything the examination found, row by row; complaints are not among it.
-[[nodiscard]] std::vector<ReportRow> table(const StlFile& file, const StlTool& tool);
+[[nodiscard]] std::vector<ReportRow> table(const FacetFile& file, const StlTool& tool);
 
 /// What a user should know though nothing is wrong, one sentence each: parts inside out or without
 /// effect, overlaps, needles, coarse coordinates, doubts about the file that proved unfounded.
-[[nodiscard]] std::vector<std::string> remarks(const StlFile& file, const StlTool& tool);
+[[nodiscard]] std::vector<std::string> remarks(const FacetFile& file, const StlTool& tool);
 
 /// A warning if a die is a thousand times larger or smaller than the workpiece, with the unit that
 /// the file is likely to be in.

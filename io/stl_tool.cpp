@@ -20,7 +20,7 @@ struct Soup {
   double diagonal = 0.0;
 };
 
-Soup soup_of(const StlFile& file, double scale) {
+Soup soup_of(const FacetFile& file, double scale) {
   Soup soup;
   Box box;
   soup.mesh.points.reserve(3 * file.facets.size());
@@ -44,7 +44,7 @@ Soup soup_of(const StlFile& file, double scale) {
 
 } // namespace
 
-StlTool examine(const StlFile& file, const StlUse& use) {
+StlTool examine(const FacetFile& file, const StlUse& use) {
   const std::string place = file.path.string();
   Soup soup = soup_of(file, use.scale);
   StlTool tool;
@@ -78,7 +78,7 @@ StlTool examine(const StlFile& file, const StlUse& use) {
   return tool;
 }
 
-StlTool tool_mesh(const StlFile& file, const StlUse& use) {
+StlTool tool_mesh(const FacetFile& file, const StlUse& use) {
   StlTool tool = examine(file, use);
   if (!tool.complaints.empty())
     throw Error(Fault::geometry, std::move(tool.complaints));

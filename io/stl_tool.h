@@ -1,4 +1,4 @@
-// From the triangles of an STL to a surface fit for a tool.
+// From the triangles of an STL, or of a STEP file cut into such, to a surface fit for a tool.
 //
 // `examine` mends what can be mended within a tolerance and looks for everything a rigid tool must
 // not have; `tool_mesh` refuses what it found. What was found and done is told by stl_report.h.
@@ -13,13 +13,13 @@
 #include "geometry/mesh_repair.h"
 #include "geometry/self_intersection.h"
 #include "geometry/triangle_mesh.h"
-#include "io/stl.h"
+#include "io/facet_file.h"
 
 #include <vector>
 
 namespace billet::io {
 
-/// How an STL is to be taken.
+/// How a file of triangles is to be taken.
 struct StlUse {
   double scale = 1.0; ///< from the units of the file to those of the case, > 0
   bool flip = false;  ///< turns the surface inside out
@@ -38,11 +38,11 @@ struct StlTool {
 };
 
 /// Scales, mends and checks.
-[[nodiscard]] StlTool examine(const StlFile& file, const StlUse& use);
+[[nodiscard]] StlTool examine(const FacetFile& file, const StlUse& use);
 
 /// The same for a surface that must serve as a tool.
 ///
 /// @throws Error(Fault::geometry) with every complaint
-[[nodiscard]] StlTool tool_mesh(const StlFile& file, const StlUse& use);
+[[nodiscard]] StlTool tool_mesh(const FacetFile& file, const StlUse& use);
 
 } // namespace billet::io

@@ -8,6 +8,7 @@
 #include "geometry/smooth_triangle_surface.h"
 #include "geometry/triangle_surface.h"
 #include "io/profile.h"
+#include "io/step.h"
 #include "io/stl.h"
 #include "io/stl_report.h"
 #include "io/stl_tool.h"
@@ -79,20 +80,35 @@ struct SurfaceMaker {
     return geometry::make_profile(geometry::polygon(points, s.closed));
   }
   geometry::SurfacePtr operator()(const StlSurface& s) const {
-    const StlFile file = read_stl(s.file.path);
-    const StlTool mesh = tool_mesh(file, {s.unit_factor, s.flip, s.feature_angle});
+    return triangulated(read_stl(s.file.path), {s.unit_factor, s.flip, s.feature_angle}, s.unit,
+                        s.smooth);
+  }
+  geometry::SurfacePtr operator()(const StepSurface& s) const {
+    std::optional<double> chord_error_mm;
+    if (s.chord_error)
+      chord_error_mm = *s.chord_error / s.unit_factor;
+    return triangulated(read_step(s.file.path, chord_error_mm),
+                        {s.unit_factor, s.flip, s.feature_angle}, "mm", s.smooth);
+  }
+
+private:
+  [[nodiscard]] geometry::SurfacePtr triangulated(const FacetFile& file,
+                                                  const StlUse& use,
+                                                  const std::string& unit,
+                                                  bool smoothed) const {
+    const StlTool mesh = tool_mesh(file, use);
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
-    if (const auto warning = size_warning(mesh.health.bounds.size(), workpiece_size, s.unit))
+    if (const auto warning = size_warning(mesh.health.bounds.size(), workpiece_size, unit))
       notes.push_back(fmt::format("warning: tool '{}': {}", tool, *warning));
-    if (!s.smooth) {
-      chord_error = geometry::chord_error(mesh.mesh, s.feature_angle * degree);
+    if (!smoothed) {
+      chord_error = geometry::chord_error(mesh.mesh, use.feature_angle * degree);
       return geometry::make_triangle_surface(mesh.mesh);
     }
     geometry::SmoothSurface smooth =
-        geometry::make_smooth_triangle_surface(mesh.mesh, s.feature_angle * degree);
+        geometry::make_smooth_triangle_surface(mesh.mesh, use.feature_angle * degree);
     chord_error = smooth.smoothing.remaining_error;
     notes.push_back(
-        fmt::format("tool '{}': {}", tool, smoothing_note(smooth.smoothing, s.feature_angle)));
+        fmt::format("tool '{}': {}", tool, smoothing_note(smooth.smoothing, use.feature_angle)));
     return std::move(smooth.surface);
   }
 };
@@ -255,11 +271,15 @@ contact::Tool build_tool(const Tool& tool,
                          std::vector<std::string>& notes) {
   contact::Tool result;
   result.name = tool.name;
-  if (analysis != Analysis::solid && std::holds_alternative<StlSurface>(tool.surface))
-    throw Error(Fault::geometry, "",
-                fmt::format("tool '{}': an STL is a surface in space; this scene is in the plane",
-                            tool.name),
-                "give the tool as a profile, or make the analysis 3d");
+  const bool in_space = std::holds_alternative<StlSurface>(tool.surface) ||
+                        std::holds_alternative<StepSurface>(tool.surface);
+  if (analysis != Analysis::solid && in_space)
+    throw Error(
+        Fault::geometry, "",
+        fmt::format("tool '{}': an STL or STEP file is a surface in space; this scene is in "
+                    "the plane",
+                    tool.name),
+        "give the tool as a profile, or make the analysis 3d");
   try {
     result.surface = std::visit(SurfaceMaker{tool.name, workpiece_size, notes, result.chord_error},
                                 tool.surface);

@@ -119,6 +119,13 @@ int Process::spent() const {
                                         [](const auto& record) { return record.iteration > 0; }));
 }
 
+std::vector<double> Process::foretold(double dt) const {
+  std::vector<double> x = trial_x_; // driven tools go on only if they have moved in this stage
+  for (std::size_t i = 0; i < velocity_.size(); ++i)
+    x[i] = x_[i] + dt * velocity_[i];
+  return x;
+}
+
 bool Process::try_increment(double dt, mechanics::Approach approach, std::string& why) {
   trial_x_ = x_;
   if (!last_step_.empty()) {
@@ -130,7 +137,7 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     return false;
   if (contact_) {
     contact_->restart();
-    contact_->foretell(trial_x_);
+    contact_->foretell(foretold(dt));
   }
   const auto outcome =
       newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);

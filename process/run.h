@@ -269,6 +269,8 @@ private:
   /// Lets the forces of tools that touch now and do not act at `next_time` fade until `gone_time`.
   void release_tools(double next_time, double gone_time);
   [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
+  /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
+  [[nodiscard]] std::vector<double> foretold(double dt) const;
   [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
   [[nodiscard]] bool plausible(double force_scale, std::string& why) const;

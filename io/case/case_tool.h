@@ -110,6 +110,18 @@ struct StlSurface {
   bool operator==(const StlSurface&) const = default;
 };
 
+/// A surface out of CAD, which knows its unit.
+struct StepSurface {
+  InputFile file;
+  double unit_factor = 1.0;          ///< from mm to the case's lengths
+  std::optional<double> chord_error; ///< of its triangles; none: a share of its size [mm]
+  bool smooth = true;                ///< curved triangles in place of flat ones
+  double feature_angle = 30.0;       ///< edges sharper than this stay sharp [degrees]
+  bool flip = false;                 ///< the file's normals point into the tool
+
+  bool operator==(const StepSurface&) const = default;
+};
+
 using ToolSurface = std::variant<PlaneSurface,
                                  CircleSurface,
                                  CylinderSurface,
@@ -119,7 +131,8 @@ using ToolSurface = std::variant<PlaneSurface,
                                  RevolutionSurface,
                                  ProfileSurface,
                                  PointsSurface,
-                                 StlSurface>;
+                                 StlSurface,
+                                 StepSurface>;
 
 /// A constant velocity.
 struct VelocityMotion {

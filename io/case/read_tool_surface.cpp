@@ -172,6 +172,20 @@ std::optional<ToolSurface> read_stl_surface(TableReader& table, const At& at) {
   return file ? std::optional<ToolSurface>(surface) : std::nullopt;
 }
 
+std::optional<ToolSurface> read_step_surface(TableReader& table, const At& at) {
+  StepSurface surface;
+  const std::optional<InputFile> file = as_input_file(at);
+  if (file)
+    surface.file = *file;
+  surface.unit_factor = *length_factor("mm", at.context.units);
+  table.optional("chord_error", surface.chord_error, as_number, positive_length);
+  table.optional("smooth", surface.smooth, as_flag);
+  table.optional("feature_angle", surface.feature_angle, as_number,
+                 Number{quantity::angle, {0.0, 180.0}});
+  table.optional("flip", surface.flip, as_flag);
+  return file ? std::optional<ToolSurface>(surface) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<ToolSurface> as_tool_surface(const At& at) {
@@ -186,6 +200,7 @@ std::optional<ToolSurface> as_tool_surface(const At& at) {
       Kind<ToolSurface>{"profile", Scenes::plane, &read_profile_surface},
       Kind<ToolSurface>{"points", Scenes::plane, &read_points},
       Kind<ToolSurface>{"stl", Scenes::space, &read_stl_surface},
+      Kind<ToolSurface>{"step", Scenes::space, &read_step_surface},
   };
   return read_one_kind<ToolSurface>(at, kinds);
 }

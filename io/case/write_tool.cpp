@@ -98,6 +98,17 @@ std::string surface_text(const StlSurface& surface, int /*size*/) {
       .on_one_line();
 }
 
+std::string surface_text(const StepSurface& surface, int /*size*/) {
+  TomlTable table;
+  table.add("step", toml_text(surface.file));
+  if (surface.chord_error)
+    table.add("chord_error", toml_text(*surface.chord_error));
+  return table.add("smooth", toml_text(surface.smooth))
+      .add("feature_angle", toml_text(surface.feature_angle))
+      .add("flip", toml_text(surface.flip))
+      .on_one_line();
+}
+
 void write_motion(TomlTable& table, const VelocityMotion& motion, int size) {
   table.add("velocity", toml_text(motion.velocity, size));
 }

@@ -1,5 +1,6 @@
 // The command line as a user types it: help, mistakes, overrides, what `check` and `info` tell.
 
+#include "io/step.h"
 #include "tests/app/tables.h"
 #include "tests/support/case_texts.h"
 #include "tests/support/program.h"
@@ -279,6 +280,46 @@ TEST_F(CommandLine, info_tells_of_stls_meshes_and_results) {
   const Outcome results = run({"info", "results/tiny"});
   EXPECT_EQ(results.status, 0) << results.err;
   EXPECT_TRUE(results.prints("\"status\": \"done\"")) << results.out;
+}
+
+TEST_F(CommandLine, info_and_check_take_step_files_where_the_build_can) {
+  const std::string die = BILLET_SOURCE_DIR "/tests/io/step/grooved-die-mm.step";
+  const std::string pressed = R"(analysis = "3d"
+[workpiece]
+element = "hex8"
+material = "steel"
+mesh = { box = [[-5, 1, -5], [5, 6, 5]], cells = [2, 2, 2] }
+[material.steel]
+elastic = { young = 210000, poisson = 0.3 }
+[[tool]]
+name = "die"
+surface = { step = ")" + die + R"(" }
+motion = { velocity = [0, 1, 0] }
+touch = true
+[[support]]
+where = "y = 6"
+fix = ["x", "y", "z"]
+[time]
+end = 0.01
+)";
+  write_text(folder_.path() / "step.toml", pressed);
+  const Outcome check = run({"check", "step.toml"});
+  const Outcome info = run({"info", die});
+  if (io::reads_step()) {
+    EXPECT_EQ(check.status, 0) << check.err;
+    EXPECT_NE((check.out + check.err).find("grooved-die-mm.step (STEP)"), std::string::npos)
+        << check.out << check.err;
+    EXPECT_EQ(info.status, 0) << info.err;
+    EXPECT_NE(info.out.find("closed, volume 2214"), std::string::npos) << info.out;
+  } else {
+    EXPECT_EQ(check.status, 4);
+    EXPECT_NE(check.err.find("./dev build --step"), std::string::npos) << check.err;
+    EXPECT_EQ(info.status, 4);
+    EXPECT_NE(info.err.find("this build does not read STEP files"), std::string::npos) << info.err;
+  }
+  const Outcome unit = run({"info", die, "--unit", "mm"});
+  EXPECT_EQ(unit.status, 2);
+  EXPECT_NE(unit.err.find("knows its unit"), std::string::npos) << unit.err;
 }
 
 TEST_F(CommandLine, info_refuses_what_it_cannot_read) {

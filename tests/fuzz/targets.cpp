@@ -5,6 +5,7 @@
 #include "geometry/triangle_surface.h"
 #include "io/case/read_case.h"
 #include "io/mesh/read_mesh.h"
+#include "io/stl.h"
 #include "io/stl_report.h"
 #include "io/stl_tool.h"
 #include "mechanics/mesh_check.h"
@@ -91,7 +92,7 @@ void project(const geometry::RigidSurface& surface, const geometry::TriangleMesh
 
 /// The surface in the file, if it is fit for a tool.
 std::optional<geometry::TriangleMesh> die(std::string_view bytes) {
-  const io::StlFile file = io::read_stl(scratch().file("die.stl", bytes));
+  const io::FacetFile file = io::read_stl(scratch().file("die.stl", bytes));
   io::StlTool tool = io::examine(file, {});
   (void)io::report(file, tool);
   (void)io::table(file, tool);

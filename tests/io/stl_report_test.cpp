@@ -1,3 +1,4 @@
+#include "io/stl.h"
 #include "io/stl_report.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/io/stl_zoo.h"
@@ -12,7 +13,7 @@ namespace {
 
 class StlReport : public testing::Test {
 protected:
-  [[nodiscard]] StlFile file(const geometry::TriangleMesh& mesh) const {
+  [[nodiscard]] FacetFile file(const geometry::TriangleMesh& mesh) const {
     return read_stl(temporary_.file("die.stl", binary_stl(mesh)));
   }
 
@@ -27,7 +28,7 @@ protected:
 };
 
 TEST_F(StlReport, TheTableSaysWhatASoundSurfaceIsLike) {
-  const StlFile cube = file(geometry::cube());
+  const FacetFile cube = file(geometry::cube());
   const std::vector<ReportRow> rows = table(cube, examine(cube, {}));
   EXPECT_EQ(row(rows, "facets in the file"), "12");
   EXPECT_EQ(row(rows, "box"), "(0, 0, 0) to (1, 1, 1)");
@@ -41,20 +42,20 @@ TEST_F(StlReport, TheTableIsThereForASurfaceThatIsRefused) {
   geometry::TriangleMesh mesh = geometry::cube();
   mesh.points.emplace_back(0.5, -1.0, -1.0);
   mesh.triangles.push_back({0, 1, 8});
-  const StlFile fin = file(mesh);
+  const FacetFile fin = file(mesh);
   const StlTool tool = examine(fin, {});
   EXPECT_EQ(tool.complaints.size(), 1U);
   EXPECT_EQ(row(table(fin, tool), "edges of three and more"), "1, the first at (0.5, 0, 0)");
 }
 
 TEST_F(StlReport, EachPartOfSeveralHasItsRow) {
-  const StlFile two = file(together(geometry::cube(), moved(geometry::cube(), {3, 0, 0})));
+  const FacetFile two = file(together(geometry::cube(), moved(geometry::cube(), {3, 0, 0})));
   const std::vector<ReportRow> rows = table(two, examine(two, {}));
   EXPECT_EQ(row(rows, "part 2"), "12 triangles at (3, 0, 0), volume 1");
 }
 
 TEST_F(StlReport, TheFeatureAngleDecidesWhatIsAFeature) {
-  const StlFile ball = file(geometry::sphere_mesh(12));
+  const FacetFile ball = file(geometry::sphere_mesh(12));
   EXPECT_EQ(examine(ball, {}).health.feature_edges, 0);
   EXPECT_GT(examine(ball, {1.0, false, 5.0}).health.feature_edges, 100);
 }

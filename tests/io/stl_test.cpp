@@ -87,8 +87,8 @@ void expect_cube(const StlTool& stl, double edge = 1.0) {
 TEST_F(Stl, ABinaryFileComesBackAsItWasWritten) {
   const std::filesystem::path path = folder_ / "cube.stl";
   write_stl(path, geometry::cube(), "a cube");
-  const StlFile file = read_stl(path);
-  EXPECT_TRUE(file.binary);
+  const FacetFile file = read_stl(path);
+  EXPECT_EQ(file.format, FacetFormat::binary_stl);
   EXPECT_EQ(file.solids, std::vector<std::string>{"a cube"});
   EXPECT_EQ(file.opposed_normals, 0);
   const StlTool stl = tool_mesh(file, {});
@@ -98,8 +98,8 @@ TEST_F(Stl, ABinaryFileComesBackAsItWasWritten) {
 }
 
 TEST_F(Stl, ABinaryFileMayStartWithTheWordSolid) {
-  const StlFile file = read_stl(write(binary(geometry::cube(), "solid made by a scanner")));
-  EXPECT_TRUE(file.binary);
+  const FacetFile file = read_stl(write(binary(geometry::cube(), "solid made by a scanner")));
+  EXPECT_EQ(file.format, FacetFormat::binary_stl);
   expect_cube(tool_mesh(file, {}));
 }
 
@@ -107,8 +107,8 @@ TEST_F(Stl, AsciiMayBeUpperCaseAndHaveAnyLineEnding) {
   for (const std::string eol : {"\n", "\r\n"}) {
     const std::string text = ascii(geometry::cube(), "Cube No 1", eol);
     for (const std::string& variant : {text, upper(text), "\xEF\xBB\xBF" + text, "\n  " + text}) {
-      const StlFile file = read_stl(write(variant));
-      EXPECT_FALSE(file.binary);
+      const FacetFile file = read_stl(write(variant));
+      EXPECT_EQ(file.format, FacetFormat::ascii_stl);
       EXPECT_EQ(upper(file.solids.at(0)), "CUBE NO 1");
       expect_cube(tool_mesh(file, {}));
     }
@@ -120,7 +120,7 @@ TEST_F(Stl, SeveralSolidsMakeOneSurface) {
   for (Vec3& x : other.points)
     x += Vec3(3, 0, 0);
   const std::string text = ascii(geometry::cube(), "", "\n") + ascii(other, "second", "\n");
-  const StlFile file = read_stl(write(text));
+  const FacetFile file = read_stl(write(text));
   EXPECT_EQ(file.solids, (std::vector<std::string>{"", "second"}));
   const StlTool stl = tool_mesh(file, {});
   EXPECT_EQ(stl.health.components, 2);
@@ -128,7 +128,7 @@ TEST_F(Stl, SeveralSolidsMakeOneSurface) {
 }
 
 TEST_F(Stl, UnitsAreScaledAndFlipTurnsTheSurfaceInsideOut) {
-  const StlFile file = read_stl(write(binary(geometry::cube(), "")));
+  const FacetFile file = read_stl(write(binary(geometry::cube(), "")));
   expect_cube(tool_mesh(file, {25.4}), 25.4);
   const StlTool flipped = tool_mesh(file, {1.0, true});
   EXPECT_TRUE(flipped.health.inside_out());
@@ -138,7 +138,7 @@ TEST_F(Stl, UnitsAreScaledAndFlipTurnsTheSurfaceInsideOut) {
 TEST_F(Stl, DegenerateFacetsAreDroppedAndReported) {
   TriangleMesh mesh = geometry::cube();
   mesh.triangles.push_back({0, 0, 1});
-  const StlFile file = read_stl(write(binary(mesh, "")));
+  const FacetFile file = read_stl(write(binary(mesh, "")));
   const StlTool stl = tool_mesh(file, {});
   expect_cube(stl);
   EXPECT_EQ(stl.repairs.clean_up.degenerate_triangles, 1);
@@ -147,7 +147,7 @@ TEST_F(Stl, DegenerateFacetsAreDroppedAndReported) {
 
 TEST_F(Stl, AnOpenSurfaceIsLegalAndSaidSo) {
   const auto flat = [](double, double) { return 0.0; };
-  const StlFile file = read_stl(write(binary(geometry::sheet(3, flat), "")));
+  const FacetFile file = read_stl(write(binary(geometry::sheet(3, flat), "")));
   const StlTool stl = tool_mesh(file, {});
   EXPECT_TRUE(contains(report(file, stl), "open, 12 border edges in 1 loop"));
 }
@@ -186,7 +186,7 @@ TEST_F(Stl, AWrongCountOrAMissingEndIsForgivenIfTheSurfaceIsClosed) {
   wrong[80] = 13;
   endless.resize(endless.find("endsolid"));
   for (const std::string& text : {wrong, endless}) {
-    const StlFile file = read_stl(write(text));
+    const FacetFile file = read_stl(write(text));
     EXPECT_EQ(file.doubts.size(), 1U);
     const StlTool stl = tool_mesh(file, {});
     expect_cube(stl);

@@ -26,7 +26,7 @@ std::vector<ZooKind> zoo() {
 
 class StlZoo : public testing::TestWithParam<ZooKind> {};
 
-void expect_taken(const ZooKind& kind, const StlFile& file) {
+void expect_taken(const ZooKind& kind, const FacetFile& file) {
   const StlTool tool = tool_mesh(file, {});
   const std::string text = report(file, tool);
   EXPECT_NE(kind.verdict, Verdict::refused) << text;

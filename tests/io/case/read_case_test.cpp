@@ -164,6 +164,33 @@ TEST(ReadCase, finds_files_beside_the_case) {
   EXPECT_FALSE(stl.smooth);
 }
 
+TEST(ReadCase, takes_a_step_file_without_a_unit) {
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
+  write_text(folder / "die.step", "");
+  const auto surface = [&](const std::string& units, const std::string& keys) {
+    write_text(folder / "case.toml",
+               units + replaced(space_case,
+                                "sphere = { centre = [0, 0, 40], radius = 5 }, inside = true",
+                                "step = \"die.step\"" + keys));
+    const Case content = read_case(folder / "case.toml");
+    return std::get<StepSurface>(content.tools[1].surface);
+  };
+  const StepSurface plain = surface("", "");
+  EXPECT_EQ(plain.file.given, "die.step");
+  EXPECT_EQ(plain.unit_factor, 1.0);
+  EXPECT_TRUE(plain.smooth);
+  EXPECT_FALSE(plain.chord_error);
+  const StepSurface full = surface("units = \"m-N-s-Pa-degC\"\n",
+                                   ", chord_error = \"10 um\", smooth = false, flip = true");
+  EXPECT_DOUBLE_EQ(full.unit_factor, 1e-3);
+  EXPECT_DOUBLE_EQ(*full.chord_error, 1e-5);
+  EXPECT_FALSE(full.smooth);
+  EXPECT_TRUE(full.flip);
+  EXPECT_THROW((void)surface("", ", unit = \"mm\""), Error) << "it knows its unit";
+  EXPECT_THROW((void)surface("", ", chord_error = 0"), Error);
+}
+
 TEST(ReadCase, finds_the_profile_of_a_turned_tool) {
   const test::TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();

@@ -1,4 +1,5 @@
 #include "tests/io/case/case_text.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,25 @@ TEST(ResolvedCase, keeps_presses) {
   content.tools[2].motion.translation =
       PressMotion{ScrewMotion{{{0, 0, -2}, 1.0, {}}, 8e5, 300.0, 0.1 + 0.2, 4.0}};
   expect_round_trip(content);
+}
+
+TEST(ResolvedCase, keeps_step_files) {
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path die = temporary.file("die.step", "");
+  for (const std::string units : {"", "units = \"m-N-s-Pa-degC\"\n"}) {
+    Case content = read(units + space_case);
+    StepSurface surface;
+    surface.file = {die.string(), die};
+    surface.unit_factor = units.empty() ? 1.0 : 1e-3;
+    content.tools[1].surface = surface;
+    expect_round_trip(content);
+    surface.chord_error = 0.1 + 0.2;
+    surface.smooth = false;
+    surface.feature_angle = 12.5;
+    surface.flip = true;
+    content.tools[1].surface = surface;
+    expect_round_trip(content);
+  }
 }
 
 TEST(ResolvedCase, keeps_every_bit_of_a_number) {
