@@ -283,7 +283,9 @@ TEST_F(CommandLine, info_tells_of_stls_meshes_and_results) {
 }
 
 TEST_F(CommandLine, info_and_check_take_step_files_where_the_build_can) {
-  const std::string die = BILLET_SOURCE_DIR "/tests/io/step/grooved-die-mm.step";
+  const std::string die = "grooved-die-mm.step";
+  std::filesystem::copy(std::filesystem::path(BILLET_SOURCE_DIR) / "tests/io/step" / die,
+                        folder_.path() / die);
   const std::string pressed = R"(analysis = "3d"
 [workpiece]
 element = "hex8"
