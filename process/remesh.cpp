@@ -158,9 +158,10 @@ void Process::remember() {
   if (time_ < fading_until_)
     return; // a new mesh does not know the forces of tools that have left
   // What the transfer has left too low is back where it was after that much flow.
-  constexpr double flow = 16.0; // plastic work over the elastic energy of shape where metal flows
-  constexpr int most_increments = 40; // where little flows nothing is too low
-  constexpr int parts = 3;            // of the way: how closely its length is met
+  const bool in_space = scene_.mesh.dimension() == 3;
+  const double flow = in_space ? 64.0 : 16.0;      // plastic work over (P.20)'s elastic energy
+  const int most_increments = in_space ? 120 : 40; // where little flows nothing is too low
+  constexpr int parts = 3;                         // of the way: how closely its length is met
   const auto flowed_on = [&](const RunState& since) {
     return (increment_ - since.increment) * parts >= most_increments ||
            (bulk_->plastic_work() - since.plastic_work) * parts >= flow * flowing_energy();
