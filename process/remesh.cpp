@@ -68,6 +68,7 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   report.time = time_;
   report.increment = increment_;
   report.cause = cause;
+  report.work_of_run = bulk_->plastic_work();
   NewPart part;
   try {
     part = new_part();

@@ -22,6 +22,13 @@ double RemeshReport::Pair::change() const {
   return before != 0.0 ? std::abs(after - before) / std::abs(before) : std::abs(after);
 }
 
+double RemeshReport::work_change() const {
+  constexpr double next_to_none = 1e-3; // of the work of the run
+  const double scale = std::max(plastic_work.before, next_to_none * work_of_run);
+  return scale > 0.0 ? std::abs(plastic_work.after - plastic_work.before) / scale
+                     : plastic_work.after;
+}
+
 double RemeshReport::force_jump() const {
   double largest = 0.0;
   double jump = 0.0;
@@ -41,7 +48,7 @@ std::vector<std::string> RemeshReport::complaints() const {
                                   number, what, 100.0 * change, 100.0 * budget));
   };
   check("volume", volume.change(), volume_budget);
-  check("plastic work", plastic_work.change(), work_budget);
+  check("plastic work", work_change(), work_budget);
   if (balanced)
     check("force on a tool", force_jump(), force_budget);
   else

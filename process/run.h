@@ -109,6 +109,7 @@ struct RemeshReport {
   // Of the state carried over: where these began, or now.
   Pair volume;              ///< [mm^3]
   Pair plastic_work;        ///< of the field of plastic strain [N mm]
+  double work_of_run = 0.0; ///< plastic, until now [N mm]
   Pair mean_strain;         ///< plastic, over the volume [-]
   Pair largest_strain;      ///< plastic [-]
   std::vector<Pair> forces; ///< on each tool, now [N]
@@ -118,6 +119,9 @@ struct RemeshReport {
   int returned = 0;         ///< points put back onto the yield surface
   double seconds = 0.0;     ///< it took [s]
 
+  /// Change of the plastic work over itself, or a thousandth of the run's if that is more: a state
+  /// from the time of first touch has next to none [-].
+  [[nodiscard]] double work_change() const;
   /// Largest change of a tool's force over the largest force [-].
   [[nodiscard]] double force_jump() const;
   /// What goes beyond the budget, one line each; empty: nothing.

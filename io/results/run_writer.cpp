@@ -208,7 +208,7 @@ ordered_json remeshings_json(const process::Process& process) {
   double unbalanced = 0.0;
   for (const process::RemeshReport& r : process.remeshings()) {
     volume = std::max(volume, r.volume.change());
-    work = std::max(work, r.plastic_work.change());
+    work = std::max(work, r.work_change());
     force = std::max(force, r.force_jump());
     unbalanced += r.balanced ? 0.0 : 1.0;
   }
