@@ -6,6 +6,7 @@
 #include "geometry/mesher_3d.h"
 #include "io/mesh/read_mesh.h"
 #include "io/profile.h"
+#include "io/step.h"
 #include "io/stl.h"
 #include "io/stl_report.h"
 #include "io/stl_tool.h"
@@ -88,17 +89,29 @@ struct MeshMaker {
     return mechanics::triangle_mesh(domain);
   }
   Mesh operator()(const StlMesh& stl) const {
-    const FacetFile file = read_stl(stl.file.path);
-    const StlTool body = tool_mesh(file, {stl.unit_factor, false, stl.feature_angle});
+    return meshed(read_stl(stl.file.path), stl.unit_factor, stl);
+  }
+  Mesh operator()(const StepMesh& step) const {
+    constexpr double share_of_size = 0.01;
+    const double chord_error = step.chord_error.value_or(share_of_size * step.size);
+    return meshed(read_step(step.file.path, chord_error / step.unit_factor), step.unit_factor,
+                  step);
+  }
+
+private:
+  template <class Body>
+  [[nodiscard]] Mesh meshed(const FacetFile& file, double scale, const Body& source) const {
+    const StlTool body = tool_mesh(file, {scale, false, source.feature_angle});
     notes.push_back(fmt::format("workpiece: {}", report(file, body)));
-    const geometry::SolidMesh domain = at_file(
-        stl.file, [&] { return geometry::mesh_solid(body.mesh, stl.size, stl.feature_angle); });
+    const geometry::SolidMesh domain = at_file(source.file, [&] {
+      return geometry::mesh_solid(body.mesh, source.size, source.feature_angle);
+    });
     const double volume = geometry::volume(domain);
     notes.push_back(fmt::format(
         "{}: meshed with {} tetrahedra of size {:.6g}, smallest dihedral angle {:.1f} degrees; "
         "volume {:.6g}, {:+.2g} % of that of the surface",
-        stl.file.given, domain.tetrahedra.size(), stl.size, geometry::smallest_dihedral(domain),
-        volume, 100.0 * (volume / body.health.volume - 1.0)));
+        source.file.given, domain.tetrahedra.size(), source.size,
+        geometry::smallest_dihedral(domain), volume, 100.0 * (volume / body.health.volume - 1.0)));
     return mechanics::tetrahedron_mesh(domain);
   }
 };
@@ -356,8 +369,9 @@ bool on_boundary(const Mesh& mesh,
                                    [&](Index a) { return wanted[idx(a)] != 0; });
     const std::size_t n = mechanics::corners_per_face(mesh.kind);
     for (std::size_t a = 0; a < face.nodes.size(); ++a) {
+      const std::size_t next = a + 1 < 2 * n ? a - n + 1 : 0; // the second corner of its edge
       const bool on_edge = a >= n && mesh.dimension() == 3 && wanted[idx(face.nodes[a - n])] != 0 &&
-                           wanted[idx(face.nodes[(a - n + 1) % n])] != 0;
+                           wanted[idx(face.nodes[next])] != 0;
       if (whole || a < n || on_edge)
         found[idx(face.nodes[a])] = 1;
     }

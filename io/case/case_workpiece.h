@@ -63,7 +63,18 @@ struct StlMesh {
   bool operator==(const StlMesh&) const = default;
 };
 
-using MeshSource = std::variant<BoxMesh, CylinderMesh, FileMesh, OutlineMesh, StlMesh>;
+/// A body out of CAD, meshed with tetrahedra.
+struct StepMesh {
+  InputFile file;
+  double size = 0.0;                 ///< of the tetrahedra [mm]
+  double unit_factor = 1.0;          ///< from mm to the case's lengths
+  std::optional<double> chord_error; ///< of its triangles; none: a hundredth of `size` [mm]
+  double feature_angle = 30.0;       ///< edges sharper than this are kept [degrees]
+
+  bool operator==(const StepMesh&) const = default;
+};
+
+using MeshSource = std::variant<BoxMesh, CylinderMesh, FileMesh, OutlineMesh, StlMesh, StepMesh>;
 
 struct Workpiece {
   std::string element;  ///< "quad8", "quad4", "tri6", "hex20", "hex8", "tet10"

@@ -132,6 +132,19 @@ std::optional<MeshSource> read_stl_mesh(TableReader& table, const At& at) {
   return file ? std::optional<MeshSource>(mesh) : std::nullopt;
 }
 
+std::optional<MeshSource> read_step_mesh(TableReader& table, const At& at) {
+  StepMesh mesh;
+  const std::optional<InputFile> file = as_input_file(at);
+  table.required("size", mesh.size, as_number, positive_length);
+  table.optional("chord_error", mesh.chord_error, as_number, positive_length);
+  table.optional("feature_angle", mesh.feature_angle, as_number,
+                 Number{quantity::angle, {0.0, 180.0}});
+  mesh.unit_factor = *length_factor("mm", at.context.units);
+  if (file)
+    mesh.file = *file;
+  return file ? std::optional<MeshSource>(mesh) : std::nullopt;
+}
+
 std::optional<MeshSource> as_mesh(const At& at) {
   static constexpr std::array kinds{
       Kind<MeshSource>{"box", Scenes::all, &read_box_mesh},
@@ -139,6 +152,7 @@ std::optional<MeshSource> as_mesh(const At& at) {
       Kind<MeshSource>{"file", Scenes::all, &read_mesh_file},
       Kind<MeshSource>{"outline", Scenes::plane, &read_outline_mesh},
       Kind<MeshSource>{"stl", Scenes::space, &read_stl_mesh},
+      Kind<MeshSource>{"step", Scenes::space, &read_step_mesh},
   };
   return read_one_kind<MeshSource>(at, kinds);
 }
@@ -147,7 +161,8 @@ std::optional<MeshSource> as_mesh(const At& at) {
 std::string_view made_by(const MeshSource& mesh) {
   if (std::holds_alternative<OutlineMesh>(mesh))
     return "tri6";
-  return std::holds_alternative<StlMesh>(mesh) ? "tet10" : "";
+  const bool body = std::holds_alternative<StlMesh>(mesh) || std::holds_alternative<StepMesh>(mesh);
+  return body ? "tet10" : "";
 }
 
 } // namespace

@@ -51,6 +51,14 @@ std::string mesh_text(const StlMesh& mesh, int /*size*/) {
   return table.add("feature_angle", toml_text(mesh.feature_angle)).on_one_line();
 }
 
+std::string mesh_text(const StepMesh& mesh, int /*size*/) {
+  TomlTable table;
+  table.add("step", toml_text(mesh.file)).add("size", toml_text(mesh.size));
+  if (mesh.chord_error)
+    table.add("chord_error", toml_text(*mesh.chord_error));
+  return table.add("feature_angle", toml_text(mesh.feature_angle)).on_one_line();
+}
+
 template <class AnyLaw> std::string law_text(const AnyLaw& any) {
   TomlTable table;
   std::visit([&](const auto& law) { write_law(table, law); }, any);

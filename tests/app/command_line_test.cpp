@@ -319,6 +319,19 @@ end = 0.01
     EXPECT_EQ(info.status, 4);
     EXPECT_NE(info.err.find("this build does not read STEP files"), std::string::npos) << info.err;
   }
+  const std::string box = "mesh = { box = [[-5, 1, -5], [5, 6, 5]], cells = [2, 2, 2] }";
+  std::string body = pressed;
+  body.replace(body.find(box), box.size(), "mesh = { step = \"" + die + "\", size = 6 }");
+  body.replace(body.find("hex8"), 4, "tet10");
+  body.erase(body.find("[[tool]]"), body.find("[[support]]") - body.find("[[tool]]"));
+  body.replace(body.find("y = 6"), 5, "y = -20");
+  write_text(folder_.path() / "body.toml", body);
+  const Outcome meshed = run({"check", "body.toml"});
+  EXPECT_EQ(meshed.status, io::reads_step() ? 0 : 4) << meshed.err;
+  EXPECT_NE((meshed.out + meshed.err)
+                .find(io::reads_step() ? "grooved-die-mm.step: meshed with" : "--step"),
+            std::string::npos)
+      << meshed.out << meshed.err;
   const Outcome unit = run({"info", die, "--unit", "mm"});
   EXPECT_EQ(unit.status, 2);
   EXPECT_NE(unit.err.find("knows its unit"), std::string::npos) << unit.err;

@@ -52,6 +52,17 @@ TEST(ResolvedCase, keeps_step_files) {
       EXPECT_EQ(resolved_toml(again), resolved_toml(content));
       EXPECT_EQ(again.tools[1].surface, content.tools[1].surface) << resolved_toml(content);
     }
+  StepMesh body;
+  body.file = plain.file;
+  body.size = 1.0 / 3.0;
+  Case content = read(space_case);
+  content.workpiece.element = "tet10";
+  for (const std::optional<double> chord_error : {std::optional<double>(), {0.1 + 0.2}}) {
+    body.chord_error = chord_error;
+    content.workpiece.mesh = body;
+    const Case again = read_case(folder.file("case.toml", resolved_toml(content)));
+    EXPECT_EQ(again.workpiece.mesh, content.workpiece.mesh) << resolved_toml(content);
+  }
 }
 
 TEST(ResolvedCase, keeps_every_bit_of_a_number) {
