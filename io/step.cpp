@@ -61,6 +61,13 @@ std::optional<std::int64_t> missing_entity(const std::string& text) {
   std::set<std::int64_t> defined, wanted;
   bool quoted = false, begins = true; // an entity, after a semicolon
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!quoted && text.compare(i, 2, "/*") == 0) {
+      const std::size_t end = text.find("*/", i + 2);
+      if (end == std::string::npos)
+        break;
+      i = end + 1;
+      continue;
+    }
     const char c = text[i];
     if (c == '\'')
       quoted = !quoted;

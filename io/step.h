@@ -22,7 +22,8 @@ namespace billet::io {
 ///
 /// @param chord_error  how far they may be off the surface, > 0 [mm]; none: 1/5000 of its size.
 ///                     Facets of a curved face turn by at most 6 degrees besides
-/// @throws Error(Fault::geometry) naming what is wrong with the file, or the build
+/// @throws Error(Fault::geometry) naming what is wrong with the file, or the build;
+///         Error(Fault::input_output) if it cannot be read
 [[nodiscard]] FacetFile read_step(const std::filesystem::path& path,
                                   const std::optional<double>& chord_error = std::nullopt);
 

@@ -31,7 +31,7 @@ struct ReportRow {
 /// the file is likely to be in.
 ///
 /// @param die, workpiece  diagonals, same unit, > 0
-/// @param unit            what the file was taken to be in, such as "mm"
+/// @param unit            what the file was taken to be in, such as "mm"; empty: it says so itself
 [[nodiscard]] std::optional<std::string>
 size_warning(double die, double workpiece, std::string_view unit);
 

@@ -88,13 +88,13 @@ struct SurfaceMaker {
     if (s.chord_error)
       chord_error_mm = *s.chord_error / s.unit_factor;
     return triangulated(read_step(s.file.path, chord_error_mm),
-                        {s.unit_factor, s.flip, s.feature_angle}, "mm", s.smooth);
+                        {s.unit_factor, s.flip, s.feature_angle}, "", s.smooth);
   }
 
 private:
   [[nodiscard]] geometry::SurfacePtr triangulated(const FacetFile& file,
                                                   const StlUse& use,
-                                                  const std::string& unit,
+                                                  const std::string& unit, // empty: no guess
                                                   bool smoothed) const {
     const StlTool mesh = tool_mesh(file, use);
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));

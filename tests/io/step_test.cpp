@@ -152,6 +152,20 @@ TEST_F(StepReader, RefusesWhatIsNoSurfaceAndSaysWhy) {
               std::string::npos);
 }
 
+TEST_F(StepReader, LooksForMissingEntitiesOutsideOfCommentsAndTexts) {
+  const test::TemporaryFolder folder;
+  const std::string whole = test::content_of(step("ball-inch.step"));
+  const std::size_t data = whole.find("DATA;") + 5, name = whole.find("Open CASCADE Model");
+  const auto with = [&](std::size_t at, const std::string& text) {
+    std::string changed = whole;
+    return complaint(folder.file("e.step", changed.insert(at, text)));
+  };
+  EXPECT_EQ(with(data, "\n/* the part's #98765, (c) */\n"), "none");
+  EXPECT_EQ(with(name, "#98765; "), "none");
+  EXPECT_NE(with(data, "\n#900=PRODUCT_CONTEXT('',#98765,'');\n").find("refers to #98765"),
+            std::string::npos);
+}
+
 TEST_F(StepReader, SurvivesLinesThatAreMissing) {
   // Refused or read, but never a crash: every line of a file left out in turn.
   const test::TemporaryFolder folder;
