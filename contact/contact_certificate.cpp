@@ -41,16 +41,20 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit
     search.floor = std::min(search.floor, share_of_limit * limit / surface_->depth(f));
   for (std::size_t t = 0; t < tools_.size(); ++t)
     for (std::size_t k = 0; acts(t, trial.time) && k < states_[t].foot.size(); ++k) {
+      const double beneath = surface_->depth(face_of(k));
       const double depth = -states_[t].foot[k].gap;
-      if (depth > worst.at_points) {
-        worst.at_points = depth;
+      if (depth > worst.sampled) {
+        worst.sampled = depth;
         worst.position = positions_[k];
         worst.tool = t;
       }
-      worst.share_at_points = std::max(worst.share_at_points, depth / surface_->depth(face_of(k)));
+      worst.share = std::max(worst.share, depth / beneath);
+      const double pressed = depth - states_[t].history[k].added();
+      worst.at_points = std::max(worst.at_points, pressed);
+      worst.share_at_points = std::max(worst.share_at_points, pressed / beneath);
     }
-  worst.bound = worst.sampled = search.known_depth = worst.at_points;
-  worst.share = search.known_relative = worst.share_at_points;
+  worst.bound = search.known_depth = worst.sampled;
+  search.known_relative = worst.share;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (!acts(t, trial.time))
       continue;

@@ -160,6 +160,11 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
   penalty_ = {settings.penalty * stiffness, settings.penalty_tangent * stiffness};
 }
 
+bool ContactSurface::straight() const {
+  return mechanics::visit_face(
+      kind_, [](auto s) { return decltype(s)::nodes == (1 << decltype(s)::dim); });
+}
+
 void ContactSurface::set_beneath(const mechanics::Mesh& mesh,
                                  const mechanics::Bulk& bulk,
                                  const std::vector<mechanics::Face>& faces,

@@ -86,6 +86,8 @@ public:
   /// Integration points a face.
   [[nodiscard]] int points() const { return points_; }
   [[nodiscard]] std::size_t n_points() const { return beneath_.size(); }
+  /// Whether the faces are those of linear elements.
+  [[nodiscard]] bool straight() const;
   /// Penalty of every face: multiples of E over the mean depth of the elements beneath.
   [[nodiscard]] const Penalty& penalty() const { return penalty_; }
   /// Length of the element beneath a face, normal to it [mm].

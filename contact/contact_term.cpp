@@ -1,5 +1,6 @@
 #include "contact/contact_term.h"
 
+#include "contact/straight_faces.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/elements/faces.h"
 
@@ -179,8 +180,8 @@ ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::T
   for (geometry::Projection& foot : feet)
     foot.patch = state.foot[point].patch;
   tools_[t].surface->project(places, reach_, feet);
-  const double before = feet[0].gap + state.history[point].offset;
-  const double after = feet[1].gap + state.history[point].offset;
+  const double before = feet[0].gap + state.history[point].added();
+  const double after = feet[1].gap + state.history[point].added();
   if (!feet[0].found() || !feet[1].found() || !(after < 0.0))
     return 0.0;
   return before > 0.0 ? after / (after - before) : 1.0;
@@ -200,7 +201,7 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
     } else {
       const PointHistory& old = state.history[k];
       InterfaceInput in{state.position[k], foot};
-      in.projection.gap += old.offset;
+      in.projection.gap += old.added();
       in.rounding = touching_gap(k);
       in.noise = noise_of_gap(positions_[k], state.position[k]);
       in.dt = trial.time - trial.time_old;
@@ -356,10 +357,65 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     commit_tool(t, trial);
     work_.stored += states_[t].stored;
+    level_faces(t, pose(t, trial.time, trial.x), trial.x);
   }
   stiffening_old_ = stiffening_;
   stiffening_next_ = stiffening_;
   forget_foretold();
+}
+
+std::vector<geometry::Projection> ContactTerm::feet_around_contact(std::size_t tool) const {
+  const ToolState& state = states_[tool];
+  const auto points = idx(surface_->points());
+  const auto touches = [&](std::size_t face) {
+    const auto first = state.history.begin() + static_cast<std::ptrdiff_t>(face * points);
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(points),
+                       [](const PointHistory& point) { return point.closed(); });
+  };
+  std::vector<char> at_contact(idx(pattern_->n_nodes()), 0);
+  for (Index f = 0; f < surface_->n_faces(); ++f)
+    if (touches(idx(f)))
+      for (const Index node : surface_->scatter().nodes(f))
+        at_contact[idx(node)] = 1;
+  std::vector<geometry::Projection> feet(state.foot.size());
+  std::vector<std::size_t> missing;
+  std::vector<Vec3> places;
+  std::vector<geometry::Projection> found;
+  for (Index f = 0; f < surface_->n_faces(); ++f) {
+    const auto nodes = surface_->scatter().nodes(f);
+    if (std::none_of(nodes.begin(), nodes.end(), [&](Index a) { return at_contact[idx(a)] != 0; }))
+      continue;
+    for (std::size_t k = idx(f) * points; k < (idx(f) + 1) * points; ++k) {
+      feet[k] = state.foot[k];
+      if (feet[k].found())
+        continue;
+      missing.push_back(k); // it is known to be open: nobody has asked
+      places.push_back(state.history[k].position);
+      found.emplace_back();
+      found.back().patch = feet[k].patch;
+    }
+  }
+  tools_[tool].surface->project(places, reach_, found);
+  for (std::size_t i = 0; i < missing.size(); ++i)
+    feet[missing[i]] = found[i];
+  return feet;
+}
+
+void ContactTerm::level_faces(std::size_t tool,
+                              const geometry::Pose& pose,
+                              std::span<const double> x) {
+  ToolState& state = states_[tool];
+  if (!surface_->straight())
+    return;
+  std::vector<double> level(state.history.size(), 0.0);
+  if (state.touches)
+    level = levels(*surface_, x.first(idx(pattern_->n_dofs())), pose, feet_around_contact(tool));
+  for (std::size_t k = 0; k < level.size(); ++k) {
+    PointHistory& history = state.history[k];
+    const double before = std::exchange(history.level, level[k]);
+    if (history.closed())
+      history.faded += before - level[k];
+  }
 }
 
 std::array<ContactTerm::WayOfTool, 2> ContactTerm::ways(std::size_t tool,
@@ -415,7 +471,8 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const PointHistory old =
         std::exchange(history, PointHistory{.position = position,
                                             .sliding = sliding,
-                                            .offset = std::max(0.0, faded(history.offset, gone))});
+                                            .offset = std::max(0.0, faded(history.offset, gone)),
+                                            .level = history.level});
     work_.enforcement += areas_[k] * 0.5 * (old.pressure + now.pressure) * old.faded;
     if (now.status == Status::open) {
       state.multiplier[k] = 0.0;

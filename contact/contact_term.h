@@ -48,7 +48,7 @@ struct Penetration {
   double bound = 0.0;           ///< no point of any face is deeper [mm]
   double share = 0.0;           ///< nor deeper than this relative to the element beneath [-]
   double sampled = 0.0;         ///< depth of the deepest point found [mm]
-  double at_points = 0.0;       ///< of the deepest contact point: there contact acts [mm]
+  double at_points = 0.0;       ///< of the deepest contact point, as contact counts its gap [mm]
   double share_at_points = 0.0; ///< likewise, relative to the element beneath [-]
   Vec3 position = Vec3::Zero(); ///< of the deepest point found, in space [mm]
   std::size_t tool = 0;         ///< in which that point lies
@@ -221,7 +221,7 @@ private:
   /// Gap at which a point opens: a multiplier holds it beyond touching [mm].
   [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const {
     return touching_gap(point) + state.multiplier[point] / penalty().normal -
-           state.history[point].offset;
+           state.history[point].added();
   }
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
   /// Faces that known distances do not keep clear of a tool, in its frame.
@@ -235,6 +235,10 @@ private:
   [[nodiscard]] double
   touching_share(std::size_t tool, std::size_t point, const mechanics::Trial& trial) const;
   void forget_foretold();
+  /// Counts the gaps of straight faces anew from where faces agree. (C.43)
+  void level_faces(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
+  /// Feet of the points of faces that touch a tool and of their neighbours; of others, not found.
+  [[nodiscard]] std::vector<geometry::Projection> feet_around_contact(std::size_t tool) const;
   /// k of the material beneath a point in the trial [MPa].
   [[nodiscard]] double strength(const Friction& friction, std::size_t point) const;
   /// Whether so many points have lost a tool that the trial says nothing about the contact set.

@@ -61,7 +61,7 @@ TEST(Newton, ConvergesQuadraticallyWithStickSlipAndFlow) {
   constexpr double balance = 5e-3;
   for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
                                  ElementKind::hex8, ElementKind::hex20, ElementKind::tet10}) {
-    const FinishedRun done = run(indentation(kind, 40));
+    const FinishedRun done = run(indentation(kind, 50));
     ASSERT_EQ(done.status, RunStatus::done);
     const Statuses count = statuses(*done.process);
     const std::vector<double> orders = newton_orders(done.recorder.entries);
@@ -76,8 +76,8 @@ TEST(Newton, ConvergesQuadraticallyWithStickSlipAndFlow) {
         "iterations an "
         "increment\n",
         std::string(mechanics::name(kind)).c_str(), count.stick, count.slip, end.max_plastic_strain,
-        median, orders.size(), orders.front(), of_residuals[of_residuals.size() / 2],
-        end.energy.error(),
+        median, orders.size(), orders.front(),
+        of_residuals.empty() ? 0.0 : of_residuals[of_residuals.size() / 2], end.energy.error(),
         static_cast<double>(done.process->iterations()) / done.process->increments());
     EXPECT_GT(count.stick, 0);
     EXPECT_GT(count.slip, 0);
@@ -131,7 +131,7 @@ std::vector<LawCase> law_cases() {
 TEST(Newton, ConvergesQuadraticallyWithEveryLaw) {
   constexpr double order = 1.8;
   for (const LawCase& law : law_cases()) {
-    Scene scene = indentation(law.kind, 40, law.friction);
+    Scene scene = indentation(law.kind, 50, law.friction);
     scene.contact.scheme.integrator = law.integrator;
     const FinishedRun done = run(std::move(scene));
     ASSERT_EQ(done.status, RunStatus::done) << law.name;
