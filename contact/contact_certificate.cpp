@@ -50,8 +50,9 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit
       }
       worst.share = std::max(worst.share, depth / beneath);
       const double pressed = depth - states_[t].history[k].added();
-      worst.at_points = std::max(worst.at_points, pressed);
-      worst.share_at_points = std::max(worst.share_at_points, pressed / beneath);
+      worst.at_points = std::max(worst.at_points, depth);
+      worst.pressed = std::max(worst.pressed, pressed);
+      worst.share_pressed = std::max(worst.share_pressed, pressed / beneath);
     }
   worst.bound = search.known_depth = worst.sampled;
   search.known_relative = worst.share;

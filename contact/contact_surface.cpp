@@ -156,13 +156,13 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
   }
   // One penalty for the whole surface, from its mean depth: with one for each face a uniform
   // pressure on faces of different depth would need a jump of the gap between them (CON-01).
-  const double stiffness = young * total_area / total_volume;
-  penalty_ = {settings.penalty * stiffness, settings.penalty_tangent * stiffness};
+  stiffness_ = young * total_area / total_volume;
+  penalty_ = {settings.penalty * stiffness_, settings.penalty_tangent * stiffness_};
 }
 
 bool ContactSurface::straight() const {
-  return mechanics::visit_face(
-      kind_, [](auto s) { return decltype(s)::nodes == (1 << decltype(s)::dim); });
+  return mechanics::visit_face(kind_,
+                               [](auto shape) { return of_linear_element<decltype(shape)>; });
 }
 
 void ContactSurface::set_beneath(const mechanics::Mesh& mesh,

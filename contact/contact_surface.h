@@ -90,6 +90,8 @@ public:
   [[nodiscard]] bool straight() const;
   /// Penalty of every face: multiples of E over the mean depth of the elements beneath.
   [[nodiscard]] const Penalty& penalty() const { return penalty_; }
+  /// E over the mean depth of the elements beneath: what penalties are multiples of [MPa/mm].
+  [[nodiscard]] double stiffness() const { return stiffness_; }
   /// Length of the element beneath a face, normal to it [mm].
   [[nodiscard]] double depth(Index face) const { return depths_[static_cast<std::size_t>(face)]; }
   /// Index into the bulk's states of the integration point closest to a contact point.
@@ -137,18 +139,22 @@ private:
   int points_;
   mechanics::Scatter scatter_;
   Penalty penalty_{};
+  double stiffness_ = 0.0;
   std::vector<double> depths_;
   std::vector<std::size_t> beneath_;
 };
+
+/// Whether a face shape is that of a linear element.
+template <class Shape> inline constexpr bool of_linear_element = Shape::nodes == (1 << Shape::dim);
 
 /// Calls `visitor(shape, rule)` with the face shape and the integration rule of a form.
 template <class Visitor>
 decltype(auto) visit_contact_face(mechanics::ElementKind kind, Form form, Visitor&& visitor) {
   return mechanics::visit_face(kind, [&](auto shape) {
     using Shape = decltype(shape);
-    constexpr bool linear = Shape::nodes == (1 << Shape::dim);
     using Mixed = typename mechanics::FaceRules<Shape>::Lower;
-    using Full = std::conditional_t<linear, Mixed, typename mechanics::FaceRules<Shape>::Full>;
+    using Full = std::conditional_t<of_linear_element<Shape>, Mixed,
+                                    typename mechanics::FaceRules<Shape>::Full>;
     return form == Form::mixed ? visitor(shape, Mixed{}) : visitor(shape, Full{});
   });
 }

@@ -1,5 +1,6 @@
 #include "contact/contact_term.h"
 
+#include "contact/fading.h"
 #include "contact/straight_faces.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/elements/faces.h"
@@ -26,11 +27,6 @@ using mechanics::FacePoint;
 constexpr double rounding = 1e-10;
 constexpr double rounding_of_touch = 1e-9;
 
-/// What an increment leaves of the offset that a point had on a new mesh at least, and the share of
-/// the way gone by which it shrinks at most: faster, the tool would seem to draw back. (C.41)
-constexpr double fading = 0.5;
-constexpr double fading_by_way = 0.25;
-
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
 
@@ -40,12 +36,6 @@ Mat3 without_coupling(const Mat3& D, const Vec3& n) {
   const Mat3 plane = Mat3::Identity() - n * n.transpose();
   const Mat3 tangential = plane * D * plane;
   return n.dot(D * n) * n * n.transpose() + 0.5 * (tangential + tangential.transpose());
-}
-
-/// @param way  gone in the increment [mm]
-double faded(double offset, double way) {
-  const double size = std::abs(offset);
-  return std::copysign(std::max(fading * size, size - fading_by_way * way), offset);
 }
 
 /// What rounding makes of a gap that is zero [mm].
@@ -288,6 +278,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     system.contact_changes += evaluate(t, trial, trial.first_guess && many_parted(states_[t]));
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
+    states_[t].stabilization.add(*surface_, *pattern_, trial.x, system);
   }
   scatter(trial.x, system);
   add_strength(trial, system);
@@ -372,18 +363,31 @@ std::vector<geometry::Projection> ContactTerm::feet_around_contact(std::size_t t
     return std::any_of(first, first + static_cast<std::ptrdiff_t>(points),
                        [](const PointHistory& point) { return point.closed(); });
   };
-  std::vector<char> at_contact(idx(pattern_->n_nodes()), 0);
+  // What touches next needs the means of its own nodes as well: two rings of faces around contact.
+  std::vector<char> near(idx(pattern_->n_nodes()), 0);
+  const auto is_near = [&](std::span<const Index> nodes) {
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index a) { return near[idx(a)] != 0; });
+  };
+  const auto mark = [&](const std::vector<Index>& marked) {
+    for (const Index f : marked)
+      for (const Index node : surface_->scatter().nodes(f))
+        near[idx(node)] = 1;
+  };
+  std::vector<Index> touching, around;
   for (Index f = 0; f < surface_->n_faces(); ++f)
     if (touches(idx(f)))
-      for (const Index node : surface_->scatter().nodes(f))
-        at_contact[idx(node)] = 1;
+      touching.push_back(f);
+  mark(touching);
+  for (Index f = 0; f < surface_->n_faces(); ++f)
+    if (is_near(surface_->scatter().nodes(f)))
+      around.push_back(f);
+  mark(around);
   std::vector<geometry::Projection> feet(state.foot.size());
   std::vector<std::size_t> missing;
   std::vector<Vec3> places;
   std::vector<geometry::Projection> found;
   for (Index f = 0; f < surface_->n_faces(); ++f) {
-    const auto nodes = surface_->scatter().nodes(f);
-    if (std::none_of(nodes.begin(), nodes.end(), [&](Index a) { return at_contact[idx(a)] != 0; }))
+    if (!is_near(surface_->scatter().nodes(f)))
       continue;
     for (std::size_t k = idx(f) * points; k < (idx(f) + 1) * points; ++k) {
       feet[k] = state.foot[k];
@@ -412,10 +416,24 @@ void ContactTerm::level_faces(std::size_t tool,
     level = levels(*surface_, x.first(idx(pattern_->n_dofs())), pose, feet_around_contact(tool));
   for (std::size_t k = 0; k < level.size(); ++k) {
     PointHistory& history = state.history[k];
-    const double before = std::exchange(history.level, level[k]);
-    if (history.closed())
-      history.faded += before - level[k];
+    history.faded += history.level - level[k];
+    history.level = level[k];
   }
+}
+
+void ContactTerm::stabilize(std::size_t tool,
+                            const geometry::Pose& pose,
+                            std::span<const double> x,
+                            double way) {
+  ToolState& state = states_[tool];
+  if (surface_->form() != Form::mixed || surface_->straight())
+    return;
+  work_.enforcement -= state.stabilization.energy(*surface_, x);
+  state.stabilization.set(*surface_, state.history, {*tools_[tool].surface, pose, reach_, way}, x,
+                          std::min(surface_->stiffness(), surface_->penalty().normal));
+  const double stored = state.stabilization.energy(*surface_, x);
+  work_.enforcement += stored;
+  state.stored += stored;
 }
 
 std::array<ContactTerm::WayOfTool, 2> ContactTerm::ways(std::size_t tool,
@@ -473,7 +491,8 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
                                             .sliding = sliding,
                                             .offset = std::max(0.0, faded(history.offset, gone)),
                                             .level = history.level});
-    work_.enforcement += areas_[k] * 0.5 * (old.pressure + now.pressure) * old.faded;
+    work_.enforcement += areas_[k] * 0.5 * (old.pressure + now.pressure) *
+                         pressed_shift(old, now, state.multiplier[k]);
     if (now.status == Status::open) {
       state.multiplier[k] = 0.0;
       continue;
@@ -506,6 +525,21 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     if (!meridian)
       loads_[t].torque += (positions_[k] - reference).cross(on_tool);
   }
+  if (!meridian)
+    loads_[t].torque -= state.stabilization.moment(*surface_, trial.x);
+  stabilize(t, pose, trial.x, gone);
+}
+
+double
+ContactTerm::pressed_shift(const PointHistory& old, const Traction& now, double multiplier) const {
+  const bool closed = now.status != Status::open;
+  if (old.closed() && closed)
+    return old.faded;
+  const double K = penalty().normal;
+  const double depth = closed ? (now.pressure - multiplier) / K : 0.0;
+  const double depth_old =
+      old.closed() ? (old.pressure - old.multiplier) / (K * (stiffening_old_ / stiffening_)) : 0.0;
+  return std::clamp(old.faded, -std::max(0.0, depth_old), std::max(0.0, depth));
 }
 
 std::vector<PointResult> ContactTerm::results() const {
@@ -554,6 +588,8 @@ std::vector<double> ContactTerm::release(std::size_t tool) {
               N[a] * state.force[k][d];
     }
   });
+  state.stabilization.add_forces(*surface_, forces);
+  state.stabilization.clear();
   for (PointHistory& history : state.history)
     history = PointHistory{.position = history.position, .sliding = history.sliding};
   std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);

@@ -12,6 +12,7 @@
 
 #include "contact/closed_point.h"
 #include "contact/contact_surface.h"
+#include "contact/face_stabilization.h"
 #include "contact/interface_law.h"
 #include "contact/tool.h"
 #include "geometry/penetration_bound.h"
@@ -48,8 +49,9 @@ struct Penetration {
   double bound = 0.0;           ///< no point of any face is deeper [mm]
   double share = 0.0;           ///< nor deeper than this relative to the element beneath [-]
   double sampled = 0.0;         ///< depth of the deepest point found [mm]
-  double at_points = 0.0;       ///< of the deepest contact point, as contact counts its gap [mm]
-  double share_at_points = 0.0; ///< likewise, relative to the element beneath [-]
+  double at_points = 0.0;       ///< of the deepest contact point [mm]
+  double pressed = 0.0;         ///< likewise, as contact counts its gap [mm]
+  double share_pressed = 0.0;   ///< likewise, relative to the element beneath [-]
   Vec3 position = Vec3::Zero(); ///< of the deepest point found, in space [mm]
   std::size_t tool = 0;         ///< in which that point lies
   std::size_t queries = 0;      ///< of tools' surfaces, for the cost
@@ -211,8 +213,9 @@ private:
     std::vector<double> known_gap;
     std::vector<Vec3> force;          ///< committed force on the workpiece, in space
     Mat3 rotation = Mat3::Identity(); ///< of the tool's frame at the last trial
-    double stored = 0.0;              ///< energy in its penalties [N mm]
-    bool touches = false;             ///< in the committed state
+    double stored = 0.0;              ///< energy in its penalties and springs [N mm]
+    FaceStabilization stabilization;
+    bool touches = false; ///< in the committed state
   };
 
   [[nodiscard]] Penalty penalty() const;
@@ -237,7 +240,12 @@ private:
   void forget_foretold();
   /// Counts the gaps of straight faces anew from where faces agree. (C.43)
   void level_faces(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
-  /// Feet of the points of faces that touch a tool and of their neighbours; of others, not found.
+  /// Holds the shape of quadratic faces in the next increment. (C.44)
+  ///
+  /// @param way  gone on the tool in this one [mm]
+  void
+  stabilize(std::size_t tool, const geometry::Pose& pose, std::span<const double> x, double way);
+  /// Feet of the points of faces that touch a tool and of two rings around; of others, not found.
   [[nodiscard]] std::vector<geometry::Projection> feet_around_contact(std::size_t tool) const;
   /// k of the material beneath a point in the trial [MPa].
   [[nodiscard]] double strength(const Friction& friction, std::size_t point) const;
@@ -296,6 +304,10 @@ private:
   /// Work over area by which enforcement has changed a point in the increment [N/mm]. (C.23)
   [[nodiscard]] double
   enforcement_work(const PointHistory& old, const Traction& now, double multiplier) const;
+  /// What an offset or a level that has shrunk moves a point under pressure [mm]; one that opens or
+  /// closes, over its depth at most.
+  [[nodiscard]] double
+  pressed_shift(const PointHistory& old, const Traction& now, double multiplier) const;
   [[nodiscard]] Index face_of(std::size_t point) const;
 
   const ContactSurface* surface_;

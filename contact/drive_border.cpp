@@ -35,6 +35,13 @@ void ContactTerm::add_borders(const mechanics::Trial& trial, mechanics::System& 
       if (follows(drives_[j], trial.time))
         add_border_of<decltype(shape), decltype(rule)>(j, trial, system);
   });
+  for (std::size_t j = 0; j < drives_.size(); ++j)
+    if (drives_[j].turns && follows(drives_[j], trial.time)) {
+      const FaceStabilization& springs = states_[drives_[j].tool].stabilization;
+      const Vec3 spin = tools_[drives_[j].tool].motion.torque->axis / scale_.length;
+      system.residual[idx(pattern_->n_dofs()) + j] += spin.dot(springs.moment(*surface_, trial.x));
+      springs.add_moment_row(*surface_, trial.x, spin, system.borders[j].row);
+    }
 }
 
 /// Row, column and residual of a free degree of freedom q: with the velocity v of the tool's

@@ -22,8 +22,6 @@ constexpr double most_of_difference = 0.5;
 /// Cosine between the tool's normal and the face's inward one: less, and it does not lie on it.
 constexpr double facing = 0.5;
 
-template <class Shape> constexpr bool straight = Shape::nodes == (1 << Shape::dim);
-
 /// How far the points of a face are inside the tool when its nodes lie on it, by the curvature at
 /// the feet of the points; none: see the constants.
 template <class Shape, class Rule>
@@ -80,7 +78,7 @@ std::vector<double> levels(const ContactSurface& surface,
   visit_contact_face(surface.kind(), surface.form(), [&](auto shape, auto rule) {
     using Shape = decltype(shape);
     using Rule = decltype(rule);
-    if constexpr (straight<Shape>) {
+    if constexpr (of_linear_element<Shape>) {
       constexpr int dim = Shape::dim + 1;
       const mechanics::Scatter& faces = surface.scatter();
       std::vector<std::optional<double>> sagittas(idx(surface.n_faces()));

@@ -38,6 +38,8 @@ namespace billet::io {
 namespace {
 
 constexpr double usual_chord_error = 2e-4; // of the diagonal of the box
+constexpr double least_chord_error = 1e-5; // likewise; a ball takes half a million facets and 3 GB
+constexpr double most_chord_error = 0.01;  // likewise
 constexpr double most_turn = 0.1;          // from facet to facet of a curved face [rad]
 
 [[noreturn]] void
@@ -132,9 +134,16 @@ FacetFile triangulated(const std::filesystem::path& path,
   if (box.IsVoid() || !TopExp_Explorer(shape, TopAbs_FACE).More())
     refuse(path, "holds no face", "export the faces of the tool, not only its edges");
   IMeshTools_Parameters parameters;
-  // OpenCASCADE's own bound is exceeded by two thirds inside the faces of a ball.
-  parameters.Deflection =
-      0.5 * chord_error.value_or(usual_chord_error * std::sqrt(box.SquareExtent()));
+  const double size = std::sqrt(box.SquareExtent());
+  const double wanted = chord_error.value_or(usual_chord_error * size);
+  if (wanted < least_chord_error * size)
+    refuse(path,
+           fmt::format("a chord error of {:.3g} mm on a part of {:.4g} mm takes too many facets",
+                       wanted, size),
+           fmt::format("ask for {:.1g} mm or more", least_chord_error * size));
+  // OpenCASCADE's own bound is exceeded by two thirds inside the faces of a ball; a bound as large
+  // as the part makes it forget the angle.
+  parameters.Deflection = std::min(0.5 * wanted, most_chord_error * size);
   parameters.Angle = most_turn;
   const BRepMesh_IncrementalMesh mesh(shape, parameters);
   FacetFile file{path, FacetFormat::step, {}, {}, 0, {}};

@@ -20,7 +20,8 @@ namespace billet::io {
 
 /// Every face of a file as triangles.
 ///
-/// @param chord_error  how far they may be off the surface, > 0 [mm]; none: 1/5000 of its size.
+/// @param chord_error  how far they may be off the surface, at least 1e-5 of the part's size [mm];
+///                     none: 1/5000 of it.
 ///                     Facets of a curved face turn by at most 6 degrees besides
 /// @throws Error(Fault::geometry) naming what is wrong with the file, or the build;
 ///         Error(Fault::input_output) if it cannot be read

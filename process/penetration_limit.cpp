@@ -22,7 +22,7 @@ bool Process::too_deep() const {
   if (settings.max_penetration)
     return penetration_.bound > *settings.max_penetration;
   constexpr double unasked = 1e-6; // of the element beneath
-  return settings.method == contact::Method::augmented && penetration_.share_at_points > unasked;
+  return settings.method == contact::Method::augmented && penetration_.share_pressed > unasked;
 }
 
 bool Process::limit_penetration(double dt, std::string& why) {
@@ -35,13 +35,13 @@ bool Process::limit_penetration(double dt, std::string& why) {
   double gain = HUGE_VAL; // of the last round, at contact points
   for (int round = 0; too_deep(); ++round) {
     const auto& limit = scene_.contact.max_penetration;
-    if (round == most_rounds || (limit && penetration_.at_points <= negligible * *limit)) {
+    if (round == most_rounds || (limit && penetration_.pressed <= negligible * *limit)) {
       why = penetration_failure(round);
       refused_as_too_deep_ = true;
       return false;
     }
     press_harder(gain);
-    const double before = penetration_.at_points;
+    const double before = penetration_.pressed;
     const auto again = newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_,
                                       trial_x_, mechanics::Approach::from_solution);
     if (!again) {
@@ -50,7 +50,7 @@ bool Process::limit_penetration(double dt, std::string& why) {
     }
     last_residual_ = again->residual;
     certify(dt);
-    gain = before / penetration_.at_points;
+    gain = before / penetration_.pressed;
   }
   return true;
 }
@@ -68,10 +68,10 @@ void Process::press_harder(double gain) {
   }
   // Pressing lifts the contact points; what lies deeper between them comes along with them.
   constexpr double aim = 0.5; // of the room that is left to the contact points
-  const double between = penetration_.bound - penetration_.at_points;
+  const double between = penetration_.bound - penetration_.pressed;
   const double room = *settings.max_penetration - between;
   constexpr double least = 2.0, most = 100.0;
-  contact_->stiffen(room > 0.0 ? std::clamp(penetration_.at_points / (aim * room), least, most)
+  contact_->stiffen(room > 0.0 ? std::clamp(penetration_.pressed / (aim * room), least, most)
                                : most);
 }
 
@@ -93,7 +93,7 @@ void Process::adapt_penalty(Progress progress) {
   constexpr double softer = 0.1, stiffer = 2.0;
   constexpr double least = 1e-3; // of the stiffness of the element beneath over its depth
   const double next = contact_->next_stiffening();
-  const double share = penetration_.share_at_points * contact_->stiffening() / next;
+  const double share = penetration_.share_pressed * contact_->stiffening() / next;
   const double enough = progress == Progress::none ? small : needlessly_small;
   if (progress != Progress::easy && share > 0.0 && share < enough &&
       next * settings.penalty > least)

@@ -12,7 +12,8 @@ namespace billet::contact::drive_test {
 namespace {
 
 /// A round tool under a body, free to travel and to turn; the body is pressed a little into it.
-ContactBench driven_bench(bool solid, const Friction& friction) {
+ContactBench driven_bench(mechanics::ElementKind kind, const Friction& friction) {
+  const bool solid = kind != mechanics::ElementKind::quad8;
   Tool tool = still_tool(solid ? geometry::make_sphere({1.0, -3.99, 0.4}, 4.0, false)
                                : geometry::make_circle({1.0, -3.99, 0.0}, 4.0, false),
                          friction);
@@ -21,7 +22,6 @@ ContactBench driven_bench(bool solid, const Friction& friction) {
   tool.motion.torque =
       geometry::Drive{Vec3(1.0, -3.99, 0.2), solid ? Vec3(0.0, 0.6, 0.8) : Vec3(0.0, 0.0, 1.0),
                       TimeFunction({{0.0, 500.0}})};
-  const auto kind = solid ? mechanics::ElementKind::hex8 : mechanics::ElementKind::quad8;
   mechanics::Mesh mesh = mechanics::box_mesh(
       {kind, Vec3::Zero(), Vec3(2, 1, solid ? 1 : 0), {3, 1, solid ? 2 : 1}, {1, 1, 1}});
   const auto faces = faces_at(mesh, 1, 0.0);
@@ -64,10 +64,11 @@ double worst_border(ContactBench& bench, const std::vector<double>& at) {
 
 TEST(Drive, rows_and_columns_are_those_of_differences) {
   constexpr double tolerance = 1e-6; // DESIGN: tangents to 1e-6 of their norm
-  for (const bool solid : {false, true})
+  using mechanics::ElementKind;
+  for (const ElementKind kind : {ElementKind::quad8, ElementKind::hex8, ElementKind::hex20})
     for (const Friction& friction :
          {Friction(Frictionless{}), Friction(Sticking{}), Friction(Coulomb{0.1})}) {
-      ContactBench bench = driven_bench(solid, friction);
+      ContactBench bench = driven_bench(kind, friction);
       bench.commit(bench.x, 0.5);
       std::vector<double> at = bench.x;
       const auto n = static_cast<std::size_t>(bench.pattern.n_dofs());
@@ -78,7 +79,8 @@ TEST(Drive, rows_and_columns_are_those_of_differences) {
       const double worst = worst_border(bench, at);
       std::printf("[DRIVE] %s, friction %zu: borders differ by %.1e from differences (allowed "
                   "%.0e)\n",
-                  solid ? "3d" : "plane strain", friction.law.index(), worst, tolerance);
+                  std::string(mechanics::name(kind)).c_str(), friction.law.index(), worst,
+                  tolerance);
       EXPECT_LE(worst, tolerance);
     }
 }

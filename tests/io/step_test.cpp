@@ -137,6 +137,21 @@ TEST_F(StepReader, ServesAsATool) {
   EXPECT_NE(notes[0].find("(STEP)"), std::string::npos) << notes[0];
 }
 
+TEST_F(StepReader, KeepsTheFacetsOfARoundPartManyButNotTooMany) {
+  // A slip of the unit must not make a ball of 26 facets, nor one that fills the memory.
+  const std::size_t coarse = read_step(step("ball-inch.step"), 1e9).facets.size();
+  std::printf("chord error 1e9 mm: %zu facets\n", coarse);
+  EXPECT_GT(coarse, 4000U);
+  try {
+    (void)read_step(step("ball-inch.step"), 1e-4);
+    FAIL() << "a ball of 50 mm";
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("too many facets"), std::string::npos) << what;
+    EXPECT_NE(what.find("ask for 0.0009 mm or more"), std::string::npos) << what;
+  }
+}
+
 TEST_F(StepReader, RefusesWhatIsNoSurfaceAndSaysWhy) {
   const test::TemporaryFolder folder;
   EXPECT_NE(complaint(folder.path() / "none.step").find("cannot be read"), std::string::npos);

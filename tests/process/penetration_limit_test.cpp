@@ -84,7 +84,7 @@ TEST(PenetrationLimit, AugmentedWithoutALimitTakesThePenetrationFromContactPoint
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
   for (const Entry& entry : done.recorder.entries)
-    EXPECT_LE(entry.report.penetration.share_at_points, 1e-6);
+    EXPECT_LE(entry.report.penetration.share_pressed, 1e-6);
 }
 
 TEST(PenetrationLimit, HoldsFarBelowTheElementSizeOnAFlatDie) {

@@ -36,13 +36,16 @@ TEST(Remeshing, ComesForWhateverItIsToldTo) {
       first_cause([](RemeshSettings& s) { s.penetration = 0.01; }).starts_with("penetration"));
   Upsetting bad = billet(ElementKind::quad4, 4, 0.5, contact::Sticking{});
   RemeshSettings settings;
-  settings.quality = 0.9; // a new mesh is no better: worn counts from where it began
+  settings.quality = 0.9; // no new mesh is that good: worn counts from where it began
   const FinishedRun done = run(remeshed(std::move(bad), settings));
   ASSERT_FALSE(done.process->remeshings().empty());
-  for (const RemeshReport& r : done.process->remeshings())
+  double began = 1.0;
+  for (const RemeshReport& r : done.process->remeshings()) {
     if (r.cause.starts_with("element quality")) {
-      EXPECT_GT(r.quality.after, r.quality.before);
+      EXPECT_LT(r.quality.before, 0.7 * began + 1e-12);
     }
+    began = r.quality.after;
+  }
 }
 
 /// A bar of radius 12 is pressed 0.1 deep into half a block of n x n elements.

@@ -189,8 +189,9 @@ double check_limit(const std::string& name,
     growth = curve.at(0.05) / curve.at(0.02) - 1.0;
     fmt::print("[FRM-07] {} n = {}: p/2k = {:.4f} at 0.02, {:.2f} % more at 0.05\n", name, row.n,
                pressures[i], 100.0 * growth);
-    if (punch == Punch::nodes && kind == ElementKind::quad8)
+    if (punch == Punch::nodes && kind == ElementKind::quad8) {
       expect_row(curve, row);
+    }
   }
   constexpr double tolerance = 0.03; // VALIDATION
   const double p = extrapolated(pressures);
@@ -235,8 +236,9 @@ TEST(RoundPunch, TouchesStraightFacesWithBothTheirPoints) {
                 own_area, area, own_force, force);
     EXPECT_NEAR(own_force, force, 0.04 * force);
     // Levels are those of the increment before: harder penalties can tell.
-    if (penalty <= 100.0)
+    if (penalty <= 100.0) {
       EXPECT_NEAR(own_area, area, 0.15 * area);
+    }
   }
 }
 

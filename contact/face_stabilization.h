@@ -1,0 +1,80 @@
+// What holds the shape of quadratic faces on a tool where the mixed form has no say. (C.44)
+//
+// A contact stress of one order less than the displacement does no work on the rest of the gap: a
+// corner could sink into the tool and the nodes beside it rise, held by the solid alone. Springs as
+// stiff as the elements beneath hold that rest of the gap. They have no resultant, so force and
+// friction stay those of the contact points, and they are a hundred times softer than the penalty,
+// so a face need not follow the tool closer than the solid beneath lets it.
+
+#pragma once
+
+#include "contact/contact_surface.h"
+#include "geometry/motion.h"
+#include "geometry/rigid_surface.h"
+
+#include <span>
+#include <vector>
+
+namespace billet::contact {
+
+/// Springs of the faces that lie on one tool, set at the end of an increment for the next one.
+class FaceStabilization {
+public:
+  /// A tool as the faces see it at the end of an increment.
+  struct At {
+    const geometry::RigidSurface& tool;
+    const geometry::Pose& pose;
+    double reach; ///< of queries [mm]
+    double way;   ///< gone on the tool in the increment, by the farthest [mm]
+  };
+
+  /// Holds the faces that lie on the tool with all their points, or with some and deeper than those
+  /// with a node, at the places where they are inside: what bridges a groove is not pulled down. A
+  /// place that is new among them is held as it is, and less so with its way.
+  ///
+  /// @param history    of the contact points, shape (n_points)
+  /// @param x          shape (n_dofs) [mm]
+  /// @param stiffness  pressure per length [MPa/mm]
+  void set(const ContactSurface& surface,
+           std::span<const PointHistory> history,
+           const At& at,
+           std::span<const double> x,
+           double stiffness);
+  void clear() { springs_.clear(); }
+
+  void add(const ContactSurface& surface,
+           const mechanics::BlockPattern& pattern,
+           std::span<const double> x,
+           mechanics::System& system) const;
+  /// Adds the springs' forces on the nodes where they were set, shape (n_dofs) [N].
+  void add_forces(const ContactSurface& surface, std::span<double> forces) const;
+  /// Moment of the springs' forces on the workpiece [N mm]; their resultant is zero.
+  [[nodiscard]] Vec3 moment(const ContactSurface& surface, std::span<const double> x) const;
+  /// Adds the derivative of that moment about an axis, shape (n_dofs) [N].
+  void add_moment_row(const ContactSurface& surface,
+                      std::span<const double> x,
+                      const Vec3& axis,
+                      std::span<double> row) const;
+  /// [N mm]
+  [[nodiscard]] double energy(const ContactSurface& surface, std::span<const double> x) const;
+
+private:
+  /// Against the rest of the gap at one place of a face.
+  struct Spring {
+    Index face;
+    int place;        ///< point of the face's full rule
+    Vec3 normal;      ///< of the tool when it was set, in space [-]
+    double stiffness; ///< [N/mm]
+    double rest;      ///< of the gap when it was set, without `fresh` [mm]
+    double along;     ///< likewise, what the nodes' positions along the normal make of it [mm]
+    double fresh;     ///< what it had when it came to the tool, fading [mm]
+  };
+
+  [[nodiscard]] const Spring* find(Index face, int place) const;
+  template <class Visitor>
+  void for_each(const ContactSurface& surface, std::span<const double> x, Visitor&& visitor) const;
+
+  std::vector<Spring> springs_; ///< by face and place
+};
+
+} // namespace billet::contact

@@ -1,0 +1,260 @@
+// What holds the shape of quadratic faces on a tool in the mixed form. (C.44)
+
+#include "contact/face_stabilization.h"
+#include "mechanics/elements/shapes.h"
+#include "tests/support/contact_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+namespace billet::contact::face_stabilization_test {
+namespace {
+
+using Eigen::VectorXd;
+using mechanics::Index;
+
+constexpr double stiffness = 1e5; // [MPa/mm]
+
+/// The kinds whose faces have a mode, off the axis or in the plane.
+std::vector<BodyKind> quadratic_kinds() {
+  std::vector<BodyKind> kinds;
+  for (const BodyKind& body : body_kinds())
+    if (body.kind != mechanics::ElementKind::quad4 && body.kind != mechanics::ElementKind::hex8)
+      kinds.push_back(body);
+  return kinds;
+}
+
+/// A body of 2 x 1 (x 1) elements whose lower side lies on the floor y = 0.
+ContactBench on_floor(const BodyKind& body, const Friction& friction = Frictionless{}) {
+  mechanics::Mesh mesh = bench_mesh(body);
+  const auto faces = faces_at(mesh, 1, 0.0);
+  Tool floor = still_tool(geometry::make_plane({0, 0, 0}, {0, 1, 0}), friction);
+  return ContactBench(std::move(mesh), body.analysis, bench_material(), one_tool(std::move(floor)),
+                      {Form::mixed, 100.0, 10.0}, faces);
+}
+
+std::vector<PointHistory> all_closed(const ContactBench& bench) {
+  return std::vector<PointHistory>(bench.surface.n_points(), PointHistory{.normal = Vec3::UnitY()});
+}
+
+FaceStabilization
+held(const ContactBench& bench, std::span<const PointHistory> history, double way = 0.0) {
+  FaceStabilization stabilization;
+  const geometry::Pose pose;
+  stabilization.set(bench.surface, history,
+                    {*bench.tools[0].surface, pose, ContactBench::reach, way}, bench.x, stiffness);
+  return stabilization;
+}
+
+VectorXd
+residual(ContactBench& bench, const FaceStabilization& held, const std::vector<double>& x) {
+  bench.system.clear();
+  held.add(bench.surface, bench.pattern, x, bench.system);
+  return -bench.force();
+}
+
+std::size_t dimension(const ContactBench& bench) {
+  return static_cast<std::size_t>(bench.mesh.dimension());
+}
+
+/// Moves the nodes of one face by the mode that does no work on the contact stress.
+std::vector<double> with_mode(const ContactBench& bench, Index face, double amplitude) {
+  std::vector<double> x = bench.x;
+  const auto nodes = bench.surface.scatter().nodes(face);
+  mechanics::visit_face(bench.mesh.kind, [&](auto shape) {
+    using Shape = decltype(shape);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const auto& xi = Shape::corners[a];
+      double mode = 0.0; // the sides' middles of a triangle rest
+      if constexpr (std::is_same_v<Shape, mechanics::Tri6>)
+        mode = a < 3 ? 1.0 : 0.0;
+      else
+        mode = 3.0 * xi[0] * xi[0] - 1.0;
+      x[as_size(nodes[a]) * dimension(bench) + 1] -= amplitude * mode;
+    }
+  });
+  return x;
+}
+
+TEST(FaceStabilization, CostsTheModeWhatALayerAsStiffWould) {
+  for (const BodyKind& body : quadratic_kinds()) {
+    if (body.analysis == mechanics::Analysis::axisymmetric)
+      continue;
+    const ContactBench bench = on_floor(body);
+    const FaceStabilization springs = held(bench, all_closed(bench));
+    std::vector<double> areas(bench.surface.n_points());
+    bench.surface.areas(bench.x, areas);
+    double area = 0.0;
+    for (int i = 0; i < bench.surface.points(); ++i)
+      area += areas[as_size(i)];
+    constexpr double amplitude = 1e-3;
+    // Mean of the mode's square: of 3 xi^2 - 1; of 2 sum of squares - 1 on a triangle.
+    const double mean = body.kind == mechanics::ElementKind::tet10 ? 1.0 / 15.0 : 0.8;
+    const double exact = 0.5 * stiffness * mean * amplitude * amplitude * area;
+    const std::vector<double> x = with_mode(bench, 0, amplitude);
+    // Nodes that the face shares move its neighbours, too: those alone are counted on their own.
+    double others = 0.0;
+    std::vector<PointHistory> rest = all_closed(bench);
+    for (int i = 0; i < bench.surface.points(); ++i)
+      rest[as_size(i)] = {};
+    others = held(bench, rest).energy(bench.surface, x);
+    const double energy = springs.energy(bench.surface, x) - others;
+    std::printf("%-18s energy of the mode %.6e, closed form %.6e N mm\n", body.name().c_str(),
+                energy, exact);
+    EXPECT_NEAR(energy, exact, 1e-10 * exact) << body.name();
+  }
+}
+
+TEST(FaceStabilization, DoesNothingToWhatTheStressWorksOn) {
+  for (const BodyKind& body : quadratic_kinds()) {
+    ContactBench bench = on_floor(body);
+    const FaceStabilization springs = held(bench, all_closed(bench));
+    std::vector<double> x = bench.x;
+    for (std::size_t i = 0; i < x.size(); i += dimension(bench)) {
+      x[i + 1] -= 0.01 + 0.02 * x[i] + (dimension(bench) == 3 ? 0.03 * x[i + 2] : 0.0);
+      x[i] += 0.2;
+    }
+    EXPECT_LT(residual(bench, springs, x).norm(), 1e-9 * stiffness * 0.05) << body.name();
+  }
+}
+
+TEST(FaceStabilization, IsInBalanceWithItselfAndHasTheDerivativeOfItsForce) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> shift(-0.01, 0.01);
+  for (const BodyKind& body : quadratic_kinds()) {
+    ContactBench bench = on_floor(body);
+    const FaceStabilization springs = held(bench, all_closed(bench));
+    const auto moved = [&] {
+      std::vector<double> x = bench.x;
+      for (double& value : x)
+        value += shift(random);
+      return x;
+    };
+    const std::vector<double> x = moved(), other = moved();
+    const VectorXd at_other = residual(bench, springs, other);
+    const VectorXd at_x = residual(bench, springs, x);
+    VectorXd step(at_x.size());
+    Vec3 sum = Vec3::Zero();
+    for (Eigen::Index i = 0; i < step.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      step[i] = other[k] - x[k];
+      sum[static_cast<Eigen::Index>(k % dimension(bench))] += at_x[i];
+    }
+    ASSERT_GT(at_x.norm(), 1.0) << body.name();
+    EXPECT_LT(sum.norm(), 1e-12 * at_x.norm()) << body.name();
+    const Eigen::MatrixXd K = bench.tangent();
+    EXPECT_LT((at_other - at_x - K * step).norm(), 1e-10 * at_x.norm()) << body.name();
+    EXPECT_LT((K - K.transpose()).norm(), 1e-14 * K.norm()) << body.name();
+    // The force is the derivative of the energy; quadratic, so central differences are exact.
+    const double work = springs.energy(bench.surface, other) - springs.energy(bench.surface, x);
+    EXPECT_NEAR(0.5 * (at_other + at_x).dot(step), work, 1e-10 * std::abs(work) + 1e-12)
+        << body.name();
+  }
+}
+
+TEST(FaceStabilization, TakesAFaceAsItComesAndSoFurtherTheLessWithItsWay) {
+  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
+  const std::vector<double> flat = bench.x;
+  constexpr double amplitude = 1e-3;
+  const auto sink = [](std::vector<double> x) { // all of it lies inside
+    for (std::size_t i = 1; i < x.size(); i += 2)
+      x[i] -= 2.0 * amplitude;
+    return x;
+  };
+  bench.x = sink(with_mode(bench, 0, amplitude));
+  const std::vector<PointHistory> history = all_closed(bench);
+  FaceStabilization springs = held(bench, history);
+  EXPECT_EQ(residual(bench, springs, bench.x).norm(), 0.0);
+  const double straight = springs.energy(bench.surface, sink(flat));
+  EXPECT_GT(straight, 0.0) << "it is held as it came";
+  const geometry::Pose pose;
+  const auto go = [&](double way) {
+    springs.set(bench.surface, history, {*bench.tools[0].surface, pose, ContactBench::reach, way},
+                bench.x, stiffness);
+    return springs.energy(bench.surface, bench.x);
+  };
+  EXPECT_EQ(go(0.0), 0.0) << "nothing moves: nothing fades";
+  // A long way leaves half of it, so half is missing; then three quarters.
+  EXPECT_NEAR(go(1.0), 0.25 * straight, 1e-9 * straight);
+  EXPECT_NEAR(go(1.0), 0.5625 * straight, 1e-9 * straight);
+}
+
+TEST(FaceStabilization, DoesNotPullDownWhatBridgesAGroove) {
+  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
+  bench.x = with_mode(bench, 0, 1e-3); // ends inside, the middle outside
+  std::vector<PointHistory> history = all_closed(bench);
+  for (std::size_t k = as_size(bench.surface.points()); k < history.size(); ++k)
+    history[k] = {};
+  FaceStabilization springs = held(bench, history);
+  const geometry::Pose pose;
+  springs.set(bench.surface, history, {*bench.tools[0].surface, pose, ContactBench::reach, 1.0},
+              bench.x, stiffness);
+  // Half has faded: what is left pushes the ends out. Of 3 xi^2 - 1 they are 4/5, of weight 10/18.
+  const double ends = 0.5 * stiffness * 1.0 * 10.0 / 18.0 * std::pow(0.5 * 0.8e-3, 2);
+  EXPECT_NEAR(springs.energy(bench.surface, bench.x), ends, 1e-4 * ends); // a wave is longer
+}
+
+TEST(FaceStabilization, HoldsAFaceThatHasLostAPointOnlyIfANodeIsDeeper) {
+  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
+  const std::vector<double> flat = bench.x;
+  std::vector<PointHistory> history(bench.surface.n_points());
+  history[0].normal = Vec3::UnitY();
+  const auto nodes = bench.surface.scatter().nodes(0);
+  const auto springs_with = [&](double first, double second, double middle) {
+    bench.x = flat;
+    bench.x[as_size(2 * nodes[0] + 1)] = first;
+    bench.x[as_size(2 * nodes[1] + 1)] = second;
+    bench.x[as_size(2 * nodes[2] + 1)] = middle;
+    const FaceStabilization springs = held(bench, history);
+    return springs.energy(bench.surface, with_mode(bench, 0, 1e-3)) > 0.0;
+  };
+  EXPECT_TRUE(springs_with(-1e-5, -1e-3, 5e-4)) << "the free end has sunk in";
+  EXPECT_FALSE(springs_with(-1e-5, 2e-3, 3e-4)) << "it lifts off";
+  history[1] = history[0];
+  EXPECT_TRUE(springs_with(-1e-5, -1e-5, -1e-5)) << "it lies on the tool";
+  history[0] = history[1] = {};
+  EXPECT_FALSE(springs_with(-1e-5, -1e-3, 5e-4)) << "it does not touch";
+}
+
+TEST(FaceStabilization, KeepsTheBooksOfEnergyAndLeavesWithItsTool) {
+  for (const BodyKind& body : quadratic_kinds()) {
+    ContactBench bench = on_floor(body);
+    const auto sunk = [&](double by, double wave) {
+      std::vector<double> x = flat_positions(bench.mesh);
+      for (std::size_t i = 0; i < x.size(); i += dimension(bench))
+        x[i + 1] -= by + wave * std::cos(7.0 * x[i]);
+      return x;
+    };
+    bench.commit(sunk(1e-3, 0.0), 1.0);
+    const ContactWork down = bench.term.work();
+    const double entered_down = bench.entered;
+    double springs = 0.0;
+    for (int increment = 1; increment <= 4; ++increment) {
+      bench.commit(sunk(1e-3, 2e-4 * increment), 1.0 + increment);
+      springs = bench.term.work().stored - down.stored;
+    }
+    const ContactWork& work = bench.term.work();
+    const double error = bench.entered - entered_down + work.enforcement - down.enforcement -
+                         work.friction - springs;
+    std::printf("%-18s stored %.4e more N mm: error %.1e\n", body.name().c_str(), springs, error);
+    EXPECT_LT(std::abs(error), 1e-3 * std::abs(springs)) << body.name();
+    // What it does now and what it leaves behind are the same.
+    bench.assemble(bench.x, 6.0);
+    const VectorXd before = bench.force();
+    const std::vector<double> left = bench.term.release(0);
+    const VectorXd after =
+        Eigen::Map<const VectorXd>(left.data(), static_cast<Eigen::Index>(left.size()));
+    EXPECT_LT((before - after).norm(), 1e-9 * before.norm()) << body.name();
+    bench.assemble(bench.x, 7.0);
+    bench.term.enable({0});
+    bench.assemble(bench.x, 8.0);
+    EXPECT_EQ(bench.force().norm(), 0.0) << body.name();
+  }
+}
+
+} // namespace
+} // namespace billet::contact::face_stabilization_test
