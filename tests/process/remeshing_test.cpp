@@ -340,14 +340,16 @@ public:
   void remeshed(const Process& process, const RemeshReport&) override {
     velocity_.resize(process.surface()->n_points());
     process.surface()->positions(process.velocity(), velocity_);
+    history_ = process.contact()->state().history[0];
   }
   void incremented(const Process& process, const IncrementReport& report) override {
     for (const contact::ClosedPoint& at : process.contact()->closed()[0])
       if (const double gap = at.from.norm() - radius_;
           !velocity_.empty() && at.pressure_old == 0.0 && gap > 0.0) {
         const Vec3 way = report.dt * (velocity_[at.point] + Vec3(0, speed_, 0));
-        const double deep = std::max(0.0, radius_ - (at.from + way).norm());
-        touches.push_back({at.touching, deep / (gap + deep)});
+        const double off = history_[at.point].added();
+        const double deep = std::max(0.0, radius_ - off - (at.from + way).norm());
+        touches.push_back({at.touching, deep / (gap + off + deep)});
       }
     velocity_.clear();
   }
@@ -356,6 +358,7 @@ public:
 private:
   double radius_, speed_;
   std::vector<Vec3> velocity_; ///< of the contact points; empty: the mesh is not new
+  std::vector<contact::PointHistory> history_; ///< likewise
 };
 
 TEST(Remeshing, ForetellsFirstTouchByTheMotionBeforeTheBalance) {

@@ -155,7 +155,8 @@ void check_flow_law(ElementKind kind,
   constexpr double order = 1.8;
   contact::Friction friction = contact::Tresca{0.4, {}};
   friction.strength = strength;
-  Scene scene = indentation(kind, 40, friction);
+  // In larger steps the middle order of the plane kinds scatters from 1.7 to 2.
+  Scene scene = indentation(kind, 80, friction);
   scene.material = named.material;
   const FinishedRun done = run(std::move(scene));
   const std::string name = std::string(mechanics::name(kind)) + " " + named.name;
