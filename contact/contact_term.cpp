@@ -1,6 +1,5 @@
 #include "contact/contact_term.h"
 
-#include "contact/fading.h"
 #include "contact/straight_faces.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/elements/faces.h"
@@ -27,6 +26,11 @@ using mechanics::FacePoint;
 constexpr double rounding = 1e-10;
 constexpr double rounding_of_touch = 1e-9;
 
+/// What an increment leaves of the offset that a point had on a new mesh at least, and the share of
+/// the way gone by which it shrinks at most: faster, the tool would seem to draw back. (C.41)
+constexpr double fading = 0.5;
+constexpr double fading_by_way = 0.25;
+
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
 
@@ -36,6 +40,12 @@ Mat3 without_coupling(const Mat3& D, const Vec3& n) {
   const Mat3 plane = Mat3::Identity() - n * n.transpose();
   const Mat3 tangential = plane * D * plane;
   return n.dot(D * n) * n * n.transpose() + 0.5 * (tangential + tangential.transpose());
+}
+
+/// @param way  gone in the increment [mm]
+double faded(double offset, double way) {
+  const double size = std::abs(offset);
+  return std::copysign(std::max(fading * size, size - fading_by_way * way), offset);
 }
 
 /// What rounding makes of a gap that is zero [mm].
@@ -423,13 +433,12 @@ void ContactTerm::level_faces(std::size_t tool,
 
 void ContactTerm::stabilize(std::size_t tool,
                             const geometry::Pose& pose,
-                            std::span<const double> x,
-                            double way) {
+                            std::span<const double> x) {
   ToolState& state = states_[tool];
   if (surface_->form() != Form::mixed || surface_->straight())
     return;
   work_.enforcement -= state.stabilization.energy(*surface_, x);
-  state.stabilization.set(*surface_, state.history, {*tools_[tool].surface, pose, reach_, way}, x,
+  state.stabilization.set(*surface_, state.history, {*tools_[tool].surface, pose, reach_}, x,
                           std::min(surface_->stiffness(), surface_->penalty().normal));
   const double stored = state.stabilization.energy(*surface_, x);
   work_.enforcement += stored;
@@ -527,7 +536,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   }
   if (!meridian)
     loads_[t].torque -= state.stabilization.moment(*surface_, trial.x);
-  stabilize(t, pose, trial.x, gone);
+  stabilize(t, pose, trial.x);
 }
 
 double

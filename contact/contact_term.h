@@ -241,10 +241,7 @@ private:
   /// Counts the gaps of straight faces anew from where faces agree. (C.43)
   void level_faces(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
   /// Holds the shape of quadratic faces in the next increment. (C.44)
-  ///
-  /// @param way  gone on the tool in this one [mm]
-  void
-  stabilize(std::size_t tool, const geometry::Pose& pose, std::span<const double> x, double way);
+  void stabilize(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
   /// Feet of the points of faces that touch a tool and of two rings around; of others, not found.
   [[nodiscard]] std::vector<geometry::Projection> feet_around_contact(std::size_t tool) const;
   /// k of the material beneath a point in the trial [MPa].

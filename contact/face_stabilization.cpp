@@ -1,6 +1,5 @@
 #include "contact/face_stabilization.h"
 
-#include "contact/fading.h"
 #include "mechanics/elements/faces.h"
 
 #include <Eigen/LU>
@@ -8,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace billet::contact {
 
@@ -16,6 +14,10 @@ namespace {
 
 using geometry::Projection;
 using mechanics::FacePoint;
+
+/// Of the element beneath: on a flat tool nothing is deeper than the points, and rounding must not
+/// decide which springs press.
+constexpr double dead_zone = 1e-9;
 
 template <class Shape> using Mixed = typename mechanics::FaceRules<Shape>::Lower;
 template <class Shape> using Full = typename mechanics::FaceRules<Shape>::Full;
@@ -85,89 +87,58 @@ std::vector<Projection> feet_of(const FaceStabilization::At& at, std::span<const
   return all ? feet : std::vector<Projection>{};
 }
 
-double deepest(std::span<const Projection> feet) {
-  return std::min_element(feet.begin(), feet.end(),
-                          [](const Projection& a, const Projection& b) { return a.gap < b.gap; })
-      ->gap;
-}
-
 } // namespace
-
-const FaceStabilization::Spring* FaceStabilization::find(Index face, int place) const {
-  const auto found = std::lower_bound(springs_.begin(), springs_.end(), std::pair(face, place),
-                                      [](const Spring& spring, const std::pair<Index, int>& key) {
-                                        return std::pair(spring.face, spring.place) < key;
-                                      });
-  const bool same = found != springs_.end() && found->face == face && found->place == place;
-  return same ? &*found : nullptr;
-}
 
 void FaceStabilization::set(const ContactSurface& surface,
                             std::span<const PointHistory> history,
                             const At& at,
                             std::span<const double> x,
                             double stiffness) {
-  FaceStabilization now;
+  springs_.clear();
   mechanics::visit_face(surface.kind(), [&](auto shape) {
     using Shape = decltype(shape);
     if constexpr (!of_linear_element<Shape>) {
       constexpr int dim = Shape::dim + 1;
-      constexpr auto n_points = static_cast<std::ptrdiff_t>(Mixed<Shape>::points);
+      constexpr auto n_points = std::size_t{Mixed<Shape>::points};
+      constexpr auto n_places = std::size_t{Full<Shape>::points};
       std::array<double, std::size_t{Shape::nodes} * dim> local{};
       for (Index f = 0; f < surface.n_faces(); ++f) {
         const auto own = history.subspan(idx(f) * n_points, n_points);
-        const auto closed = std::count_if(own.begin(), own.end(),
-                                          [](const PointHistory& point) { return point.closed(); });
-        if (closed == 0)
+        if (std::none_of(own.begin(), own.end(),
+                         [](const PointHistory& point) { return point.closed(); }))
           continue;
         mechanics::gather(x, surface.scatter().nodes(f), dim, local.data());
-        const auto face_point = [&](const auto& xi, double weight) {
-          return FacePoint<Shape>(surface.analysis(), local.data(), xi, weight);
-        };
-        std::vector<Vec3> places;
-        for (int m = 0; m < Mixed<Shape>::points; ++m)
-          places.push_back(face_point(Mixed<Shape>::point(m), 1.0).position);
-        const std::vector<Projection> points = feet_of(at, places);
-        if (points.empty())
-          continue;
-        if (closed < n_points) {
-          places.clear();
-          for (const auto& node : Shape::corners)
-            places.push_back(face_point(node, 1.0).position);
-          const std::vector<Projection> nodes = feet_of(at, places);
-          if (nodes.empty() || deepest(nodes) > 2.0 * std::min(deepest(points), 0.0))
-            continue;
-        }
-        places.clear();
-        std::vector<double> measures;
-        for (int q = 0; q < Full<Shape>::points; ++q) {
-          const FacePoint<Shape> place = face_point(Full<Shape>::point(q), Full<Shape>::weight(q));
-          places.push_back(place.position);
-          measures.push_back(place.measure);
+        std::array<Vec3, n_points + n_places> places;
+        std::array<double, n_places> areas{};
+        for (std::size_t m = 0; m < n_points; ++m)
+          places[m] = FacePoint<Shape>(surface.analysis(), local.data(),
+                                       Mixed<Shape>::point(static_cast<int>(m)), 1.0)
+                          .position;
+        for (std::size_t q = 0; q < n_places; ++q) {
+          const int i = static_cast<int>(q);
+          const FacePoint<Shape> place(surface.analysis(), local.data(), Full<Shape>::point(i),
+                                       Full<Shape>::weight(i));
+          places[n_points + q] = place.position;
+          areas[q] = place.measure;
         }
         const std::vector<Projection> feet = feet_of(at, places);
-        for (int q = 0; q < static_cast<int>(feet.size()); ++q) {
-          const Projection& foot = feet[idx(q)];
-          if (foot.gap > 0.0)
-            continue;
-          Spring spring{
-              f,   q,  at.pose.rotation * foot.normal, stiffness * measures[idx(q)], foot.gap,
-              0.0, 0.0};
-          for (int m = 0; m < Mixed<Shape>::points; ++m)
-            spring.rest -= rest_of<Shape>().points(q, m) * points[idx(m)].gap;
-          spring.along = along<Shape>(q, spring.normal, local);
-          const Spring* before = find(f, q);
-          spring.fresh = before == nullptr ? spring.rest : faded(before->fresh, at.way);
-          spring.rest -= spring.fresh;
-          now.springs_.push_back(spring);
+        for (std::size_t q = 0; q < n_places && !feet.empty(); ++q) {
+          const Projection& foot = feet[n_points + q];
+          const Vec3 normal = at.pose.rotation * foot.normal;
+          const int place = static_cast<int>(q);
+          double rest = foot.gap;
+          for (std::size_t m = 0; m < n_points; ++m)
+            rest -= rest_of<Shape>().points(place, static_cast<int>(m)) * feet[m].gap;
+          springs_.push_back({f, place, normal, stiffness * areas[q],
+                              std::max(rest, foot.gap) + dead_zone * surface.depth(f),
+                              along<Shape>(place, normal, local)});
         }
       }
     }
   });
-  *this = std::move(now);
 }
 
-/// Calls `visitor(shape, spring, weights of the nodes, rest of the gap now)` for each spring.
+/// Calls `visitor(shape, spring, weights of the nodes, rest of the gap now)` for each that presses.
 template <class Visitor>
 void FaceStabilization::for_each(const ContactSurface& surface,
                                  std::span<const double> x,
@@ -181,7 +152,8 @@ void FaceStabilization::for_each(const ContactSurface& surface,
         mechanics::gather(x, surface.scatter().nodes(spring.face), dim, local.data());
         const double rest =
             spring.rest + along<Shape>(spring.place, spring.normal, local) - spring.along;
-        visitor(shape, spring, rest_of<Shape>().nodes[idx(spring.place)], rest);
+        if (rest < 0.0)
+          visitor(shape, spring, rest_of<Shape>().nodes[idx(spring.place)], rest);
       }
     }
   });
@@ -216,8 +188,8 @@ void FaceStabilization::add_forces(const ContactSurface& surface, std::span<doub
         for (std::size_t a = 0; a < nodes.size(); ++a)
           for (int d = 0; d <= Shape::dim; ++d)
             forces[idx(nodes[a] * (Shape::dim + 1) + d)] -=
-                spring.stiffness * spring.rest * rest_of<Shape>().nodes[idx(spring.place)][a] *
-                spring.normal[d];
+                spring.stiffness * std::min(0.0, spring.rest) *
+                rest_of<Shape>().nodes[idx(spring.place)][a] * spring.normal[d];
       }
   });
 }

@@ -2,9 +2,9 @@
 //
 // A contact stress of one order less than the displacement does no work on the rest of the gap: a
 // corner could sink into the tool and the nodes beside it rise, held by the solid alone. Springs as
-// stiff as the elements beneath hold that rest of the gap. They have no resultant, so force and
-// friction stay those of the contact points, and they are a hundred times softer than the penalty,
-// so a face need not follow the tool closer than the solid beneath lets it.
+// stiff as the elements beneath press on the rest of the gap where it is inside the tool. They have
+// no resultant, so force and friction stay those of the contact points, and they are a hundred
+// times softer than the penalty, so a face need not follow the tool closer than the solid lets it.
 
 #pragma once
 
@@ -25,12 +25,11 @@ public:
     const geometry::RigidSurface& tool;
     const geometry::Pose& pose;
     double reach; ///< of queries [mm]
-    double way;   ///< gone on the tool in the increment, by the farthest [mm]
   };
 
-  /// Holds the faces that lie on the tool with all their points, or with some and deeper than those
-  /// with a node, at the places where they are inside: what bridges a groove is not pulled down. A
-  /// place that is new among them is held as it is, and less so with its way.
+  /// Sets springs on the faces of which a point touches the tool. They press where a place is both
+  /// inside the tool and deeper than its face's points make it, by the lesser of the two: what
+  /// bridges a groove is not pulled down, and a force begins and ends with nothing.
   ///
   /// @param history    of the contact points, shape (n_points)
   /// @param x          shape (n_dofs) [mm]
@@ -65,16 +64,14 @@ private:
     int place;        ///< point of the face's full rule
     Vec3 normal;      ///< of the tool when it was set, in space [-]
     double stiffness; ///< [N/mm]
-    double rest;      ///< of the gap when it was set, without `fresh` [mm]
-    double along;     ///< likewise, what the nodes' positions along the normal make of it [mm]
-    double fresh;     ///< what it had when it came to the tool, fading [mm]
+    double rest;      ///< of the gap when it was set, or the gap if that is more [mm]
+    double along;     ///< what the nodes' positions along the normal made of it then [mm]
   };
 
-  [[nodiscard]] const Spring* find(Index face, int place) const;
   template <class Visitor>
   void for_each(const ContactSurface& surface, std::span<const double> x, Visitor&& visitor) const;
 
-  std::vector<Spring> springs_; ///< by face and place
+  std::vector<Spring> springs_;
 };
 
 } // namespace billet::contact

@@ -41,12 +41,11 @@ std::vector<PointHistory> all_closed(const ContactBench& bench) {
   return std::vector<PointHistory>(bench.surface.n_points(), PointHistory{.normal = Vec3::UnitY()});
 }
 
-FaceStabilization
-held(const ContactBench& bench, std::span<const PointHistory> history, double way = 0.0) {
+FaceStabilization held(const ContactBench& bench, std::span<const PointHistory> history) {
   FaceStabilization stabilization;
   const geometry::Pose pose;
-  stabilization.set(bench.surface, history,
-                    {*bench.tools[0].surface, pose, ContactBench::reach, way}, bench.x, stiffness);
+  stabilization.set(bench.surface, history, {*bench.tools[0].surface, pose, ContactBench::reach},
+                    bench.x, stiffness);
   return stabilization;
 }
 
@@ -80,7 +79,7 @@ std::vector<double> with_mode(const ContactBench& bench, Index face, double ampl
   return x;
 }
 
-TEST(FaceStabilization, CostsTheModeWhatALayerAsStiffWould) {
+TEST(FaceStabilization, CostsTheModeAndItsOppositeWhatALayerAsStiffWould) {
   for (const BodyKind& body : quadratic_kinds()) {
     if (body.analysis == mechanics::Analysis::axisymmetric)
       continue;
@@ -95,17 +94,19 @@ TEST(FaceStabilization, CostsTheModeWhatALayerAsStiffWould) {
     // Mean of the mode's square: of 3 xi^2 - 1; of 2 sum of squares - 1 on a triangle.
     const double mean = body.kind == mechanics::ElementKind::tet10 ? 1.0 / 15.0 : 0.8;
     const double exact = 0.5 * stiffness * mean * amplitude * amplitude * area;
-    const std::vector<double> x = with_mode(bench, 0, amplitude);
-    // Nodes that the face shares move its neighbours, too: those alone are counted on their own.
-    double others = 0.0;
-    std::vector<PointHistory> rest = all_closed(bench);
+    // Each place presses in one of the two.
+    std::vector<PointHistory> others = all_closed(bench);
     for (int i = 0; i < bench.surface.points(); ++i)
-      rest[as_size(i)] = {};
-    others = held(bench, rest).energy(bench.surface, x);
-    const double energy = springs.energy(bench.surface, x) - others;
+      others[as_size(i)] = {};
+    const FaceStabilization neighbours = held(bench, others); // they share nodes with the face
+    double energy = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+      const std::vector<double> x = with_mode(bench, 0, sign * amplitude);
+      energy += springs.energy(bench.surface, x) - neighbours.energy(bench.surface, x);
+    }
     std::printf("%-18s energy of the mode %.6e, closed form %.6e N mm\n", body.name().c_str(),
                 energy, exact);
-    EXPECT_NEAR(energy, exact, 1e-10 * exact) << body.name();
+    EXPECT_NEAR(energy, exact, 1e-5 * exact) << body.name();
   }
 }
 
@@ -128,13 +129,13 @@ TEST(FaceStabilization, IsInBalanceWithItselfAndHasTheDerivativeOfItsForce) {
   for (const BodyKind& body : quadratic_kinds()) {
     ContactBench bench = on_floor(body);
     const FaceStabilization springs = held(bench, all_closed(bench));
-    const auto moved = [&] {
-      std::vector<double> x = bench.x;
+    const auto moved = [&](std::vector<double> x, double by) {
       for (double& value : x)
-        value += shift(random);
+        value += by * shift(random);
       return x;
     };
-    const std::vector<double> x = moved(), other = moved();
+    const std::vector<double> x = moved(bench.x, 1.0);
+    const std::vector<double> other = moved(x, 1e-6); // no spring begins or ends
     const VectorXd at_other = residual(bench, springs, other);
     const VectorXd at_x = residual(bench, springs, x);
     VectorXd step(at_x.size());
@@ -147,77 +148,67 @@ TEST(FaceStabilization, IsInBalanceWithItselfAndHasTheDerivativeOfItsForce) {
     ASSERT_GT(at_x.norm(), 1.0) << body.name();
     EXPECT_LT(sum.norm(), 1e-12 * at_x.norm()) << body.name();
     const Eigen::MatrixXd K = bench.tangent();
-    EXPECT_LT((at_other - at_x - K * step).norm(), 1e-10 * at_x.norm()) << body.name();
+    EXPECT_LT((at_other - at_x - K * step).norm(), 1e-6 * (K * step).norm()) << body.name();
     EXPECT_LT((K - K.transpose()).norm(), 1e-14 * K.norm()) << body.name();
-    // The force is the derivative of the energy; quadratic, so central differences are exact.
+    // The force is the derivative of the energy.
     const double work = springs.energy(bench.surface, other) - springs.energy(bench.surface, x);
-    EXPECT_NEAR(0.5 * (at_other + at_x).dot(step), work, 1e-10 * std::abs(work) + 1e-12)
-        << body.name();
+    EXPECT_NEAR(0.5 * (at_other + at_x).dot(step), work, 1e-6 * std::abs(work)) << body.name();
   }
 }
 
-TEST(FaceStabilization, TakesAFaceAsItComesAndSoFurtherTheLessWithItsWay) {
-  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
-  const std::vector<double> flat = bench.x;
-  constexpr double amplitude = 1e-3;
-  const auto sink = [](std::vector<double> x) { // all of it lies inside
-    for (std::size_t i = 1; i < x.size(); i += 2)
-      x[i] -= 2.0 * amplitude;
-    return x;
-  };
-  bench.x = sink(with_mode(bench, 0, amplitude));
-  const std::vector<PointHistory> history = all_closed(bench);
-  FaceStabilization springs = held(bench, history);
-  EXPECT_EQ(residual(bench, springs, bench.x).norm(), 0.0);
-  const double straight = springs.energy(bench.surface, sink(flat));
-  EXPECT_GT(straight, 0.0) << "it is held as it came";
-  const geometry::Pose pose;
-  const auto go = [&](double way) {
-    springs.set(bench.surface, history, {*bench.tools[0].surface, pose, ContactBench::reach, way},
-                bench.x, stiffness);
-    return springs.energy(bench.surface, bench.x);
-  };
-  EXPECT_EQ(go(0.0), 0.0) << "nothing moves: nothing fades";
-  // A long way leaves half of it, so half is missing; then three quarters.
-  EXPECT_NEAR(go(1.0), 0.25 * straight, 1e-9 * straight);
-  EXPECT_NEAR(go(1.0), 0.5625 * straight, 1e-9 * straight);
-}
-
-TEST(FaceStabilization, DoesNotPullDownWhatBridgesAGroove) {
-  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
-  bench.x = with_mode(bench, 0, 1e-3); // ends inside, the middle outside
-  std::vector<PointHistory> history = all_closed(bench);
-  for (std::size_t k = as_size(bench.surface.points()); k < history.size(); ++k)
-    history[k] = {};
-  FaceStabilization springs = held(bench, history);
-  const geometry::Pose pose;
-  springs.set(bench.surface, history, {*bench.tools[0].surface, pose, ContactBench::reach, 1.0},
-              bench.x, stiffness);
-  // Half has faded: what is left pushes the ends out. Of 3 xi^2 - 1 they are 4/5, of weight 10/18.
-  const double ends = 0.5 * stiffness * 1.0 * 10.0 / 18.0 * std::pow(0.5 * 0.8e-3, 2);
-  EXPECT_NEAR(springs.energy(bench.surface, bench.x), ends, 1e-4 * ends); // a wave is longer
-}
-
-TEST(FaceStabilization, HoldsAFaceThatHasLostAPointOnlyIfANodeIsDeeper) {
-  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
-  const std::vector<double> flat = bench.x;
-  std::vector<PointHistory> history(bench.surface.n_points());
-  history[0].normal = Vec3::UnitY();
+/// Places of the nodes of face 0 at heights above the floor: its ends and its middle.
+std::vector<double>
+at_heights(const ContactBench& bench, double first, double second, double middle) {
+  std::vector<double> x = flat_positions(bench.mesh);
   const auto nodes = bench.surface.scatter().nodes(0);
-  const auto springs_with = [&](double first, double second, double middle) {
-    bench.x = flat;
-    bench.x[as_size(2 * nodes[0] + 1)] = first;
-    bench.x[as_size(2 * nodes[1] + 1)] = second;
-    bench.x[as_size(2 * nodes[2] + 1)] = middle;
-    const FaceStabilization springs = held(bench, history);
-    return springs.energy(bench.surface, with_mode(bench, 0, 1e-3)) > 0.0;
+  x[as_size(2 * nodes[0] + 1)] = first;
+  x[as_size(2 * nodes[1] + 1)] = second;
+  x[as_size(2 * nodes[2] + 1)] = middle;
+  return x;
+}
+
+TEST(FaceStabilization, PressesOnlyWhereAPlaceIsInsideAndDeeperThanItsPoints) {
+  const BodyKind body{mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain};
+  const auto energy = [&](double first, double second, double middle, int closed) {
+    ContactBench bench = on_floor(body);
+    bench.x = at_heights(bench, first, second, middle);
+    std::vector<PointHistory> history(bench.surface.n_points());
+    for (int i = 0; i < closed; ++i)
+      history[as_size(i)].normal = Vec3::UnitY();
+    return held(bench, history).energy(bench.surface, bench.x);
   };
-  EXPECT_TRUE(springs_with(-1e-5, -1e-3, 5e-4)) << "the free end has sunk in";
-  EXPECT_FALSE(springs_with(-1e-5, 2e-3, 3e-4)) << "it lifts off";
-  history[1] = history[0];
-  EXPECT_TRUE(springs_with(-1e-5, -1e-5, -1e-5)) << "it lies on the tool";
-  history[0] = history[1] = {};
-  EXPECT_FALSE(springs_with(-1e-5, -1e-3, 5e-4)) << "it does not touch";
+  // The mode by 1e-3: ends sunk by 2, the middle risen by 1. Only the ends press, at 4/5 of 1e-3
+  // with 5/18 of the face each.
+  const double ends = 0.5 * stiffness * (10.0 / 18.0) * 0.64e-6;
+  EXPECT_NEAR(energy(-2e-3, -2e-3, 1e-3, 2), ends, 1e-4 * ends)
+      << "a wave is longer than its chord";
+  // The mode the other way, the middle sunk: there it presses with 8/18 of the face.
+  const double middle = 0.5 * stiffness * (8.0 / 18.0) * 1e-6;
+  EXPECT_NEAR(energy(2e-3, 2e-3, -1e-3, 2), middle, 1e-4 * middle);
+  EXPECT_EQ(energy(-1e-3, -1e-3, -1e-3, 2), 0.0) << "straight: its points do all";
+  EXPECT_EQ(energy(-3e-3, 1e-3, -1e-3, 2), 0.0) << "straight and slanted";
+  EXPECT_EQ(energy(3e-3, 3e-3, 6e-3, 2), 0.0) << "deeper than its points, but outside";
+  EXPECT_EQ(energy(-2e-3, -2e-3, 1e-3, 0), 0.0) << "no point touches";
+  EXPECT_GT(energy(-1e-5, -1e-3, 5e-4, 1), 0.0) << "a point is lost, and the end sinks in";
+  EXPECT_EQ(energy(-1e-5, 2e-3, 3e-4, 1), 0.0) << "a point is lost, and the end lifts off";
+}
+
+TEST(FaceStabilization, BeginsAndEndsWithoutAJump) {
+  // A face that is bent the wrong way comes down on the floor and leaves it: the force of a spring
+  // goes with the lesser of both depths, so it is continuous where either is zero.
+  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
+  const std::vector<PointHistory> history = all_closed(bench);
+  double before = 0.0, largest_step = 0.0, largest = 0.0;
+  for (int i = 0; i <= 400; ++i) {
+    bench.x = at_heights(bench, 1e-5 * (200 - i), 1e-5 * (200 - i), 1e-5 * (500 - i));
+    const double force = residual(bench, held(bench, history), bench.x).norm();
+    if (i > 0)
+      largest_step = std::max(largest_step, std::abs(force - before));
+    largest = std::max(largest, force);
+    before = force;
+  }
+  EXPECT_GT(largest, 1.0);
+  EXPECT_LT(largest_step, 0.02 * largest);
 }
 
 TEST(FaceStabilization, KeepsTheBooksOfEnergyAndLeavesWithItsTool) {
