@@ -155,8 +155,11 @@ void check_flow_law(ElementKind kind,
   constexpr double order = 1.8;
   contact::Friction friction = contact::Tresca{0.4, {}};
   friction.strength = strength;
-  // In larger steps the middle order of the plane kinds scatters from 1.7 to 2.
+  // In larger steps the middle order of the plane kinds scatters from 1.7 to 2, and so it does
+  // where springs of mixed faces (C.44) begin and end to press, which is no change of a contact
+  // point.
   Scene scene = indentation(kind, 80, friction);
+  scene.contact.form = contact::Form::compatible;
   scene.material = named.material;
   const FinishedRun done = run(std::move(scene));
   const std::string name = std::string(mechanics::name(kind)) + " " + named.name;
