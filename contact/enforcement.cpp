@@ -1,5 +1,5 @@
 // How contact keeps a limit of penetration: stiffer penalties, or multipliers; and what their
-// changes do to the balance of energy. (C.20)-(C.24)
+// changes do to the balance of energy. (C.20)-(C.24), (C.41), (C.43)
 
 #include "contact/contact_term.h"
 
@@ -47,6 +47,18 @@ double ContactTerm::enforcement_work(const PointHistory& old,
   const double depth_old = old.closed() ? (old.pressure - old.multiplier) / K_old : 0.0;
   return 0.5 *
          ((multiplier - multiplier_old) * (depth + depth_old) + (K - K_old) * depth * depth_old);
+}
+
+double
+ContactTerm::pressed_shift(const PointHistory& old, const Traction& now, double multiplier) const {
+  const bool closed = now.status != Status::open;
+  if (old.closed() && closed)
+    return old.faded;
+  const double K = penalty().normal;
+  const double depth = closed ? (now.pressure - multiplier) / K : 0.0;
+  const double depth_old =
+      old.closed() ? (old.pressure - old.multiplier) / (K * (stiffening_old_ / stiffening_)) : 0.0;
+  return std::clamp(old.faded, -std::max(0.0, depth_old), std::max(0.0, depth));
 }
 
 } // namespace billet::contact

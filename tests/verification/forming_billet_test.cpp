@@ -93,6 +93,7 @@ TEST(Billet, AgreesInSpace) {
   check_solid(ElementKind::tet10, 4, 0.02);
 }
 
+/// [kN]; no face may be deeper in the die than a hundredth of an element.
 double force_at_twenty(const contact::Friction& law, contact::Form form) {
   Scene scene = billet_scene(ElementKind::quad8, 8, 8, law, 0.2);
   scene.contact.form = form;
@@ -102,6 +103,7 @@ double force_at_twenty(const contact::Friction& law, contact::Form form) {
   for (const Entry& entry : done.recorder.entries)
     deepest = std::max(deepest, entry.report.max_penetration);
   std::printf("  deepest penetration %.1e mm;", deepest);
+  EXPECT_LT(deepest, 0.01 * height / 8.0);
   return done.last().loads[0].force.norm() / 1e3;
 }
 
@@ -133,11 +135,11 @@ TEST(BilletFriction, RaisesTheForceUpToStickingWithTheFullRule) {
   check_friction(contact::Form::compatible, 5e-4, 0.002);
 }
 
-// With two points a face the outermost face loses one under sticking and then turns about the
-// other: the corner goes 0.1 mm into the die and the force falls by 1 to 2 % (the mode of NUM-02
-// without contact energy). The gate keeps that from growing.
-TEST(BilletFriction, LosesNoMoreThanTwoPercentToTheCornerWithTheMixedRule) {
-  check_friction(contact::Form::mixed, 0.02, 0.002);
+// With two points a face the outermost face loses one under sticking. Without the springs of (C.44)
+// it then turns about the other, the corner goes 0.1 mm into the die and the force falls by 1 to 2
+// %.
+TEST(BilletFriction, LosesNothingToTheCornerWithTheMixedRule) {
+  check_friction(contact::Form::mixed, 0.003, 0.002);
 }
 
 } // namespace
