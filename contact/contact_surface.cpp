@@ -118,6 +118,7 @@ ContactSurface::ContactSurface(const mechanics::Mesh& mesh,
                                const std::vector<mechanics::Face>& faces,
                                const ContactSettings& settings)
     : kind_(mesh.kind), analysis_(bulk.analysis()), form_(settings.form), scheme_(settings.scheme),
+      max_penetration_(settings.max_penetration),
       points_(visit_contact_face(mesh.kind,
                                  settings.form,
                                  [](auto, auto rule) { return decltype(rule)::points; })),

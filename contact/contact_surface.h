@@ -92,6 +92,8 @@ public:
   [[nodiscard]] const Penalty& penalty() const { return penalty_; }
   /// E over the mean depth of the elements beneath: what penalties are multiples of [MPa/mm].
   [[nodiscard]] double stiffness() const { return stiffness_; }
+  /// A limit that the case sets [mm].
+  [[nodiscard]] std::optional<double> max_penetration() const { return max_penetration_; }
   /// Length of the element beneath a face, normal to it [mm].
   [[nodiscard]] double depth(Index face) const { return depths_[static_cast<std::size_t>(face)]; }
   /// Index into the bulk's states of the integration point closest to a contact point.
@@ -136,6 +138,7 @@ private:
   mechanics::Analysis analysis_;
   Form form_;
   SlipScheme scheme_;
+  std::optional<double> max_penetration_;
   int points_;
   mechanics::Scatter scatter_;
   Penalty penalty_{};

@@ -358,6 +358,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
     commit_tool(t, trial);
     work_.stored += states_[t].stored;
     level_faces(t, pose(t, trial.time, trial.x), trial.x);
+    even_pressure(t);
   }
   stiffening_old_ = stiffening_;
   stiffening_next_ = stiffening_;
@@ -418,7 +419,8 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
         std::exchange(history, PointHistory{.position = position,
                                             .sliding = sliding,
                                             .offset = std::max(0.0, faded(history.offset, gone)),
-                                            .level = history.level});
+                                            .level = history.level,
+                                            .relief = history.relief});
     work_.enforcement += areas_[k] * 0.5 * (old.pressure + now.pressure) *
                          pressed_shift(old, now, state.multiplier[k]);
     if (now.status == Status::open) {

@@ -240,6 +240,12 @@ private:
   void forget_foretold();
   /// Counts the gaps of straight faces anew from where faces agree. (C.43)
   void level_faces(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
+  /// Takes from the gaps what makes pressure high and low in turn along quadratic faces. (C.45)
+  void even_pressure(std::size_t tool);
+  /// Whether faces lie on a tool, but for points that uneven pressure may have lifted off.
+  [[nodiscard]] std::vector<char> faces_lying_on(std::size_t tool) const;
+  /// What evening the pressure moves a point by at most [mm].
+  [[nodiscard]] double most_relief(std::size_t point) const;
   /// Holds the shape of quadratic faces in the next increment. (C.44)
   void stabilize(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
   /// Feet of the points of faces that touch a tool and of two rings around; of others, not found.

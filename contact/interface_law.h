@@ -31,13 +31,14 @@ struct PointHistory {
   double stiffness = 0.0;       ///< against slip from here on (C.17); 0: the penalty [MPa/mm]
   double multiplier = 0.0;      ///< pressure that needs no penetration (C.20) [MPa]
   double offset = 0.0;          ///< added to the gap: what a new mesh is off by (C.41) [mm]
-  double level = 0.0; ///< added to the gap: what a straight face owes its length (C.43) [mm]
-  double faded = 0.0; ///< by what both have shrunk at the last commit [mm]
-  double limit = 0.0; ///< slip limit, at least the shear [MPa]
+  double level = 0.0;  ///< added to the gap: what a straight face owes its length (C.43) [mm]
+  double relief = 0.0; ///< added to the gap: what evens pressure along a face (C.45) [mm]
+  double faded = 0.0;  ///< by what all three have shrunk at the last commit [mm]
+  double limit = 0.0;  ///< slip limit, at least the shear [MPa]
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
   /// What is added to the gap of the point that the surface gives [mm].
-  [[nodiscard]] double added() const { return offset + level; }
+  [[nodiscard]] double added() const { return offset + level + relief; }
 };
 
 /// Penalties of a point: pressure per penetration, shear per slip [MPa/mm].

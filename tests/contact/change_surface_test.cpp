@@ -67,9 +67,9 @@ struct Exchange {
   explicit Exchange(mechanics::ElementKind kind,
                     const std::function<double(double)>& pressed,
                     double deep,
-                    const Friction& friction = Coulomb{0.3})
-      : old(on_floor(kind, 3, 2, friction)),
-        anew(on_floor(mechanics::ElementKind::tri6, 4, 3, friction)) {
+                    const Friction& friction = Coulomb{0.3},
+                    mechanics::ElementKind onto = mechanics::ElementKind::tri6)
+      : old(on_floor(kind, 3, 2, friction)), anew(on_floor(onto, 4, 3, friction)) {
     for (const double slid : {0.0, 0.02, 0.05})
       old.commit(moved(old, [&](double x) { return Vec2(slid, -pressed(x)); }), old.time_old + 1.0);
     start(deep);
@@ -136,7 +136,9 @@ TEST(ChangeOfSurface, LetsTheOffsetFadeWithTheWay) {
   constexpr double deep = 5e-5;
   // Along the floor, which is frictionless: first by less than the offsets, then by more.
   for (const double step : {1e-5, 1.0}) {
-    Exchange on(mechanics::ElementKind::quad8, pressed_more_to_the_right, deep);
+    // Onto straight faces, which are not relieved of uneven pressure.
+    Exchange on(mechanics::ElementKind::quad8, pressed_more_to_the_right, deep, Coulomb{0.3},
+                mechanics::ElementKind::quad4);
     const double stiffness = on.anew.surface.penalty().normal;
     std::vector<double> offsets;
     on.anew.assemble(on.anew.x, on.anew.time_old + 1.0);

@@ -6,6 +6,7 @@
 // (frm07_prandtl_mesh_study.csv, quad8 of 2 x 2 points) and the limit with what they extrapolate
 // to.
 
+#include "contact/uneven_pressure.h"
 #include "geometry/profile.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/figures.h"
@@ -202,12 +203,12 @@ double check_limit(const std::string& name,
 
 constexpr double slow = 0.03; // VALIDATION: growth on the finest mesh, of quad8
 
-/// A bar of elements of 0.2 under a round punch of radius 2 that rubs at half the shear yield
-/// stress.
-Scene under_round_punch(ElementKind kind, double penalty) {
+/// A bar of n elements over its height of 3 under a round punch of radius 2 that rubs at half the
+/// shear yield stress.
+Scene under_round_punch(ElementKind kind, double penalty, int n = 15) {
   Scene scene;
   scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3(6, 3, 0), {30, 15, 1}, {1, 1, 1}});
+  scene.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3(6, 3, 0), {2 * n, n, 1}, {1, 1, 1}});
   scene.material = {{200e3, 0.3}, mechanics::Linear{400.0, 300.0}};
   scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
   scene.tools.push_back(moving_tool("punch", geometry::make_circle({0, 5, 0}, 2.0, false),
@@ -240,6 +241,72 @@ TEST(RoundPunch, TouchesStraightFacesWithBothTheirPoints) {
       EXPECT_NEAR(own_area, area, 0.15 * area);
     }
   }
+}
+
+/// Root mean square of what is uneven in the pressure, but at the end of the contact, over that of
+/// the pressure. (C.45)
+double unevenness(const contact::ContactTerm& term,
+                  const contact::ContactSurface& surface,
+                  std::span<const double> x) {
+  std::vector<contact::PointHistory> history(surface.n_points());
+  double pressed = 0.0, sum = 0.0;
+  const std::vector<contact::PointResult> results = term.results();
+  for (std::size_t k = 0; k < results.size(); ++k)
+    if (results[k].pressure > 0.0) {
+      history[k].pressure = results[k].pressure;
+      history[k].normal = Vec3::UnitY();
+    }
+  std::vector<double> areas(history.size());
+  surface.areas(x, areas);
+  std::vector<Vec3> places(history.size());
+  std::vector<char> lying(static_cast<std::size_t>(surface.n_faces()), 0);
+  for (std::size_t k = 0; k < results.size(); ++k)
+    if (results[k].pressure > 0.0)
+      lying[k / static_cast<std::size_t>(surface.points())] = 1;
+  surface.positions(x, places);
+  const std::vector<double> uneven =
+      contact::uneven_pressure(surface, lying, history, places, areas);
+  for (std::size_t k = 0; k < uneven.size(); ++k) {
+    sum += uneven[k] * uneven[k];
+    pressed += history[k].pressure * history[k].pressure;
+  }
+  return std::sqrt(sum / pressed);
+}
+
+/// How a round punch lies on the bar at last.
+struct RoundPunchEnd {
+  double uneven = 0.0;
+  double area = 0.0;
+};
+
+RoundPunchEnd round_punch_end(ElementKind kind, contact::Form form, int n) {
+  Scene scene = under_round_punch(kind, 100.0, n);
+  scene.contact.form = form;
+  const FinishedRun done = run(std::move(scene));
+  EXPECT_EQ(done.status, RunStatus::done);
+  const Process& process = *done.process;
+  const RoundPunchEnd end{unevenness(*process.contact(), *process.surface(), process.positions()),
+                          process.contact()->area()};
+  fmt::print(
+      "{}, {}: uneven by {:.3f}, area {:.4f}, force {:.1f} N, {} increments, {} iterations\n",
+      mechanics::name(kind), form == contact::Form::mixed ? "mixed" : "compatible", end.uneven,
+      end.area, done.last().loads[0].force[1], process.increments(), process.iterations());
+  EXPECT_LT(process.energy().error(), 5e-3);
+  return end;
+}
+
+TEST(RoundPunch, PressesAtAllPointsOfQuadraticFaces) {
+  // Without (C.45) the compatible form touches with 80 % of the area, uneven by 0.58.
+  for (const ElementKind kind : {ElementKind::quad8, ElementKind::tri6}) {
+    const double area = round_punch_end(kind, contact::Form::mixed, 15).area;
+    const RoundPunchEnd end = round_punch_end(kind, contact::Form::compatible, 15);
+    EXPECT_NEAR(end.area, area, 0.1 * area);
+    EXPECT_LT(end.uneven, 0.5);
+  }
+}
+
+TEST(RoundPunchLong, PressesAlikeAtBothPointsOfFineTriangles) {
+  EXPECT_LT(round_punch_end(ElementKind::tri6, contact::Form::mixed, 30).uneven, 0.3);
 }
 
 TEST(PunchLong, FRM_07_three_meshes_lead_to_the_limit) {
