@@ -14,8 +14,8 @@ namespace billet::contact {
 
 namespace {
 
-/// Share of what makes pressure uneven that an increment takes away. Where nodes cannot follow, as
-/// little as twice as much would never settle.
+/// Share of what makes pressure uneven that an increment takes away. Where nodes cannot follow, all
+/// of it goes into the pressure: above 2 it would never settle.
 constexpr double evening = 0.5;
 /// Of the penalty: what holds uneven pressure in the long run is that, or a body's own stiffness.
 constexpr double least_stiffness = 0.01;
@@ -121,6 +121,9 @@ void ContactTerm::even_pressure(std::size_t tool) {
     return;
   ToolState& state = states_[tool];
   const double K = penalty().normal;
+  const auto relieved = [](const PointHistory& point) { return point.relief != 0.0; };
+  if (!state.touches && std::none_of(state.history.begin(), state.history.end(), relieved))
+    return;
   const double softest = std::clamp(surface_->stiffness() / K, least_stiffness, 1.0);
   const std::vector<char> lying = faces_lying_on(tool);
   const std::vector<double> uneven =
