@@ -49,7 +49,7 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit
         worst.tool = t;
       }
       worst.share = std::max(worst.share, depth / beneath);
-      const double pressed = depth - states_[t].history[k].added();
+      const double pressed = pressed_depth(states_[t], k);
       worst.at_points = std::max(worst.at_points, depth);
       worst.pressed = std::max(worst.pressed, pressed);
       worst.share_pressed = std::max(worst.share_pressed, pressed / beneath);

@@ -81,6 +81,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
     state.queried_at.resize(n, Vec3::Zero());
     state.known_gap.resize(n, -std::numeric_limits<double>::infinity());
     state.force.resize(n, Vec3::Zero());
+    state.even_at.resize(idx(surface.n_faces()), -1);
   }
 }
 
@@ -195,7 +196,10 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
     const Status before = state.trial[k].status;
     const geometry::Projection& foot = state.foot[k];
     const bool kept = keep && state.history[k].closed() && foot.found();
-    if (!(foot.gap <= opening_gap(state, k)) && !kept) {
+    const EvenFace* even = even_face(state, k);
+    const bool opens = even != nullptr ? !(shared_pressure(*even, k).pressure > 0.0)
+                                       : !(foot.gap <= opening_gap(state, k));
+    if (opens && !kept) {
       state.trial[k] = Traction{};
     } else {
       const PointHistory& old = state.history[k];
@@ -213,6 +217,8 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
       in.kept = kept;
       in.multiplier = state.multiplier[k];
       in.strength = strength(tool.friction, k);
+      if (even != nullptr)
+        in.shared = shared_pressure(*even, k);
       state.trial[k] = traction(tool.friction, penalty, old, in, surface_->scheme());
     }
     if (state.trial[k].status != before) {
@@ -242,7 +248,10 @@ bool ContactTerm::many_parted(const ToolState& state) const {
   for (std::size_t k = 0; k < state.history.size(); ++k)
     if (state.history[k].closed()) {
       ++closed;
-      parted += state.foot[k].gap > opening_gap(state, k) ? 1 : 0;
+      const EvenFace* even = even_face(state, k);
+      const bool open = even != nullptr ? !(shared_pressure(*even, k).pressure > 0.0)
+                                        : state.foot[k].gap > opening_gap(state, k);
+      parted += open ? 1 : 0;
     }
   return parted > many * closed;
 }
@@ -284,7 +293,11 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     const double asked = seconds_now();
     search(tools_[t], states_[t], place);
     times_.search += seconds_now() - asked;
-    system.contact_changes += evaluate(t, trial, trial.first_guess && many_parted(states_[t]));
+    press_even_faces(states_[t], false);
+    const bool keep = trial.first_guess && many_parted(states_[t]);
+    if (keep)
+      press_even_faces(states_[t], true);
+    system.contact_changes += evaluate(t, trial, keep);
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
     states_[t].stabilization.add(*surface_, *pattern_, trial.x, system);
@@ -295,6 +308,37 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
   add_borders(trial, system);
   times_.elements += seconds_now() - begun - (times_.search - searched);
   return mechanics::Assembled{};
+}
+
+template <class Shape, class Square>
+void ContactTerm::couple_points(const std::vector<FacePoint<Shape>>& places,
+                                std::size_t first,
+                                Square& tangent,
+                                Square& near) const {
+  constexpr int dim = Shape::dim + 1;
+  using Block = Eigen::Matrix<double, dim, dim>;
+  for (const ToolState& state : states_) {
+    const EvenFace* even = even_face(state, first);
+    const auto in_space = [&](const Vec3& v) -> Eigen::Matrix<double, dim, 1> {
+      return (state.rotation * v).template head<dim>();
+    };
+    for (std::size_t i = 0; even != nullptr && i < places.size(); ++i)
+      for (std::size_t j = 0; j < places.size(); ++j) {
+        const double fall = places[i].measure * even->now.d_gap(static_cast<Eigen::Index>(i),
+                                                                static_cast<Eigen::Index>(j));
+        if (i == j || fall == 0.0 || state.trial[first + i].status == Status::open)
+          continue;
+        const Eigen::Matrix<double, dim, 1> n = in_space(state.foot[first + j].normal);
+        const Block D = fall * in_space(state.trial[first + i].dtraction_dp) * n.transpose();
+        const Block C = fall * in_space(state.foot[first + i].normal) * n.transpose();
+        for (int a = 0; a < Shape::nodes; ++a)
+          for (int b = 0; b < Shape::nodes; ++b) {
+            const double N = places[i].N[idx(a)] * places[j].N[idx(b)];
+            tangent.template block<dim, dim>(a * dim, b * dim) -= N * D;
+            near.template block<dim, dim>(a * dim, b * dim) -= N * C;
+          }
+      }
+  }
 }
 
 void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) const {
@@ -316,12 +360,15 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
       using Square = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
       Square tangent = Square::Zero();
       Square near = Square::Zero(); // without what couples slip to pressure
+      std::vector<FacePoint<Shape>> places;
+      places.reserve(Rule::points);
+      for (int i = 0; i < Rule::points; ++i)
+        places.emplace_back(surface_->analysis(), local.data(), Rule::point(i), Rule::weight(i));
       for (int i = 0; i < Rule::points; ++i) {
         const std::size_t k = first + idx(i);
         if (touched_[k] == 0)
           continue;
-        const FacePoint<Shape> at(surface_->analysis(), local.data(), Rule::point(i),
-                                  Rule::weight(i));
+        const FacePoint<Shape>& at = places[idx(i)];
         const Eigen::Matrix<double, dim, 1> T = traction_[k].template head<dim>();
         const Eigen::Matrix<double, dim, dim> D =
             at.measure * dtraction_[k].template topLeftCorner<dim, dim>();
@@ -338,6 +385,7 @@ void ContactTerm::scatter(std::span<const double> x, mechanics::System& system) 
           }
         }
       }
+      couple_points<Shape>(places, first, tangent, near);
       const Square unsymmetric = tangent - 0.5 * (near + near.transpose());
       faces.add(dim, f, force.data(), system.residual);
       faces.add(*pattern_, f, tangent.data(), system.tangent.values);
@@ -358,7 +406,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
     commit_tool(t, trial);
     work_.stored += states_[t].stored;
     level_faces(t, pose(t, trial.time, trial.x), trial.x);
-    even_pressure(t);
+    choose_even_faces(t);
   }
   stiffening_old_ = stiffening_;
   stiffening_next_ = stiffening_;
@@ -415,21 +463,27 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
     work_.friction += shear.friction_work * areas_[k];
     work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);
+    const bool even = even_face(state, k) != nullptr;
+    const double relief = even ? this->relief(state, k) : faded(history.relief, gone);
     const PointHistory old =
         std::exchange(history, PointHistory{.position = position,
                                             .sliding = sliding,
                                             .offset = std::max(0.0, faded(history.offset, gone)),
                                             .level = history.level,
-                                            .relief = history.relief});
+                                            .relief = relief});
+    // Relief of even faces changes within the increment, the rest at its end.
+    const double shift = old.faded + (even ? old.relief - relief : 0.0);
     work_.enforcement += areas_[k] * 0.5 * (old.pressure + now.pressure) *
-                         pressed_shift(old, now, state.multiplier[k]);
+                         pressed_shift(old, now, state.multiplier[k], shift);
+    if (!even)
+      history.faded += old.relief - relief;
     if (now.status == Status::open) {
       state.multiplier[k] = 0.0;
       continue;
     }
     history.multiplier = state.multiplier[k];
     history.offset = faded(old.offset, gone);
-    history.faded = old.offset - history.offset; // closer to the tool: deeper by as much
+    history.faded += old.offset - history.offset; // closer to the tool: deeper by as much
     history.normal = state.foot[k].normal;
     history.shear = now.shear;
     history.pressure = now.pressure;
@@ -508,6 +562,8 @@ std::vector<double> ContactTerm::release(std::size_t tool) {
   });
   state.stabilization.add_forces(*surface_, forces);
   state.stabilization.clear();
+  state.even.clear();
+  std::fill(state.even_at.begin(), state.even_at.end(), -1);
   for (PointHistory& history : state.history)
     history = PointHistory{.position = history.position, .sliding = history.sliding};
   std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);

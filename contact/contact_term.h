@@ -12,6 +12,7 @@
 
 #include "contact/closed_point.h"
 #include "contact/contact_surface.h"
+#include "contact/face_pressure.h"
 #include "contact/face_stabilization.h"
 #include "contact/interface_law.h"
 #include "contact/tool.h"
@@ -200,6 +201,13 @@ public:
   [[nodiscard]] std::vector<double> release(std::size_t tool);
 
 private:
+  /// A face on which pressures follow from the gaps of all points. (C.45)
+  struct EvenFace {
+    Index face;
+    FaceCompliance compliance;
+    FacePressure now; ///< of the trial
+  };
+
   /// Working memory of one tool; shape (n_points) each.
   struct ToolState {
     std::vector<PointHistory> history;
@@ -215,17 +223,31 @@ private:
     Mat3 rotation = Mat3::Identity(); ///< of the tool's frame at the last trial
     double stored = 0.0;              ///< energy in its penalties and springs [N mm]
     FaceStabilization stabilization;
-    bool touches = false; ///< in the committed state
+    std::vector<EvenFace> even; ///< in the order of faces; set at the end of an increment
+    std::vector<Index> even_at; ///< of a face in `even`, -1: it is not there; shape (n_faces)
+    bool touches = false;       ///< in the committed state
   };
 
   [[nodiscard]] Penalty penalty() const;
   /// Gap below which a point touches, but for a multiplier: rounding of coordinates [mm].
   [[nodiscard]] double touching_gap(std::size_t point) const;
   /// Gap at which a point opens: a multiplier holds it beyond touching [mm].
-  [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const {
-    return touching_gap(point) + state.multiplier[point] / penalty().normal -
-           state.history[point].added();
+  [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const;
+  /// The face of a point, where its pressures follow from all its gaps; null: each from its own.
+  [[nodiscard]] const EvenFace* even_face(const ToolState& state, std::size_t point) const {
+    const Index at = state.even_at[idx(face_of(point))];
+    return at < 0 ? nullptr : &state.even[idx(at)];
   }
+  /// Pressure of a point of such a face in the trial.
+  [[nodiscard]] SharedPressure shared_pressure(const EvenFace& face, std::size_t point) const;
+  /// What a trial's gaps press such faces with.
+  ///
+  /// @param keep  what touched stays, if need be under tension (C.15)
+  void press_even_faces(ToolState& state, bool keep) const;
+  /// How deep a point of the trial lies in a tool, as contact counts its gap [mm].
+  [[nodiscard]] double pressed_depth(const ToolState& state, std::size_t point) const;
+  /// What the trial adds to the gap of a point of such a face, were its penalty its own [mm].
+  [[nodiscard]] double relief(const ToolState& state, std::size_t point) const;
   void search(const Tool& tool, ToolState& state, const geometry::Pose& pose);
   /// Faces that known distances do not keep clear of a tool, in its frame.
   [[nodiscard]] std::vector<geometry::CandidateFace> faces_near(const ToolState& state,
@@ -240,8 +262,8 @@ private:
   void forget_foretold();
   /// Counts the gaps of straight faces anew from where faces agree. (C.43)
   void level_faces(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
-  /// Takes from the gaps what makes pressure high and low in turn along quadratic faces. (C.45)
-  void even_pressure(std::size_t tool);
+  /// Chooses the faces whose pressure is not to be high and low in turn. (C.45)
+  void choose_even_faces(std::size_t tool);
   /// Whether faces lie on a tool, but for points that uneven pressure may have lifted off.
   [[nodiscard]] std::vector<char> faces_lying_on(std::size_t tool) const;
   /// What evening the pressure moves a point by at most [mm].
@@ -258,6 +280,12 @@ private:
   [[nodiscard]] static bool pulls(const ToolState& state);
   void sum(const ToolState& state, const geometry::Pose& pose);
   void scatter(std::span<const double> x, mechanics::System& system) const;
+  /// Adds to a face's tangent what pressures owe to the gaps of other points. (C.45)
+  template <class Shape, class Square>
+  void couple_points(const std::vector<mechanics::FacePoint<Shape>>& places,
+                     std::size_t first,
+                     Square& tangent,
+                     Square& near) const;
   /// Adds what the tractions owe to the strength beneath, which the nodes of whole elements change.
   void add_strength(const mechanics::Trial& trial, mechanics::System& system) const;
   /// Velocity of a tool's material at a place, and its spin, for a unit rate of a drive.
@@ -307,10 +335,12 @@ private:
   /// Work over area by which enforcement has changed a point in the increment [N/mm]. (C.23)
   [[nodiscard]] double
   enforcement_work(const PointHistory& old, const Traction& now, double multiplier) const;
-  /// What an offset or a level that has shrunk moves a point under pressure [mm]; one that opens or
-  /// closes, over its depth at most.
-  [[nodiscard]] double
-  pressed_shift(const PointHistory& old, const Traction& now, double multiplier) const;
+  /// What of a shift of the gap moves a point under pressure [mm]: all of it; where it opens or
+  /// closes, no more than its depth.
+  [[nodiscard]] double pressed_shift(const PointHistory& old,
+                                     const Traction& now,
+                                     double multiplier,
+                                     double shift) const;
   [[nodiscard]] Index face_of(std::size_t point) const;
 
   const ContactSurface* surface_;

@@ -1,31 +1,14 @@
 // What contact sets on faces at the end of an increment for the next one: the levels of straight
-// faces; the relief of uneven pressure and the springs of quadratic ones. (C.43)-(C.45)
+// faces; the springs of quadratic ones. (C.43), (C.44)
 
 #include "contact/contact_term.h"
 #include "contact/straight_faces.h"
-#include "contact/uneven_pressure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace billet::contact {
-
-namespace {
-
-/// Share of what makes pressure uneven that an increment takes away. Where nodes cannot follow, all
-/// of it goes into the pressure: above 2 it would never settle.
-constexpr double evening = 0.5;
-/// Of the penalty: what holds uneven pressure in the long run is that, or a body's own stiffness.
-constexpr double least_stiffness = 0.01;
-/// What a point is moved by at most: of the element beneath, and of a limit of penetration.
-constexpr double relief_of_depth = 0.01;
-constexpr double relief_of_limit = 0.25;
-/// Share that an increment leaves on a face that does not lie on the tool.
-constexpr double parting = 0.5;
-
-} // namespace
 
 std::vector<geometry::Projection> ContactTerm::feet_around_contact(std::size_t tool) const {
   const ToolState& state = states_[tool];
@@ -90,54 +73,6 @@ void ContactTerm::level_faces(std::size_t tool,
     PointHistory& history = state.history[k];
     history.faded += history.level - level[k];
     history.level = level[k];
-  }
-}
-
-std::vector<char> ContactTerm::faces_lying_on(std::size_t tool) const {
-  const ToolState& state = states_[tool];
-  std::vector<char> lying(idx(surface_->n_faces()), 0);
-  const auto points = idx(surface_->points());
-  for (std::size_t k = 0; k < state.history.size(); ++k)
-    if (state.history[k].closed())
-      lying[k / points] = 1;
-  for (std::size_t k = 0; k < state.history.size(); ++k) {
-    if (state.history[k].closed())
-      continue;
-    // Of a point known to be open, the gap when it was asked last.
-    const double gap = state.foot[k].found() ? state.foot[k].gap : state.known_gap[k];
-    if ((!state.foot[k].found() && gap <= 0.0) || gap > most_relief(k))
-      lying[k / points] = 0;
-  }
-  return lying;
-}
-
-double ContactTerm::most_relief(std::size_t point) const {
-  return std::min(relief_of_depth * surface_->depth(face_of(point)),
-                  relief_of_limit * surface_->max_penetration().value_or(HUGE_VAL));
-}
-
-void ContactTerm::even_pressure(std::size_t tool) {
-  if (surface_->straight())
-    return;
-  ToolState& state = states_[tool];
-  const double K = penalty().normal;
-  const auto relieved = [](const PointHistory& point) { return point.relief != 0.0; };
-  if (!state.touches && std::none_of(state.history.begin(), state.history.end(), relieved))
-    return;
-  const double softest = std::clamp(surface_->stiffness() / K, least_stiffness, 1.0);
-  const std::vector<char> lying = faces_lying_on(tool);
-  const std::vector<double> uneven =
-      uneven_pressure(*surface_, lying, state.history, positions_, areas_);
-  for (std::size_t k = 0; k < uneven.size(); ++k) {
-    PointHistory& history = state.history[k];
-    double relief = parting * history.relief;
-    if (lying[idx(face_of(k))] != 0) {
-      const double most = most_relief(k);
-      relief = std::clamp((1.0 - evening * softest) * history.relief + evening * uneven[k] / K,
-                          -most, most);
-    }
-    history.faded += history.relief - relief;
-    history.relief = relief;
   }
 }
 

@@ -66,8 +66,33 @@ void ContactTerm::add_border_of(std::size_t drive,
     const Vec3 T = state.rotation * state.trial[k].traction;
     const Mat3 D = state.rotation * state.trial[k].dtraction_dx * state.rotation.transpose();
     const DriveRate rate = drive_rate(drives_[drive], trial.time, trial.x, positions_[k]);
-    const Vec3 dT_dq = rate.spin.cross(T) - D * rate.velocity;
+    Vec3 dT_dq = rate.spin.cross(T) - D * rate.velocity;
     const Vec3 row = D.transpose() * rate.velocity + T.cross(rate.spin);
+    // On even faces the pressure goes with the gaps of the other points, too. (C.45)
+    const EvenFace* even = even_face(state, k);
+    const Vec3 dT_dp = state.rotation * state.trial[k].dtraction_dp;
+    const auto by_others = [&](const DriveUnknown& unknown) {
+      Vec3 change = Vec3::Zero();
+      for (int j = 0; even != nullptr && j < Rule::points; ++j)
+        if (j != i) {
+          const std::size_t by = k - idx(i) + idx(j);
+          const Vec3 v = drive_rate(unknown, trial.time, trial.x, positions_[by]).velocity;
+          change -= even->now.d_gap(i, j) * v.dot(state.rotation * state.foot[by].normal) * dT_dp;
+        }
+      return change;
+    };
+    dT_dq += by_others(drives_[drive]);
+    for (int j = 0; even != nullptr && j < Rule::points; ++j) {
+      const std::size_t by = k - idx(i) + idx(j);
+      if (j == i || even->now.d_gap(i, j) == 0.0)
+        continue;
+      const auto N = Shape::values(Rule::point(j));
+      const Vec3 change = at.measure * dT_dp.dot(rate.velocity) * even->now.d_gap(i, j) *
+                          (state.rotation * state.foot[by].normal);
+      for (std::size_t a = 0; a < Shape::nodes; ++a)
+        for (int d = 0; d < dim; ++d)
+          border.row[idx(nodes[a] * dim + d)] += N[a] * change[d];
+    }
     system.residual[n + drive] += at.measure * T.dot(rate.velocity);
     for (std::size_t a = 0; a < Shape::nodes; ++a)
       for (int d = 0; d < dim; ++d) {
@@ -84,7 +109,9 @@ void ContactTerm::add_border_of(std::size_t drive,
       const Vec3 dv =
           drives_[other].turns ? Vec3(Vec3::Zero()) : Vec3(-rate.spin.cross(by.velocity));
       border.corner[other] +=
-          at.measure * (rate.velocity.dot(by.spin.cross(T) - D * by.velocity) + T.dot(dv));
+          at.measure *
+          (rate.velocity.dot(by.spin.cross(T) - D * by.velocity + by_others(drives_[other])) +
+           T.dot(dv));
     }
   }
 }

@@ -49,16 +49,18 @@ double ContactTerm::enforcement_work(const PointHistory& old,
          ((multiplier - multiplier_old) * (depth + depth_old) + (K - K_old) * depth * depth_old);
 }
 
-double
-ContactTerm::pressed_shift(const PointHistory& old, const Traction& now, double multiplier) const {
+double ContactTerm::pressed_shift(const PointHistory& old,
+                                  const Traction& now,
+                                  double multiplier,
+                                  double shift) const {
   const bool closed = now.status != Status::open;
   if (old.closed() && closed)
-    return old.faded;
+    return shift;
   const double K = penalty().normal;
   const double depth = closed ? (now.pressure - multiplier) / K : 0.0;
   const double depth_old =
       old.closed() ? (old.pressure - old.multiplier) / (K * (stiffening_old_ / stiffening_)) : 0.0;
-  return std::clamp(old.faded, -std::max(0.0, depth_old), std::max(0.0, depth));
+  return std::clamp(shift, -std::max(0.0, depth_old), std::max(0.0, depth));
 }
 
 } // namespace billet::contact

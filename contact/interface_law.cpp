@@ -135,6 +135,7 @@ void add_shear(const Friction& friction,
                const InterfaceInput& at,
                const SlipScheme& scheme,
                const SlipState& state,
+               double normal_stiffness,
                Traction& out) {
   const geometry::Projection& foot = at.projection;
   const Vec3& n = foot.normal;
@@ -158,8 +159,10 @@ void add_shear(const Friction& friction,
   out.limit = end.limit;
   Eigen::Matrix<double, 2, 3> dshear = end.d_shear * shear.dv_dx + end.d_path * path.dv_dx;
   // Under tension the limit is that of the pressure before.
-  if (state.pressure == out.pressure)
-    dshear -= penalty.normal * end.d_pressure * n.transpose();
+  if (state.pressure == out.pressure) {
+    dshear -= normal_stiffness * end.d_pressure * n.transpose();
+    out.dtraction_dp += frame.E * end.d_pressure;
+  }
   out.traction += out.shear;
   out.dtraction_dx += in_space(frame, end.shear, dshear, foot);
   out.dtraction_dk = frame.E * end.d_strength;
@@ -210,9 +213,11 @@ Traction traction(const Friction& friction,
   const geometry::Projection& foot = at.projection;
   // A point that lay on the tool and has not moved off yet resists being pressed in: without its
   // stiffness the first correction would throw a body that only contact holds through the tool.
-  const bool resting = old.closed() && foot.gap <= at.rounding;
+  const bool resting = old.closed() && foot.gap <= at.rounding && !at.shared;
   const bool kept = at.kept && old.closed();
-  const double pressure = at.multiplier - penalty.normal * foot.gap;
+  const double pressure =
+      at.shared ? at.shared->pressure : at.multiplier - penalty.normal * foot.gap;
+  const double stiffness = at.shared ? at.shared->stiffness : penalty.normal;
   if (!(pressure > 0.0) && !resting && !kept)
     return out;
   const Vec3& n = foot.normal;
@@ -221,7 +226,8 @@ Traction traction(const Friction& friction,
     out.pressure = std::max(0.0, out.pressure);
   out.status = Status::slip;
   out.traction = out.pressure * n;
-  out.dtraction_dx = -penalty.normal * n * n.transpose() + out.pressure * foot.dnormal_dx;
+  out.dtraction_dp = n;
+  out.dtraction_dx = -stiffness * n * n.transpose() + out.pressure * foot.dnormal_dx;
   double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;
   // Whether it sticks must not be left to the sign of a gap that is zero but for rounding.
   if (resting)
@@ -239,7 +245,7 @@ Traction traction(const Friction& friction,
     out.slip = sliding(old, at, old.closed() ? 1.0 : at.touching).path;
     return out;
   }
-  add_shear(friction, penalty, old, at, scheme, state, out);
+  add_shear(friction, penalty, old, at, scheme, state, stiffness, out);
   return out;
 }
 

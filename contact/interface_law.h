@@ -19,6 +19,8 @@
 #include "geometry/base/vector.h"
 #include "geometry/rigid_surface.h"
 
+#include <optional>
+
 namespace billet::contact {
 
 /// History of one point against one tool, in the tool's frame.
@@ -54,10 +56,17 @@ struct Traction {
   Vec3 shear = Vec3::Zero();        ///< [MPa]
   Vec3 traction = Vec3::Zero();     ///< p n + shear, on the workpiece [MPa]
   Mat3 dtraction_dx = Mat3::Zero(); ///< [MPa/mm], not symmetric when slipping
+  Vec3 dtraction_dp = Vec3::Zero(); ///< by the pressure [-]
   Vec3 dtraction_dk = Vec3::Zero(); ///< by the strength of the material beneath [-]
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
   double limit = 0.0;               ///< largest shear at this pressure [MPa]
   Vec3 turned = Vec3::Zero();       ///< the old shear in the new tangent plane [MPa]
+};
+
+/// A pressure that follows from the gaps of all points of a face. (C.45)
+struct SharedPressure {
+  double pressure;  ///< [MPa]
+  double stiffness; ///< by which it falls with the point's own gap [MPa/mm]
 };
 
 /// What the traction depends on besides the history.
@@ -72,6 +81,7 @@ struct InterfaceInput {
   double multiplier = 0.0; ///< pressure that needs no penetration (C.20) [MPa]
   double noise = 0.0;      ///< of a gap: what coordinates of their size cannot tell [mm]
   double touching = 0.0; ///< share of the increment in which a point that was open rubs (C.42) [-]
+  std::optional<SharedPressure> shared = std::nullopt; ///< in place of the point's own
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.

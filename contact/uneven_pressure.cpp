@@ -106,14 +106,15 @@ Vec3 rise(const std::vector<FaceMean>& means,
 
 } // namespace
 
-std::vector<double> uneven_pressure(const ContactSurface& surface,
-                                    std::span<const char> lying,
-                                    std::span<const PointHistory> history,
-                                    std::span<const Vec3> positions,
-                                    std::span<const double> areas) {
-  std::vector<double> uneven(surface.n_points(), 0.0);
+EvenPressure even_pressure(const ContactSurface& surface,
+                           std::span<const char> lying,
+                           std::span<const PointHistory> history,
+                           std::span<const Vec3> positions,
+                           std::span<const double> areas) {
   const auto points = idx(surface.points());
   const std::vector<FaceMean> means = face_means(lying, history, positions, areas);
+  EvenPressure even{std::vector<char>(means.size(), 0), std::vector<double>(surface.n_points()),
+                    std::vector<double>(surface.n_points())};
   const std::size_t corners =
       mechanics::visit_face(surface.kind(), [](auto shape) { return n_corners<decltype(shape)>; });
   const Neighbours neighbours(surface, means, corners);
@@ -124,11 +125,23 @@ std::vector<double> uneven_pressure(const ContactSurface& surface,
     if (!std::all_of(around.begin(), around.end(),
                      [&](std::size_t face) { return means[face].lies; }))
       continue;
+    even.known[f] = 1;
     const Vec3 gradient = rise(means, f, around);
-    for (std::size_t k = f * points; k < (f + 1) * points; ++k)
-      uneven[k] =
-          history[k].pressure - means[f].pressure - gradient.dot(positions[k] - means[f].place);
+    for (std::size_t k = f * points; k < (f + 1) * points; ++k) {
+      even.mean[k] = means[f].pressure;
+      even.rise[k] = gradient.dot(positions[k] - means[f].place);
+    }
   }
+  return even;
+}
+
+std::vector<double> uneven_pressure(const EvenPressure& even,
+                                    std::span<const PointHistory> history) {
+  std::vector<double> uneven(history.size(), 0.0);
+  const std::size_t points = history.size() / even.known.size();
+  for (std::size_t k = 0; k < uneven.size(); ++k)
+    if (even.known[k / points] != 0)
+      uneven[k] = history[k].pressure - even.mean[k] - even.rise[k];
   return uneven;
 }
 

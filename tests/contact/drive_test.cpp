@@ -12,7 +12,8 @@ namespace billet::contact::drive_test {
 namespace {
 
 /// A round tool under a body, free to travel and to turn; the body is pressed a little into it.
-ContactBench driven_bench(mechanics::ElementKind kind, const Friction& friction) {
+ContactBench
+driven_bench(mechanics::ElementKind kind, const Friction& friction, double penalty = 1.0) {
   const bool solid = kind != mechanics::ElementKind::quad8;
   Tool tool = still_tool(solid ? geometry::make_sphere({1.0, -3.99, 0.4}, 4.0, false)
                                : geometry::make_circle({1.0, -3.99, 0.0}, 4.0, false),
@@ -29,7 +30,7 @@ ContactBench driven_bench(mechanics::ElementKind kind, const Friction& friction)
           solid ? mechanics::Analysis::solid : mechanics::Analysis::plane_strain,
           bench_material(),
           one_tool(std::move(tool)),
-          ContactSettings{.penalty = 1.0, .penalty_tangent = 1.0},
+          ContactSettings{.penalty = penalty, .penalty_tangent = 1.0},
           faces};
 }
 
@@ -83,6 +84,29 @@ TEST(Drive, rows_and_columns_are_those_of_differences) {
                   tolerance);
       EXPECT_LE(worst, tolerance);
     }
+}
+
+// On even faces (C.45) the pressure of a point goes with the gaps of the others, too.
+TEST(Drive, rows_and_columns_of_even_faces_are_those_of_differences) {
+  using mechanics::ElementKind;
+  for (const ElementKind kind : {ElementKind::quad8, ElementKind::hex20}) {
+    ContactBench bench = driven_bench(kind, Coulomb{0.1}, 50.0);
+    for (std::size_t a = 0; a < bench.mesh.points.size(); ++a) {
+      const Vec3 r =
+          bench.mesh.points[a] - Vec3(1.0, -3.99, kind == ElementKind::hex20 ? 0.4 : 0.0);
+      const auto dim = static_cast<std::size_t>(bench.mesh.dimension());
+      bench.x[a * dim + 1] -= r.norm() - 3.995 > 0.2 ? 0.0 : r.norm() - 3.995; // all of it lies on
+    }
+    bench.commit(bench.x, 0.3);
+    bench.commit(bench.x, 0.5);
+    std::vector<double> at = bench.x;
+    const auto n = static_cast<std::size_t>(bench.pattern.n_dofs());
+    for (std::size_t i = 0; i < n; ++i)
+      at[i] += 1e-4 * std::sin(3.0 * static_cast<double>(i));
+    at[n] = 1e-4;
+    at[n + 1] = 0.002;
+    EXPECT_LE(worst_border(bench, at), 1e-6);
+  }
 }
 
 TEST(Drive, unknowns_follow_the_order_of_the_tools) {

@@ -243,45 +243,60 @@ TEST(RoundPunch, TouchesStraightFacesWithBothTheirPoints) {
   }
 }
 
+/// Likewise a block of n x n elements over 3 x 3 and n / 2 over its height, in space, under a
+/// quarter of a ball.
+Scene under_ball(ElementKind kind, int n) {
+  Scene scene = under_round_punch(ElementKind::quad8, 100.0);
+  scene.analysis = Analysis::solid;
+  scene.mesh =
+      mechanics::box_mesh({kind, Vec3::Zero(), Vec3(3, 1.5, 3), {n, (n + 1) / 2, n}, {1, 1, 1}});
+  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0), held(scene.mesh, 2, 0.0)};
+  scene.tools.clear();
+  scene.tools.push_back(moving_tool("ball", geometry::make_sphere({0, 4.5, 0}, 3.0, false),
+                                    Vec3(0, -1, 0), contact::Tresca{0.5, {}}));
+  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.stages.front().end = 0.12;
+  return scene;
+}
+
 /// Root mean square of what is uneven in the pressure, but at the end of the contact, over that of
 /// the pressure. (C.45)
 double unevenness(const contact::ContactTerm& term,
                   const contact::ContactSurface& surface,
                   std::span<const double> x) {
   std::vector<contact::PointHistory> history(surface.n_points());
-  double pressed = 0.0, sum = 0.0;
   const std::vector<contact::PointResult> results = term.results();
+  std::vector<char> lying(as_size(surface.n_faces()), 0);
   for (std::size_t k = 0; k < results.size(); ++k)
     if (results[k].pressure > 0.0) {
       history[k].pressure = results[k].pressure;
       history[k].normal = Vec3::UnitY();
+      lying[k / as_size(surface.points())] = 1;
     }
   std::vector<double> areas(history.size());
   surface.areas(x, areas);
   std::vector<Vec3> places(history.size());
-  std::vector<char> lying(static_cast<std::size_t>(surface.n_faces()), 0);
-  for (std::size_t k = 0; k < results.size(); ++k)
-    if (results[k].pressure > 0.0)
-      lying[k / static_cast<std::size_t>(surface.points())] = 1;
   surface.positions(x, places);
-  const std::vector<double> uneven =
-      contact::uneven_pressure(surface, lying, history, places, areas);
+  const contact::EvenPressure even = contact::even_pressure(surface, lying, history, places, areas);
+  const std::vector<double> uneven = contact::uneven_pressure(even, history);
+  double pressed = 0.0, sum = 0.0;
   for (std::size_t k = 0; k < uneven.size(); ++k) {
     sum += uneven[k] * uneven[k];
-    pressed += history[k].pressure * history[k].pressure;
+    pressed += even.mean[k] > 0.0 ? history[k].pressure * history[k].pressure : 0.0;
   }
+  EXPECT_GT(pressed, 0.0);
   return std::sqrt(sum / pressed);
 }
 
-/// How a round punch lies on the bar at last.
+/// How a round tool lies on the body at last.
 struct RoundPunchEnd {
   double uneven = 0.0;
   double area = 0.0;
 };
 
-RoundPunchEnd round_punch_end(ElementKind kind, contact::Form form, int n) {
-  Scene scene = under_round_punch(kind, 100.0, n);
-  scene.contact.form = form;
+RoundPunchEnd end_of(Scene scene) {
+  const ElementKind kind = scene.mesh.kind;
+  const contact::Form form = scene.contact.form;
   const FinishedRun done = run(std::move(scene));
   EXPECT_EQ(done.status, RunStatus::done);
   const Process& process = *done.process;
@@ -291,8 +306,15 @@ RoundPunchEnd round_punch_end(ElementKind kind, contact::Form form, int n) {
       "{}, {}: uneven by {:.3f}, area {:.4f}, force {:.1f} N, {} increments, {} iterations\n",
       mechanics::name(kind), form == contact::Form::mixed ? "mixed" : "compatible", end.uneven,
       end.area, done.last().loads[0].force[1], process.increments(), process.iterations());
-  EXPECT_LT(process.energy().error(), 5e-3);
+  // Under the ball, whose contact grows by whole faces of a coarse mesh, 0.6 % with and without.
+  EXPECT_LT(process.energy().error(), kind == ElementKind::tet10 ? 1e-2 : 5e-3);
   return end;
+}
+
+RoundPunchEnd round_punch_end(ElementKind kind, contact::Form form, int n) {
+  Scene scene = under_round_punch(kind, 100.0, n);
+  scene.contact.form = form;
+  return end_of(std::move(scene));
 }
 
 TEST(RoundPunch, PressesAtAllPointsOfQuadraticFaces) {
@@ -306,7 +328,16 @@ TEST(RoundPunch, PressesAtAllPointsOfQuadraticFaces) {
 }
 
 TEST(RoundPunchLong, PressesAlikeAtBothPointsOfFineTriangles) {
-  EXPECT_LT(round_punch_end(ElementKind::tri6, contact::Form::mixed, 30).uneven, 0.3);
+  EXPECT_LT(round_punch_end(ElementKind::tri6, contact::Form::mixed, 30).uneven, 0.2);
+}
+
+TEST(RoundPunchLong, PressesMoreAlikeAtThePointsOfTetrahedra) {
+  // Without (C.45) 0.57 and 0.55.
+  for (const contact::Form form : {contact::Form::mixed, contact::Form::compatible}) {
+    Scene scene = under_ball(ElementKind::tet10, 12);
+    scene.contact.form = form;
+    EXPECT_LT(end_of(std::move(scene)).uneven, 0.45);
+  }
 }
 
 TEST(PunchLong, FRM_07_three_meshes_lead_to_the_limit) {
