@@ -112,6 +112,10 @@ public:
   [[nodiscard]] bool closed_on(std::size_t tool, std::size_t point) const {
     return states_[tool].history[point].closed();
   }
+  /// Whether a point is closed on a tool in the last trial.
+  [[nodiscard]] bool touches_in_trial(std::size_t tool, std::size_t point) const {
+    return states_[tool].trial[point].status != Status::open;
+  }
   /// Where it stands now; tries that failed since have softened or stiffened its penalty. (C.41)
   [[nodiscard]] ContactState state() const;
   /// Goes on where a term on an earlier mesh of the same part stood: its sums, its penalty, which

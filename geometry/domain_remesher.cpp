@@ -162,7 +162,7 @@ private:
   [[nodiscard]] std::vector<SizeSample> boundary_samples() const {
     std::vector<SizeSample> samples;
     for (const SizeAt& asked : sizes_.at)
-      samples.push_back({asked.at, std::max(sizes_.min, asked.size)});
+      samples.push_back({asked.at, asked.size});
     std::vector<Polygon> polygons;
     for (const BoundaryCurve& curve : curves_) {
       polygons.emplace_back();

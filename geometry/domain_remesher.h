@@ -49,7 +49,7 @@ struct RemeshSizes {
   int across = 3;                       ///< sides across a thin place (web, flash)
   /// Size asked for at a place of the domain [mm]; empty: `max`.
   std::function<double(const Vec2&)> wanted = {};
-  std::vector<SizeAt> at = {}; ///< asked for besides, not below `min`
+  std::vector<SizeAt> at = {}; ///< asked for besides, even below `min`
 };
 
 /// What is kept of the domain.

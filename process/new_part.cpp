@@ -26,6 +26,30 @@ double chord_at(const PartBoundary& boundary, const geometry::BoundaryPlace& pla
   return (corners[(idx(place.side) + 1) % corners.size()] - corners[idx(place.side)]).norm();
 }
 
+/// What sizes are multiplied with for another mesh of the same part.
+struct OtherSizes {
+  double all;
+  double shortest; ///< that the boundary's own curvature may ask for
+};
+
+/// With shorter sides than asked for where the boundary turns sharply, if it cannot be meshed
+/// otherwise; `sizes` become those it was meshed with.
+RemeshedPart remesh_finely_enough(const Scene& scene,
+                                  const PartBoundary& boundary,
+                                  geometry::RemeshSizes& sizes,
+                                  const geometry::Settle& settle) {
+  const double least = 0.25 * sizes.min;
+  while (true) {
+    try {
+      return remesh_part(scene, boundary, sizes, settle);
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry || sizes.min <= least)
+        throw;
+      sizes.min *= 0.5;
+    }
+  }
+}
+
 } // namespace
 
 std::vector<int> Process::touching_tools() const {
@@ -41,8 +65,14 @@ Process::UsualSizes Process::usual_sizes() const {
   const RemeshSettings& settings = *scene_.remesh;
   const double usual = settings.size.value_or(side_);
   const double at_contact = settings.size_contact.value_or(usual);
-  return {usual, at_contact, settings.size_min.value_or(0.25 * std::min(usual, at_contact)),
-          settings.size_max.value_or(usual)};
+  const double finest = std::min(usual, at_contact);
+  constexpr double of_usual = 0.25, of_usual_in_zone = 0.0625;
+  const double min = settings.size_min.value_or(of_usual * finest);
+  return {usual,
+          at_contact,
+          min,
+          settings.size_max.value_or(usual),
+          {min, settings.size_min.value_or(of_usual_in_zone * finest)}};
 }
 
 std::function<double(const Vec3&)> Process::wanted_size(double turn, double growth) const {
@@ -132,11 +162,11 @@ Vec3 Process::settled(const contact::PointSource& source,
   return result;
 }
 
-NewPart Process::new_part() const {
-  return scene_.mesh.dimension() == 2 ? new_plane_part() : new_solid_part();
+NewPart Process::new_part(const std::vector<geometry::SizeAt>& at) const {
+  return scene_.mesh.dimension() == 2 ? new_plane_part(at) : new_solid_part();
 }
 
-NewPart Process::new_plane_part() const {
+NewPart Process::new_plane_part(const std::vector<geometry::SizeAt>& at) const {
   const PartBoundary boundary =
       part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
   const auto stops = std::make_shared<const ContactStops>(boundary, scene_.contact_faces,
@@ -161,11 +191,13 @@ NewPart Process::new_plane_part() const {
           .head<2>();
     };
   geometry::RemeshSizes sizes = remesh_sizes();
-  sizes.at = contact_sizes(boundary);
-  RemeshedPart part = remesh_part(scene_, boundary, sizes, settle);
-  const auto with_sizes_times = [&](double factor) -> std::optional<RemeshedPart> {
+  sizes.at = contact_sizes(boundary, usual_sizes().zones);
+  sizes.at.insert(sizes.at.end(), at.begin(), at.end());
+  RemeshedPart part = remesh_finely_enough(scene_, boundary, sizes, settle);
+  const auto with_sizes_times = [&](const OtherSizes& other) -> std::optional<RemeshedPart> {
     geometry::RemeshSizes scaled = sizes;
-    scaled.wanted = [&sizes, factor](const Vec2& x) { return factor * sizes.wanted(x); };
+    scaled.min *= other.shortest;
+    scaled.wanted = [&sizes, &other](const Vec2& x) { return other.all * sizes.wanted(x); };
     try {
       return remesh_part(scene_, boundary, scaled, settle);
     } catch (const Error&) {
@@ -174,7 +206,8 @@ NewPart Process::new_plane_part() const {
   };
   // A side that ends awkwardly beside a corner of a tool can spoil one element: others do not.
   constexpr double good = 0.3;
-  constexpr std::array other_sizes{0.93, 1.07, 0.87};
+  constexpr std::array<OtherSizes, 5> other_sizes{
+      {{0.93, 1.0}, {1.07, 1.0}, {0.87, 1.0}, {1.0, 0.5}, {0.93, 0.5}}};
   const auto quality = [](const RemeshedPart& of) {
     return worst_quality(of.mesh, mechanics::node_positions(of.mesh));
   };

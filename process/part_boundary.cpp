@@ -2,6 +2,8 @@
 
 #include "mechanics/domain_meshes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -257,7 +259,7 @@ std::vector<ContactZone> contact_zones(const PartBoundary& boundary) {
       ++first;
     for (std::size_t k = 0; k < n;) {
       const std::size_t start = (first + k) % n;
-      ContactZone zone{l, start, 0, tool(start), 0.0, false};
+      ContactZone zone{l, start, 0, tool(start), 0.0, false, false};
       for (; k < n && tool((first + k) % n) == zone.tool; ++k, ++zone.n_sides) {
         const std::size_t i = (first + k) % n;
         zone.length += (loop.corners[(i + 1) % n] - loop.corners[i]).norm();
@@ -269,14 +271,26 @@ std::vector<ContactZone> contact_zones(const PartBoundary& boundary) {
       zones.push_back(zone);
     }
   }
+  for (ContactZone& zone : zones)
+    zone.longest = std::none_of(zones.begin(), zones.end(), [&](const ContactZone& other) {
+      return other.tool == zone.tool && other.length > zone.length;
+    });
   return zones;
 }
 
 bool ContactZone::too_short() const { return ends_in_side && n_sides < least_sides_of_zone; }
 
-double size_in_zone(const ContactZone& zone) { return zone.length / sides_of_zone; }
+std::string sides_of(const ContactZone& zone) {
+  return fmt::format("{} side{}", zone.n_sides, zone.n_sides == 1 ? "" : "s");
+}
 
-std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary) {
+double size_in_zone(double length) { return length / sides_of_zone; }
+
+double ZoneSizes::in(const ContactZone& zone, double length) const {
+  return std::max(size_in_zone(length), zone.longest ? min_in_longest : min);
+}
+
+std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary, const ZoneSizes& limits) {
   std::vector<geometry::SizeAt> sizes;
   for (const ContactZone& zone : contact_zones(boundary)) {
     const SideLoop& loop = boundary.loops[zone.loop];
@@ -284,7 +298,7 @@ std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary) {
     for (std::size_t j = 0; j < zone.n_sides; ++j) {
       const std::size_t i = (zone.first + j) % n;
       for (const Vec2& x : {loop.corners[i], loop.middles[i], loop.corners[(i + 1) % n]})
-        sizes.push_back({x, size_in_zone(zone)});
+        sizes.push_back({x, limits.in(zone, zone.length)});
     }
   }
   return sizes;

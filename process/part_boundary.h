@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,7 @@ struct ContactZone {
   int tool;
   double length;     ///< [mm]
   bool ends_in_side; ///< somewhere the boundary goes on beyond it without a corner
+  bool longest;      ///< of its tool's
 
   /// Whether it has too few sides for the pressure in it.
   [[nodiscard]] bool too_short() const;
@@ -67,11 +69,24 @@ struct ContactZone {
 
 [[nodiscard]] std::vector<ContactZone> contact_zones(const PartBoundary& boundary);
 
-/// Size of the sides of a zone of contact that lets it have six of them [mm].
-[[nodiscard]] double size_in_zone(const ContactZone& zone);
+/// How many sides a zone of contact has, in words.
+[[nodiscard]] std::string sides_of(const ContactZone& zone);
+
+/// Size of the sides of a zone of contact of a length that lets it have six of them [mm].
+[[nodiscard]] double size_in_zone(double length);
+
+/// Smallest sizes in zones of contact.
+struct ZoneSizes {
+  double min;            ///< [mm]
+  double min_in_longest; ///< likewise in the longest zone of a tool, which carries its force
+
+  /// Size of the sides of a zone, where that length of it is to have six of them [mm].
+  [[nodiscard]] double in(const ContactZone& zone, double length) const;
+};
 
 /// Sizes that let the zone where a tool touches have at least six sides, where it is long or short.
-[[nodiscard]] std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary);
+[[nodiscard]] std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary,
+                                                          const ZoneSizes& limits);
 
 /// What the scene has on a new mesh of the part.
 struct RemeshedPart {

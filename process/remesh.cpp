@@ -61,7 +61,9 @@ std::vector<Vec3> points_at(std::span<const double> x, const mechanics::Mesh& me
 
 } // namespace
 
-std::string Process::remesh(const std::string& cause, const std::vector<Observer*>& observers) {
+std::string Process::remesh(const std::string& cause,
+                            const std::vector<Observer*>& observers,
+                            const std::vector<geometry::SizeAt>& at) {
   const double begun = seconds_now();
   RemeshReport report;
   report.number = static_cast<int>(remeshings_.size()) + 1;
@@ -71,7 +73,7 @@ std::string Process::remesh(const std::string& cause, const std::vector<Observer
   report.work_of_run = bulk_->plastic_work();
   NewPart part;
   try {
-    part = new_part();
+    part = new_part(at);
   } catch (const Error& error) {
     refused_increment_ = increment_;
     refused_quality_ = 0.5 * worst_quality(scene_.mesh, positions());
@@ -212,14 +214,9 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
   // Where a side has folded over since then a good element may have come from nowhere.
   constexpr double of_now = 0.5; // of the quality: on a longer way the mesh would not end as made
   const double least = of_now * worst_quality(part.mesh, mechanics::node_positions(part.mesh));
-  std::vector<const RunState*> good;
   for (const auto& from : remembered_)
     if (from->time < time_ && worst_quality(part.mesh, positions_in(*from)) > least)
-      good.push_back(from.get());
-  if (!good.empty())
-    carried.begun.push_back(carry(*good.front()));
-  if (good.size() > 1)
-    carried.begun.push_back(carry(*good.back()));
+      carried.begun.push_back(carry(*from));
   if (!last_step_.empty()) {
     carried.guess = at_nodes(last_step_);
     carried.guess.insert(carried.guess.end(),
@@ -316,11 +313,15 @@ void Process::restore_volume(double volume,
 
 void Process::settle(const CarriedOver& carried, RemeshReport& report) {
   const double dt = last_dt_;
+  // On a long way, by a small radius above all, the mesh may end far from how it was made.
+  constexpr double of_made = 0.5;
+  const double least =
+      of_made * worst_quality(scene_.mesh, std::span(carried.now.state.x).first(x0_.size()));
   for (const CarriedState& from : carried.begun) {
     start_from(from, carried.sources, report);
-    if (restore_balance(report))
-      report.again = solve_again(carried.now.state);
-    if (report.again > 0)
+    report.again = restore_balance(report) ? solve_again(carried.now.state) : 0;
+    const bool shorter_way_left = &from != &carried.begun.back();
+    if (report.again > 0 && (!shorter_way_left || worst_quality(scene_.mesh, positions()) > least))
       break;
   }
   report.balanced = report.again > 0;
@@ -329,7 +330,8 @@ void Process::settle(const CarriedOver& carried, RemeshReport& report) {
   start_from(carried.now, carried.sources, report);
   last_step_ = carried.guess;
   last_dt_ = dt;
-  report.balanced = restore_balance(report);
+  const bool at_rest = increment_ == 0; // nothing has acted on the part yet
+  report.balanced = at_rest || restore_balance(report);
 }
 
 bool Process::restore_balance(RemeshReport& report) {

@@ -88,16 +88,28 @@ std::vector<ContactZone> Process::poorly_resolved_tools() const {
   return poor;
 }
 
+bool Process::can_be_refined(const ContactZone& zone) const {
+  return zone.too_short() && zone.length > worth_while * static_cast<double>(zone.n_sides) *
+                                               usual_sizes().zones.in(zone, zone.length);
+}
+
+void Process::note_forces() {
+  earlier_forces_ = forces_on_tools();
+  largest_forces_.resize(earlier_forces_.size(), 0.0);
+  for (std::size_t t = 0; t < earlier_forces_.size(); ++t)
+    largest_forces_[t] =
+        earlier_forces_[t] > 0.0 ? std::max(largest_forces_[t], earlier_forces_[t]) : 0.0;
+}
+
 std::optional<ContactZone> Process::zone_to_refine() const {
   const std::vector<double> forces = forces_on_tools();
   const auto leaves = [&](int tool) { // its zones shrink: they need no new mesh
-    constexpr double falling = 0.9;
-    return forces[idx(tool)] < falling * earlier_forces_[idx(tool)];
+    constexpr double falling = 0.9, gone = 0.05;
+    return forces[idx(tool)] < falling * earlier_forces_[idx(tool)] ||
+           forces[idx(tool)] < gone * largest_forces_[idx(tool)];
   };
   for (const ContactZone& zone : zones_of_contact())
-    if (zone.too_short() && !leaves(zone.tool) &&
-        zone.length > worth_while * static_cast<double>(zone.n_sides) *
-                          std::max(size_in_zone(zone), usual_sizes().min))
+    if (can_be_refined(zone) && !leaves(zone.tool))
       return zone;
   return std::nullopt;
 }
@@ -134,8 +146,7 @@ std::string Process::remeshing_due() const {
       return fmt::format("plastic strain {:.2g} since the last mesh", grown);
   }
   if (const std::optional<ContactZone> zone = zone_to_refine())
-    return fmt::format("{} touches on {} side{}", scene_.tools[idx(zone->tool)].name, zone->n_sides,
-                       zone->n_sides == 1 ? "" : "s");
+    return fmt::format("{} touches on {}", scene_.tools[idx(zone->tool)].name, sides_of(*zone));
   return {};
 }
 

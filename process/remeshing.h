@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace billet::process {
@@ -22,6 +23,12 @@ struct NewPart {
   std::function<std::vector<contact::PointSource>(const contact::ContactSurface&,
                                                   std::span<const double> x)>
       sources;
+};
+
+/// A tool that comes to touch on sides too long for what it touches.
+struct FirstTouch {
+  std::string cause;                   ///< empty: there is none
+  std::vector<geometry::SizeAt> sizes; ///< that it needs there
 };
 
 /// What a run goes on from at the end of an increment.
@@ -58,7 +65,7 @@ struct CarriedState {
 /// Where the run is, on a new mesh, and where it was some increments ago.
 struct CarriedOver {
   CarriedState now;
-  /// The earliest, then the latest of those where the new elements had a shape; may be empty.
+  /// Those where the new elements had a shape, the earliest first; may be empty.
   std::vector<CarriedState> begun;
   std::vector<contact::PointSource> sources; ///< of the new contact points
   std::vector<double> guess;                 ///< step that the next increment may start with

@@ -201,7 +201,7 @@ bool Process::passes_through(double dt, std::string& why) const {
 void Process::accept(double dt) {
   if (scene_.remesh) {
     remember();
-    earlier_forces_ = forces_on_tools();
+    note_forces();
   }
   commit(dt);
   if (!refusal_event_.empty())
@@ -369,6 +369,13 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(*sooner);
+        continue;
+      }
+      if (const FirstTouch touch = poor_first_touch(step); !touch.cause.empty()) {
+        wasted_iterations_ += last_iterations_;
+        unmeshed = remesh(touch.cause, observers, touch.sizes);
+        if (!unmeshed.empty())
+          refusal_event_ = fmt::format("  no new mesh ({}): {}", touch.cause, unmeshed);
         continue;
       }
       const EnergyBalance before = energy_;

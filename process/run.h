@@ -13,6 +13,7 @@
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
+#include "process/part_boundary.h"
 #include "process/scene.h"
 
 #include <array>
@@ -29,11 +30,11 @@ struct SolidSizes;
 
 namespace billet::process {
 
-struct ContactZone;
 struct NewPart;
 struct RemeshedPart;
 struct RunState;
 struct CarriedOver;
+struct FirstTouch;
 struct CarriedState;
 
 /// Energies of the run so far [N mm].
@@ -314,6 +315,15 @@ private:
   [[nodiscard]] RunStatus
   run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers);
   [[nodiscard]] double next_landing(double stage_end) const;
+  /// Whether a new mesh would give a zone of contact with too few sides more of them. (P.18)
+  [[nodiscard]] bool can_be_refined(const ContactZone& zone) const;
+  /// A tool that touches nothing yet and will in the increment just solved, on sides too long for
+  /// what it touches. (P.18)
+  [[nodiscard]] FirstTouch poor_first_touch(double dt) const;
+  /// Tools that act at a time and have touched nothing in the last increment.
+  [[nodiscard]] std::vector<std::size_t> tools_about_to_touch(double time) const;
+  /// Keeps the forces on all tools before an increment.
+  void note_forces();
   /// A zone of contact that a new mesh would give more sides.
   [[nodiscard]] std::optional<ContactZone> zone_to_refine() const;
   /// Notes what remeshing needs to know of the first mesh.
@@ -323,9 +333,12 @@ private:
   /// Whether a mesh can be exchanged now, and has been used since it was made.
   [[nodiscard]] bool may_remesh() const;
   /// Meshes the part anew and carries everything over. (P.14)-(P.17)
+  ///
+  /// @param at  sizes besides, where a tool is about to touch
   /// @return why it could not be done; empty: it was. Then nothing has changed
   [[nodiscard]] std::string remesh(const std::string& cause,
-                                   const std::vector<Observer*>& observers);
+                                   const std::vector<Observer*>& observers,
+                                   const std::vector<geometry::SizeAt>& at = {});
   /// The states of the run on a new mesh, without the sources of its contact points. (P.16), (P.19)
   [[nodiscard]] CarriedOver carry_over(const RemeshedPart& part) const;
   /// Puts a new mesh in the place of the present one, with all that is built on a mesh.
@@ -351,14 +364,15 @@ private:
                       std::span<const contact::PointSource> sources);
   /// The part on a new mesh; nothing of the run has changed.
   /// @throws Error(Fault::geometry) if it cannot be meshed
-  [[nodiscard]] NewPart new_part() const;
-  [[nodiscard]] NewPart new_plane_part() const;
+  [[nodiscard]] NewPart new_part(const std::vector<geometry::SizeAt>& at) const;
+  [[nodiscard]] NewPart new_plane_part(const std::vector<geometry::SizeAt>& at) const;
   [[nodiscard]] NewPart new_solid_part() const;
   /// The tool that touches each contact face; -1: none.
   [[nodiscard]] std::vector<int> touching_tools() const;
   /// What the case asks for, and what it leaves open from the mesh at the start [mm].
   struct UsualSizes {
     double usual, at_contact, min, max;
+    ZoneSizes zones;
   };
   [[nodiscard]] UsualSizes usual_sizes() const;
   /// Size asked for at a place by tools that are near. [mm]
@@ -429,6 +443,7 @@ private:
   std::vector<Refusal> refusals_;
   double side_ = 0.0;                    ///< of the elements of the first mesh [mm]
   std::vector<double> earlier_forces_;   ///< on all tools, before the last increment [N]
+  std::vector<double> largest_forces_;   ///< likewise, the largest since they touched nothing [N]
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
   double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;               ///< likewise

@@ -430,10 +430,10 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
   for (const process::ContactZone& zone : process.poorly_resolved_tools())
     lines.push_back(fmt::format(
-        "warning: at the end {} touches on {} side{} of elements only, {:.3g} {} long: too few for "
-        "its force, which can be far too high; {}",
-        process.scene().tools[static_cast<std::size_t>(zone.tool)].name, zone.n_sides,
-        zone.n_sides == 1 ? "" : "s", zone.length, content_->units.length,
+        "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "
+        "force, which can be far too high; {}",
+        process.scene().tools[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone),
+        zone.length, content_->units.length,
         content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
                          : "a finer mesh there or a [remesh] section mends that"));
   if (worn_)

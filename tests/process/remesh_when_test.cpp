@@ -1,6 +1,7 @@
 // When the part is meshed anew, and what becomes of a run where it cannot be.
 
 #include "geometry/analytic_surfaces.h"
+#include "geometry/profile.h"
 #include "process/part_boundary.h"
 #include "process/remeshing.h"
 #include "process/run.h"
@@ -74,7 +75,11 @@ TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
   ASSERT_FALSE(done.process->remeshings().empty());
-  EXPECT_EQ(done.process->remeshings().front().cause, "bar touches on 1 side");
+  const RemeshReport& first = done.process->remeshings().front();
+  EXPECT_EQ(first.cause, "bar comes to touch on 1 side");
+  EXPECT_EQ(first.increment, 0) << "before anything is out of place";
+  EXPECT_TRUE(first.balanced);
+  EXPECT_EQ(first.energy, 0.0);
   EXPECT_LE(done.process->remeshings().size(), 3u);
   EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
   EXPECT_TRUE(fine.process->poorly_resolved_tools().empty());
@@ -92,6 +97,68 @@ TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
               100.0 * worst, 100.0 * worst_kept);
   EXPECT_LT(worst, 0.03);
   EXPECT_GT(worst_kept, 2.0 * worst);
+}
+
+TEST(Remeshing, ComesBeforeASecondToolTouchesOnAFewSides) {
+  Scene scene = bar_on_block(8);
+  scene.tools[0].motion.velocity.reset();
+  scene.tools[0].motion.displacement = std::array{
+      TimeFunction(0.0), TimeFunction({{0.0, 0.05}, {0.05, 0.0}, {0.1, -0.05}}), TimeFunction(0.0)};
+  scene.tools.push_back(
+      moving_tool("table", geometry::make_plane(Vec3(12, 0, 0), -Vec3::UnitX()), Vec3(-0.2, 0, 0)));
+  scene.stages[0].tools = {1, 1};
+  scene.landing_times.clear();
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  const RemeshReport& first = done.process->remeshings().front();
+  EXPECT_EQ(first.cause, "bar comes to touch on 1 side");
+  EXPECT_GT(first.increment, 0);
+  EXPECT_LE(first.time, 0.05);
+  EXPECT_EQ(first.forces[0].after, 0.0) << "it touches nothing yet";
+  EXPECT_LT(first.force_jump(), 0.01) << "the table presses on";
+}
+
+/// A wedge with a tip of radius 0.05 enters half a block of 12 x 12 elements of 1 mm.
+Scene wedge_in_block(double half_angle) {
+  Scene scene = bar_on_block(12);
+  constexpr double radius = 0.05, length = 8.0;
+  const double turn = 0.5 * std::numbers::pi - half_angle;
+  const Vec2 end_of_tip(radius * std::sin(turn), radius * (1.0 - std::cos(turn)));
+  geometry::Profile profile;
+  profile.start = Vec2::Zero();
+  profile.segments = {{end_of_tip, radius},
+                      {end_of_tip + length * Vec2(std::cos(turn), std::sin(turn)), 0.0}};
+  geometry::SurfacePtr wedge = geometry::make_profile(profile);
+  scene.tools[0] = moving_tool("wedge", std::move(wedge), -Vec3::UnitY());
+  scene.tools[0].motion.offset = Vec3(0, 12, 0);
+  scene.stages[0].end = 0.3;
+  scene.landing_times.clear();
+  scene.remesh = RemeshSettings{};
+  return scene;
+}
+
+TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
+  for (const double degrees : {20.0, 45.0}) {
+    const FinishedRun done = run(wedge_in_block(degrees * std::numbers::pi / 180.0));
+    ASSERT_EQ(done.status, RunStatus::done) << degrees;
+    double worst = 1.0, largest = 0.0;
+    for (const Entry& entry : done.recorder.entries)
+      worst = std::min(worst, entry.report.min_quality);
+    for (const RemeshReport& r : done.process->remeshings())
+      largest = std::max(largest, r.force_jump());
+    std::printf(
+        "  wedge of %.0f degrees to a side: %zu meshes, quality at least %.2f, force changed "
+        "by at most %.1f %%\n",
+        degrees, done.process->remeshings().size(), worst, 100.0 * largest);
+    const RemeshReport& first = done.process->remeshings().front();
+    EXPECT_EQ(first.cause, "wedge comes to touch on 1 side");
+    EXPECT_EQ(first.forces[0].before, 0.0);
+    EXPECT_TRUE(done.process->refusals().empty());
+    EXPECT_GT(worst, 0.05);
+    EXPECT_LT(largest, 0.15); // 0.5 on sides of 0.25, on which the first new mesh was made before
+  }
 }
 
 TEST(Remeshing, DoesNotFollowAContactThatShrinks) {

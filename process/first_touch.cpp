@@ -1,0 +1,106 @@
+// Whether a tool is about to touch on sides that are too long for what it will touch. (P.18)
+
+#include "process/part_boundary.h"
+#include "process/remeshing.h"
+#include "process/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+/// Places on a side at which the gap is looked at: the middles of as many parts of it. Its ends may
+/// lie on the rim of a tool that ends on the axis.
+constexpr std::size_t places_on_side = 16;
+
+/// How deep in a tool they are seen, in mean sides.
+constexpr double reach = 4.0;
+
+std::array<Vec3, places_on_side> places_on(const geometry::SideLoop& loop, std::size_t side) {
+  std::array<Vec3, places_on_side> places;
+  const Vec2& start = loop.corners[side];
+  const Vec2& end = loop.corners[(side + 1) % loop.corners.size()];
+  for (std::size_t i = 0; i < places_on_side; ++i) {
+    const double xi = (2.0 * static_cast<double>(i) + 1.0) / places_on_side - 1.0;
+    const Vec2 x = 0.5 * xi * (xi - 1.0) * start + (1.0 - xi * xi) * loop.middles[side] +
+                   0.5 * xi * (xi + 1.0) * end;
+    places[i] = in_space(x);
+  }
+  return places;
+}
+
+/// Places that a tool will have reached, on each side of each loop.
+using Reached = std::vector<std::vector<std::vector<Vec2>>>;
+
+} // namespace
+
+std::vector<std::size_t> Process::tools_about_to_touch(double time) const {
+  std::vector<std::size_t> coming;
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t)
+    if (contact_->acts(t, time) && contact_->closed()[t].empty())
+      coming.push_back(t);
+  return coming;
+}
+
+FirstTouch Process::poor_first_touch(double dt) const {
+  const bool just_meshed = increment_ == mesh_increment_ && !remeshings_.empty();
+  if (!scene_.remesh || !contact_ || scene_.mesh.dimension() != 2 || fading_until_ > time_ ||
+      just_meshed || refused_increment_ == increment_)
+    return {};
+  const std::vector<std::size_t> coming = tools_about_to_touch(time_ + dt);
+  if (coming.empty())
+    return {};
+  const std::vector<double> ahead = foretold(dt);
+  const std::span<const double> nodes = std::span(ahead).first(x0_.size());
+  std::vector<int> touching(scene_.contact_faces.size(), -1);
+  const PartBoundary untouched = part_boundary(scene_, nodes, touching, {});
+  Reached reached;
+  for (const geometry::SideLoop& loop : untouched.loops)
+    reached.emplace_back(loop.corners.size());
+  for (std::size_t f = 0; f < touching.size(); ++f) {
+    const mechanics::Face& face = scene_.contact_faces[f];
+    const SideNumber at = untouched.sides.at({face.nodes[0], face.nodes[1]});
+    const auto places = places_on(untouched.loops[idx(at.loop)], idx(at.side));
+    for (const std::size_t t : coming) {
+      const geometry::Pose pose = contact_->pose(t, time_ + dt, ahead);
+      std::array<Vec3, places_on_side> seen;
+      std::transform(places.begin(), places.end(), seen.begin(),
+                     [&](const Vec3& x) { return pose.to_tool(x); });
+      std::array<geometry::Projection, places_on_side> feet;
+      scene_.tools[t].surface->project(seen, reach * side_, feet);
+      for (std::size_t i = 0; i < feet.size(); ++i)
+        if (feet[i].found() && feet[i].gap < 0.0) {
+          touching[f] = static_cast<int>(t);
+          reached[idx(at.loop)][idx(at.side)].emplace_back(places[i].head<2>());
+        }
+    }
+  }
+  for (const ContactZone& zone : contact_zones(part_boundary(scene_, nodes, touching, {}))) {
+    if (!can_be_refined(zone))
+      continue;
+    const auto& sides = reached[zone.loop];
+    std::vector<Vec2> places;
+    for (std::size_t j = 0; j < zone.n_sides; ++j) {
+      const std::vector<Vec2>& more = sides[(zone.first + j) % sides.size()];
+      places.insert(places.end(), more.begin(), more.end());
+    }
+    const double share =
+        static_cast<double>(places.size()) / static_cast<double>(zone.n_sides * places_on_side);
+    const double size = usual_sizes().zones.in(zone, share * zone.length);
+    FirstTouch touch{
+        fmt::format("{} comes to touch on {}", scene_.tools[idx(zone.tool)].name, sides_of(zone)),
+        {}};
+    for (const Vec2& x : places)
+      touch.sizes.push_back({x, size});
+    return touch;
+  }
+  return {};
+}
+
+} // namespace billet::process
