@@ -313,14 +313,17 @@ void Process::restore_volume(double volume,
 
 void Process::settle(const CarriedOver& carried, RemeshReport& report) {
   const double dt = last_dt_;
-  // On a long way, by a small radius above all, the mesh may end far from how it was made.
+  // On a long way, by a small radius above all, the mesh may end far from how it was made. In space
+  // qualities say little of that, and shorter ways cost more than they mend: forces on the hub of
+  // the cases changed by 1.4 % in the median in place of 0.6 %.
+  const bool plane = scene_.mesh.dimension() == 2;
   constexpr double of_made = 0.5;
   const double least =
       of_made * worst_quality(scene_.mesh, std::span(carried.now.state.x).first(x0_.size()));
   for (const CarriedState& from : carried.begun) {
     start_from(from, carried.sources, report);
     report.again = restore_balance(report) ? solve_again(carried.now.state) : 0;
-    const bool shorter_way_left = &from != &carried.begun.back();
+    const bool shorter_way_left = plane && &from != &carried.begun.back();
     if (report.again > 0 && (!shorter_way_left || worst_quality(scene_.mesh, positions()) > least))
       break;
   }
