@@ -314,8 +314,7 @@ void Process::restore_volume(double volume,
 void Process::settle(const CarriedOver& carried, RemeshReport& report) {
   const double dt = last_dt_;
   // On a long way, by a small radius above all, the mesh may end far from how it was made. In space
-  // qualities say little of that, and shorter ways cost more than they mend: forces on the hub of
-  // the cases changed by 1.4 % in the median in place of 0.6 %.
+  // qualities are halved by less than that, and the force changes more after a shorter way.
   const bool plane = scene_.mesh.dimension() == 2;
   constexpr double of_made = 0.5;
   const double least =
