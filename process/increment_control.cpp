@@ -34,10 +34,13 @@ void IncrementControl::accepted(double step, int iterations, double missed) {
                       step == last_step_;
     next_ = longer == pays ? step * careful_growth : step * shrinking;
   }
-  // What trapezoids miss goes with the square of the length.
-  if (missed > most_missed)
-    next_ = std::min(next_, std::max(exact_share * limits_.max,
-                                     step * std::max(shrinking, std::sqrt(most_missed / missed))));
+  // What trapezoids miss goes with the square of the length. The next ones may be easy, and one
+  // after them as rough as this.
+  if (missed > most_missed) {
+    const double shorter = step * std::max(shrinking, std::sqrt(most_missed / missed));
+    const double ceiling = std::max(exact_share * limits_.max, shorter);
+    ceiling_ = ceiling_ > 0.0 ? std::min(ceiling_, ceiling) : ceiling;
+  }
   if (ceiling_ > 0.0) {
     next_ = std::min(next_, ceiling_);
     ceiling_ = ceiling_ < limits_.max ? ceiling_ * rise_of_ceiling : 0.0;

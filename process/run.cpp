@@ -56,8 +56,10 @@ double EnergyBalance::error_since(const EnergyBalance& before) const {
 double Process::missed_since(const EnergyBalance& before, double gone) const {
   constexpr double half_of_the_budget = 0.0025; // the balance of a run is to be within 0.5 %
   constexpr double early = 0.1;                 // what the first yield misses counts little later
-  const bool at_risk = gone > early && energy_.error() > half_of_the_budget;
-  return at_risk && !scene_.increments.max ? energy_.error_since(before) : 0.0;
+  const double used = energy_.error() / half_of_the_budget;
+  const bool at_risk = gone > early && used > 1.0;
+  // The less of the budget is left the more is asked of an increment.
+  return at_risk && !scene_.increments.max ? used * used * energy_.error_since(before) : 0.0;
 }
 
 void Process::start_stage(const Stage& stage) {

@@ -63,6 +63,23 @@ TEST(IncrementControl, IncrementsWhoseWorkIsKnownPoorlyAreShortenedButNotForEver
   EXPECT_DOUBLE_EQ(hopeless.next(), 0.25 * limits.max);
 }
 
+TEST(IncrementControl, APoorlyKnownIncrementShortensThoseAfterItToo) {
+  // Every third one is rough: the easy ones between must not bring it back to its length.
+  IncrementControl control(limits);
+  while (control.next() < limits.max)
+    control.accepted(control.next(), 3);
+  control.accepted(control.next(), 3, 0.04);
+  const double shorter = control.next();
+  EXPECT_NEAR(shorter, limits.max * std::sqrt(0.5), 1e-12);
+  for (const double bound : {1.1, 1.21}) { // 1.5 without
+    control.accepted(control.next(), 3);
+    EXPECT_NEAR(control.next(), bound * shorter, 1e-12);
+  }
+  for (int i = 0; i < 20; ++i)
+    control.accepted(control.next(), 3);
+  EXPECT_DOUBLE_EQ(control.next(), limits.max) << "not for ever";
+}
+
 TEST(IncrementControl, IterationsThatDoNotDependOnTheLengthDoNotHoldItShort) {
   for (const int iterations : {7, 9, 12, 20}) {
     IncrementControl control(limits);
