@@ -2,6 +2,8 @@
 
 #include "geometry/base/error.h"
 #include "geometry/solid_remesher.h"
+#include "mechanics/mesh_locator.h"
+#include "mechanics/rate_gradient.h"
 #include "process/part_boundary.h"
 #include "process/remeshing.h"
 #include "process/run.h"
@@ -162,6 +164,26 @@ Vec3 Process::settled(const contact::PointSource& source,
   return result;
 }
 
+std::vector<geometry::SizeAt> Process::sizes_for_flow() const {
+  std::vector<double> grown = plastic_rate_;
+  // A single increment may be short, and rough.
+  if (!remembered_.empty() && remembered_.front()->time < time_)
+    for (std::size_t k = 0; k < grown.size(); ++k)
+      grown[k] = std::max(0.0, bulk_->states()[k].plastic_strain -
+                                   remembered_.front()->states[k].plastic_strain);
+  constexpr double of_length = 0.5; // of that over which the rate changes by its mean
+  constexpr double of_usual = 0.5;  // no shorter: corners of tools have no length of their own
+  const UsualSizes usual = usual_sizes();
+  const double least = std::max(usual.min, of_usual * usual.usual);
+  const std::vector<Vec3> points = mechanics::integration_points(scene_.mesh, positions());
+  std::vector<geometry::SizeAt> sizes;
+  for (const mechanics::RateGradient& flow :
+       mechanics::rate_gradients(scene_.mesh, points, grown, bulk_->volumes()))
+    if (of_length * flow.length < usual.usual)
+      sizes.push_back({flow.at.head<2>(), std::max(least, of_length * flow.length)});
+  return sizes;
+}
+
 NewPart Process::new_part(const std::vector<geometry::SizeAt>& at) const {
   return scene_.mesh.dimension() == 2 ? new_plane_part(at) : new_solid_part();
 }
@@ -193,6 +215,8 @@ NewPart Process::new_plane_part(const std::vector<geometry::SizeAt>& at) const {
   geometry::RemeshSizes sizes = remesh_sizes();
   sizes.at = contact_sizes(boundary, usual_sizes().zones);
   sizes.at.insert(sizes.at.end(), at.begin(), at.end());
+  const std::vector<geometry::SizeAt> flow = sizes_for_flow();
+  sizes.at.insert(sizes.at.end(), flow.begin(), flow.end());
   RemeshedPart part = remesh_finely_enough(scene_, boundary, sizes, settle);
   const auto with_sizes_times = [&](const OtherSizes& other) -> std::optional<RemeshedPart> {
     geometry::RemeshSizes scaled = sizes;

@@ -375,6 +375,8 @@ private:
     ZoneSizes zones;
   };
   [[nodiscard]] UsualSizes usual_sizes() const;
+  /// Sizes that follow how the rate of flow changes from place to place. (P.22)
+  [[nodiscard]] std::vector<geometry::SizeAt> sizes_for_flow() const;
   /// Size asked for at a place by tools that are near. [mm]
   [[nodiscard]] std::function<double(const Vec3&)> wanted_size(double turn, double growth) const;
   /// How a node of the new boundary may go to a tool.
