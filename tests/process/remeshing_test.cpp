@@ -203,6 +203,18 @@ TEST(Remeshing, LeavesAHomogeneousStateAlone) {
   }
 }
 
+TEST(Remeshing, IsFinerWhereTheRateOfFlowVaries) { // (P.22)
+  const auto elements = [](const contact::Friction& friction) {
+    const FinishedRun done =
+        run(remeshed(billet(ElementKind::quad8, 6, 0.2, friction), every(0.9)));
+    EXPECT_EQ(done.status, RunStatus::done);
+    return done.process->remeshings().back().elements[1];
+  };
+  const Index even = elements(contact::Frictionless{}), uneven = elements(contact::Sticking{});
+  std::printf("new mesh of a billet: %d elements without friction, %d sticking\n", even, uneven);
+  EXPECT_GT(uneven, 1.2 * even); // 100 to 92 without: by the shape alone
+}
+
 /// Mean over the contact surface of what its points have slid, and of what they have worn [mm].
 struct OnSurface {
   double sliding = 0.0;
