@@ -110,7 +110,8 @@ bool is_part_of_unit(char c) {
   return std::isalpha(byte) != 0 || byte >= 0x80;
 }
 
-/// Recursive-descent parser: product = factor {("*" | "." | "/") factor}; factor = atom ["^" n].
+/// Recursive-descent parser: product = factor {("*" | "." | "/" | " ") factor};
+/// factor = atom ["^" n]. After a "/" a blank could mean either, so "W/m K" is none.
 class UnitParser {
 public:
   explicit UnitParser(std::string_view text) : rest_(text) {}
@@ -132,15 +133,24 @@ private:
     return true;
   }
 
+  bool factor_after_blank() const {
+    const std::string_view next = trimmed(rest_);
+    return next.size() < rest_.size() && !next.empty() &&
+           (is_part_of_unit(next.front()) || next.front() == '(') &&
+           !next.starts_with("\u00b7");
+  }
+
   std::optional<Unit> parse_product(int depth) {
     std::optional<Unit> unit = parse_factor(depth);
     int factors = 1;
+    bool divided = false;
     while (unit) {
-      int exponent = 1;
-      if (skip("/"))
-        exponent = -1;
-      else if (!skip("*") && !skip(".") && !skip("\u00b7"))
+      const bool apart = factor_after_blank() && !divided;
+      const bool over = skip("/");
+      if (!over && !skip("*") && !skip(".") && !skip("\u00b7") && !apart)
         break;
+      divided = divided || over;
+      const int exponent = over ? -1 : 1;
       const std::optional<Unit> factor = parse_factor(depth);
       if (!factor || ++factors > largest_power)
         return std::nullopt;

@@ -77,6 +77,12 @@ TEST(Units, read_products_quotients_powers_and_signs) {
   EXPECT_EQ(in_mm("4 1/s", quantity::rate), 4.0);
   EXPECT_EQ(in_mm("4 s^-1", quantity::rate), 4.0);
   EXPECT_EQ(in_mm("9 N/mm\u00b2", quantity::stress), 9.0);
+  EXPECT_EQ(in_mm("-4 N mm", quantity::torque), -4.0);
+  EXPECT_EQ(in_mm("4 N (mm)", quantity::torque), 4.0);
+  EXPECT_EQ(in_mm("470 J/(kg K)", quantity::heat_capacity),
+            in_mm("470 J/kg/K", quantity::heat_capacity));
+  EXPECT_EQ(reason("470 J/kg K", quantity::heat_capacity),
+            "the unit cannot be read; allowed is a heat capacity such as \"10 J/kg/K\"");
 }
 
 TEST(Units, name_what_is_expected) {
