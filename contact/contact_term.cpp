@@ -213,9 +213,9 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
           state.touching[k] = touching_share(t, k, trial);
         in.touching = *state.touching[k];
       }
-      in.softening = trial.softening;
+      in.softening = trial.softening.slip;
       in.kept = kept;
-      in.multiplier = state.multiplier[k];
+      in.multiplier = carried(state, k);
       in.strength = strength(tool.friction, k);
       if (even != nullptr)
         in.shared = shared_pressure(*even, k);
@@ -278,6 +278,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
                                                     mechanics::System& system) {
   const double begun = seconds_now();
   const double searched = times_.search;
+  softening_ = trial.softening.penetration;
   surface_->positions(trial.x, positions_);
   std::fill(traction_.begin(), traction_.end(), Vec3::Zero());
   std::fill(dtraction_.begin(), dtraction_.end(), Mat3::Zero());
@@ -306,6 +307,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
   add_strength(trial, system);
   add_loads(trial, system);
   add_borders(trial, system);
+  softening_ = 1.0;
   times_.elements += seconds_now() - begun - (times_.search - searched);
   return mechanics::Assembled{};
 }

@@ -234,6 +234,9 @@ private:
 
   [[nodiscard]] Penalty penalty() const;
   /// Gap below which a point touches, but for a multiplier: rounding of coordinates [mm].
+  /// Pressure that needs no penetration: the multiplier, and what a softer penalty on the way to a
+  /// solution leaves of the pressure at the start of the increment [MPa]. (N.10)
+  [[nodiscard]] double carried(const ToolState& state, std::size_t point) const;
   [[nodiscard]] double touching_gap(std::size_t point) const;
   /// Gap at which a point opens: a multiplier holds it beyond touching [mm].
   [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const;
@@ -370,6 +373,7 @@ private:
   ContactWork work_;
   double area_ = 0.0;
   Times times_;
+  double softening_ = 1.0;       ///< of the normal penalty while a trial is assembled [-]
   double stiffening_ = 1.0;      ///< of the normal penalty in the trial [-]
   double stiffening_old_ = 1.0;  ///< in the committed state [-]
   double stiffening_next_ = 1.0; ///< at the beginning of a try [-]

@@ -9,10 +9,18 @@ namespace billet::contact {
 
 Penalty ContactTerm::penalty() const {
   Penalty penalty = surface_->penalty();
-  penalty.normal *= stiffening_;
+  penalty.normal *= stiffening_ * softening_;
+  // What presses lightly must not rather slip than sink: both are softened alike.
   if (stiffening_ < 1.0)
-    penalty.tangent = std::min(penalty.tangent, penalty.normal);
+    penalty.tangent *= stiffening_;
   return penalty;
+}
+
+double ContactTerm::carried(const ToolState& state, std::size_t point) const {
+  const double multiplier = state.multiplier[point];
+  const PointHistory& history = state.history[point];
+  const double pressed = history.closed() ? history.pressure - multiplier : 0.0;
+  return multiplier + (1.0 - softening_) * pressed;
 }
 
 void ContactTerm::restart() {

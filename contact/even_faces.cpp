@@ -37,7 +37,7 @@ double ContactTerm::opening_gap(const ToolState& state, std::size_t point) const
   const double added = state.history[point].offset + state.history[point].level;
   if (even_face(state, point) != nullptr)
     return beyond_contact * surface_->depth(face_of(point)) - added;
-  return touching_gap(point) + state.multiplier[point] / penalty().normal -
+  return touching_gap(point) + carried(state, point) / penalty().normal -
          state.history[point].added();
 }
 
@@ -101,7 +101,7 @@ void ContactTerm::press_even_faces(ToolState& state, bool keep) const {
       const PointHistory& history = state.history[k];
       const bool found = state.foot[k].found();
       gaps[i] = (found ? state.foot[k].gap : reach_) + history.offset + history.level;
-      compliance.multiplier += compliance.weights[i] * state.multiplier[k];
+      compliance.multiplier += compliance.weights[i] * carried(state, k);
       pulls = pulls && found && history.closed();
     }
     even.now = face_pressure(compliance, gaps, pulls);

@@ -21,13 +21,19 @@ namespace billet::mechanics {
 /// Reduction of the scene to the unknowns it needs.
 enum class Analysis { plane_strain, axisymmetric, solid };
 
+/// What contact is softer by on the way to a solution. (N.10)
+struct Softening {
+  double slip = 1.0;        ///< of what resists slip [-]
+  double penetration = 1.0; ///< of what resists more penetration than there was [-]
+};
+
 /// The configuration being tried and the committed one it starts from.
 struct Trial {
   double time_old;               ///< [s]
   double time;                   ///< [s]
   std::span<const double> x_old; ///< committed positions, shape (n_dofs + n_extra) [mm]
   std::span<const double> x;     ///< positions tried, shape (n_dofs + n_extra) [mm]
-  double softening = 1.0;        ///< of what resists slip, below 1 on the way to a solution [-]
+  Softening softening{};         ///< on the way to a solution
   bool first_guess = false;      ///< may be too coarse to tell which contacts have parted
 };
 

@@ -51,6 +51,28 @@ double forcing(double relative_residual, double tolerance) {
                   std::max(relative_residual, below_tolerance * tolerance / relative_residual));
 }
 
+/// Ten times stiffer whenever the residual is small. (N.10)
+Softening first_softening(Approach approach) {
+  constexpr double soft = 1e-3, gentle = 1e-4;
+  if (approach == Approach::softly)
+    return {soft, 1.0};
+  if (approach == Approach::gently)
+    return {gentle, gentle};
+  return {};
+}
+
+void harden(Softening& softening) {
+  constexpr double stiffer = 10.0;
+  softening.slip = std::min(1.0, stiffer * softening.slip);
+  softening.penetration = std::min(1.0, stiffer * softening.penetration);
+}
+
+/// Times the usual number.
+int iterations_for(Approach approach) {
+  constexpr int softly = 2, gently = 4;
+  return approach == Approach::gently ? gently : approach == Approach::softly ? softly : 1;
+}
+
 } // namespace
 
 Newton::Newton(const BlockPattern& pattern,
@@ -295,17 +317,18 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     std::vector<double>& x,
                                     Approach approach) {
   const bool guessed = approach != Approach::from_solution;
-  const bool softly = approach == Approach::softly;
   if (guessed)
     records_.clear();
   mark(prescribed);
-  constexpr double soft = 1e-3; // and ten times more whenever the residual is small
-  double softening = softly ? soft : 1.0;
-  auto norms = evaluate(terms, {time_old, time, x_old, x, softening, guessed});
+  Softening softening = first_softening(approach);
+  const auto trial = [&](bool first_guess = false) {
+    return Trial{time_old, time, x_old, x, softening, first_guess};
+  };
+  auto norms = evaluate(terms, trial(guessed));
   if (!norms) {
     // The extrapolated guess was too bold: start from the committed state.
     x.assign(x_old.begin(), x_old.end());
-    norms = evaluate(terms, {time_old, time, x_old, x, softening, true});
+    norms = evaluate(terms, trial(true));
     if (!norms)
       return norms.error();
   }
@@ -328,13 +351,16 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   };
   double before = norms->residual / norms->scale;
   double correction = 0.0;
-  const int most_iterations = (softly ? 2 : 1) * settings_.most_iterations;
+  int hardened = 0; // the iteration that the last softness was left at
+  const int most_iterations = iterations_for(approach) * settings_.most_iterations;
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     double relative = norms->residual / norms->scale;
     constexpr double near = 1e-4;
-    if (softening < 1.0 && relative <= near) {
-      softening = std::min(1.0, 10.0 * softening);
-      norms = evaluate(terms, {time_old, time, x_old, x, softening});
+    if (softening.slip < 1.0 && relative <= near) {
+      harden(softening);
+      if (approach == Approach::gently)
+        hardened = iteration - 1;
+      norms = evaluate(terms, trial());
       if (!norms)
         return norms.error();
       relative = norms->residual / norms->scale;
@@ -343,10 +369,10 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     const double next = before > 0.0 ? correction * std::min(1.0, relative / before) : 0.0;
     constexpr double small_correction = 1e-5;
     const bool solved_well =
-        softening == 1.0 && relative <= settings_.tolerance && next <= small_correction;
-    if ((solved_well || (softening == 1.0 && at_rounding(relative))) && missing() == 0.0)
+        softening.slip == 1.0 && relative <= settings_.tolerance && next <= small_correction;
+    if ((solved_well || (softening.slip == 1.0 && at_rounding(relative))) && missing() == 0.0)
       return NewtonReport{iteration - 1, relative, norms->scale};
-    if (hopeless(iteration - 1, relative))
+    if (hopeless(iteration - 1 - hardened, relative))
       return Failure{"no convergence"};
     before = relative;
     // After an event - a contact that opens or closes, a line search - nothing but the new
@@ -364,8 +390,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     const bool whole = missing() > 0.0 || system_.kept_contacts;
     const Norms reference = whole ? Norms{HUGE_VAL, norms->scale} : *norms;
     double step = 1.0;
-    const auto evaluation =
-        search(terms, {time_old, time, x_old, x, softening}, x, reference, step);
+    const auto evaluation = search(terms, trial(), x, reference, step);
     if (!evaluation)
       return evaluation.error();
     if (step == 1.0)
@@ -380,7 +405,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     records_.push_back({iteration, norms->residual / norms->scale, correction, step, solved->method,
                         contact_changes_});
   }
-  if (norms->residual / norms->scale <= settings_.tolerance && missing() == 0.0)
+  if (softening.slip == 1.0 && norms->residual / norms->scale <= settings_.tolerance &&
+      missing() == 0.0)
     return NewtonReport{settings_.most_iterations, norms->residual / norms->scale, norms->scale};
   return Failure{"no convergence"};
 }

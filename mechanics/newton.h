@@ -62,6 +62,7 @@ struct NewtonTimes {
 enum class Approach {
   directly,      ///< from a first guess
   softly,        ///< from a first guess, by way of the solution with a softer resistance to slip
+  gently,        ///< from the start of the increment, with a softer resistance to penetration, too
   from_solution, ///< from what solves terms that have changed a little since; goes on recording
 };
 

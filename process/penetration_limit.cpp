@@ -100,6 +100,8 @@ void Process::adapt_penalty(Progress progress) {
     begin_with_stiffness(softer);
   else if (share > large && next < 1.0)
     begin_with_stiffness(std::min(stiffer, 1.0 / next));
+  else if (progress == Progress::easy && share == 0.0 && next < 1.0)
+    begin_with_stiffness(1.0 / next); // nothing touches that a stiffer one could throw out
 }
 
 std::string Process::penetration_failure(int rounds) const {

@@ -373,8 +373,9 @@ int Process::solve_again(const RunState& end) {
     const double step = step_towards(landing - time_, control.next());
     const bool lands = step == landing - time_;
     std::string why;
+    refused_as_too_deep_ = false;
     if (try_increment(step, mechanics::Approach::directly, why) ||
-        (contact_ && failures > 0 && try_increment(step, mechanics::Approach::softly, why))) {
+        (failures > 0 && try_softened(step, why))) {
       commit(step);
       if (lands)
         time_ = landing;

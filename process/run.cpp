@@ -130,7 +130,7 @@ std::vector<double> Process::foretold(double dt) const {
 
 bool Process::try_increment(double dt, mechanics::Approach approach, std::string& why) {
   trial_x_ = x_;
-  if (!last_step_.empty()) {
+  if (!last_step_.empty() && approach != mechanics::Approach::gently) {
     const double factor = dt / last_dt_;
     for (std::size_t i = 0; i < x_.size(); ++i)
       trial_x_[i] += factor * last_step_[i];
@@ -154,6 +154,16 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
   else
     wasted_iterations_ += spent();
   return solved;
+}
+
+bool Process::try_softened(double dt, std::string& why) {
+  // A softer friction finds the neutral point of a roll; a softer penalty where a sheet lifts off
+  // a tool that it lay on: a stiff one opens little more than a point an iteration.
+  for (const mechanics::Approach approach :
+       {mechanics::Approach::softly, mechanics::Approach::gently})
+    if (contact_ && !refused_as_too_deep_ && try_increment(dt, approach, why))
+      return true;
+  return false;
 }
 
 std::string Process::restless_points() const {
@@ -363,11 +373,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     release_tools(time_ + step, gone);
     std::string why = leap(scene_, stage, time_, time_ + step);
     refused_as_too_deep_ = false;
-    // After a failure a second try goes by way of a softer friction: it finds the neutral point of
-    // a roll.
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
-                        (contact_ && failures > 0 && !refused_as_too_deep_ &&
-                         try_increment(step, mechanics::Approach::softly, why)))) {
+                        (failures > 0 && try_softened(step, why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(*sooner);

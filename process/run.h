@@ -277,6 +277,8 @@ private:
   /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
   [[nodiscard]] std::vector<double> foretold(double dt) const;
   [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
+  /// By way of softer contact, after an increment has failed. (N.10)
+  [[nodiscard]] bool try_softened(double dt, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
   [[nodiscard]] bool plausible(double force_scale, std::string& why) const;
   /// Presses harder until the limit of penetration holds. (P.7)

@@ -126,18 +126,17 @@ public:
 
 private:
   bool skip(std::string_view symbol) {
-    rest_ = trimmed(rest_);
-    if (!rest_.starts_with(symbol))
+    const std::string_view next = trimmed(rest_);
+    if (!next.starts_with(symbol))
       return false;
-    rest_.remove_prefix(symbol.size());
+    rest_ = next.substr(symbol.size());
     return true;
   }
 
   bool factor_after_blank() const {
     const std::string_view next = trimmed(rest_);
     return next.size() < rest_.size() && !next.empty() &&
-           (is_part_of_unit(next.front()) || next.front() == '(') &&
-           !next.starts_with("\u00b7");
+           (is_part_of_unit(next.front()) || next.front() == '(') && !next.starts_with("\u00b7");
   }
 
   std::optional<Unit> parse_product(int depth) {
@@ -170,6 +169,7 @@ private:
 
   std::optional<Unit> parse_power(const Unit& atom) {
     const bool negative = skip("-");
+    rest_ = trimmed(rest_);
     int exponent = 0;
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), exponent);
     if (error != std::errc{} || exponent < 1 || exponent > largest_power)
