@@ -82,6 +82,15 @@ std::vector<double> history_row(const process::Process& process,
   return row;
 }
 
+/// Whether a pressure, a traction or a tool under a force drives the workpiece: there may be no
+/// equilibrium beyond some load.
+bool driven_by_load(const process::Scene& scene) {
+  return !scene.loads.empty() ||
+         std::any_of(scene.tools.begin(), scene.tools.end(), [](const contact::Tool& tool) {
+           return tool.motion.force || tool.motion.torque;
+         });
+}
+
 ordered_json energy_json(const process::EnergyBalance& e) {
   return {{"external_work", e.external},      {"elastic_energy", e.elastic},
           {"plastic_work", e.plastic},        {"friction_work", e.friction},
@@ -338,6 +347,11 @@ void RunWriter::incremented(const process::Process& process,
   constexpr double bad = 0.1; // below it elements hardly deform as they should
   if (!worn_ && report.min_quality < bad)
     worn_ = report;
+  const double missed = report.energy.missing() - (last_ ? last_->energy.missing() : 0.0);
+  if (std::abs(missed) > std::abs(most_missed_)) {
+    most_missed_ = missed;
+    most_missed_at_ = report.time;
+  }
   last_ = report;
   if (frame_due(report.time))
     write_frame(process);
@@ -393,6 +407,9 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
       process.scene().remesh
           ? "what may help: smaller elements there (remesh.size), a check of the tools' motion\n"
           : "what may help: a finer mesh there, a [remesh] section, a check of the tools' motion\n";
+  if (driven_by_load(process.scene()))
+    text += "a load drives this part: it may be at the most that the part bears (it necks, bulges, "
+            "buckles or leaves the tool); a prescribed motion in its place goes on beyond\n";
   write_file(folder_ / "failure" / "post_mortem.txt", text);
 }
 
@@ -428,6 +445,15 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
         "contact.form = \"compatible\") lessens it",
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
+  constexpr double budget = 0.005;
+  if (const process::EnergyBalance& energy = process.energy(); energy.error() > budget)
+    lines.push_back(fmt::format(
+        "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
+        "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "
+        "and forces that change much within an increment are integrated badly; a shorter "
+        "time.increments.max shows which",
+        100.0 * energy.error(), energy.missing(), content_->units.force, content_->units.length,
+        most_missed_at_, content_->units.time, most_missed_));
   for (const process::ContactZone& zone : process.poorly_resolved_tools())
     lines.push_back(fmt::format(
         "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "

@@ -75,6 +75,8 @@ private:
   std::vector<std::string> complaints_; ///< about remeshings
   double largest_penetration_ = 0.0;
   double largest_share_ = 0.0;
+  double most_missed_ = 0.0;    ///< by the balance of energy in one increment [N mm]
+  double most_missed_at_ = 0.0; ///< end of that increment [s]
   std::optional<process::IncrementReport>
       worn_; ///< the first with a bad mesh that nothing replaces
 };

@@ -87,7 +87,8 @@ protected:
   void check(const NamedLaw& law,
              const SlipScheme& scheme,
              double drift,
-             const mechanics::Material& material = hardening_material()) {
+             const mechanics::Material& material = hardening_material(),
+             const mechanics::Softening& softening = {}) {
     const auto [kind, form, curved] = GetParam();
     const BodyKind& body = body_kinds()[static_cast<std::size_t>(kind)];
     mechanics::Mesh mesh = bench_mesh(body);
@@ -100,6 +101,7 @@ protected:
     bench.commit(shaken(bench.x, 2e-3, 0.0, generator, dim), 1.0);
     bench.commit(shaken(bench.x, 2e-3, 0.0, generator, dim), 2.0);
     const std::vector<double> trial = shaken(bench.x, 2e-3, drift, generator, dim);
+    bench.softening = softening;
     bench.assemble(trial, 3.0);
     const Eigen::MatrixXd K = bench.tangent();
     const Count count = statuses(bench.term);
@@ -135,6 +137,15 @@ TEST_P(WholeTangent, AgreesWithDifferencesOfTheResidual) {
               seen_.stick, seen_.slip, worst_);
   EXPECT_GT(seen_.stick, 0);
   EXPECT_GT(seen_.slip, 0);
+}
+
+// On the way to a solution by way of softer contact. (N.10)
+TEST_P(WholeTangent, AgreesWithDifferencesOfSofterContact) {
+  for (const NamedLaw& law : every_law())
+    for (const mechanics::Softening& softening :
+         {mechanics::Softening{1e-3, 1.0}, mechanics::Softening{0.1, 0.1}})
+      check(law, {}, 0.05, hardening_material(), softening);
+  EXPECT_GT(seen_.stick + seen_.slip, 0);
 }
 
 // Strengths that follow metal whose flow stress depends on rate and temperature.

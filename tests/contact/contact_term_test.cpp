@@ -50,6 +50,26 @@ TEST(ContactTerm, GivesNoForceAcrossAGapAndKpTimesDepthBeyondIt) {
   EXPECT_NEAR(bench.term.area(), 2.0, rounding);
 }
 
+// (N.10)
+TEST(ContactTerm, ResistsOnlyMorePenetrationSoftly) {
+  for (const Form form : {Form::mixed, Form::compatible}) {
+    ContactBench bench = bench_on(plane_quad8, one_tool(still_tool(floor_plane(), Coulomb{0.3})),
+                                  {form, 100.0, 10.0});
+    bench.commit(moved(bench, {0, -1e-6, 0}), 1.0);
+    const Eigen::VectorXd pressed = bench.force();
+    bench.softening = {1e-4, 1e-4};
+    bench.assemble(bench.x, 2.0);
+    EXPECT_LT((bench.force() - pressed).norm(), 1e-9 * pressed.norm()) << "nothing has moved";
+    bench.assemble(moved(bench, {0, -1e-3, 0}), 2.0);
+    const Eigen::VectorXd deeper = bench.force();
+    // A thousand times deeper: 1 + 1e-4 * 1000 of the force, on the same area.
+    EXPECT_NEAR(deeper.norm(), 1.1 * pressed.norm(), 1e-6 * pressed.norm());
+    bench.softening = {};
+    bench.assemble(moved(bench, {0, -1e-3, 0}), 2.0);
+    EXPECT_NEAR(bench.force().norm(), 1001.0 * pressed.norm(), 1e-4 * pressed.norm());
+  }
+}
+
 TEST(ContactTerm, FeelsBothOfTwoDiesAThousandthFromItsFlanks) {
   // VALIDATION CON-08. The body spans 1 <= x <= 3; it grows by 2e-3 to both sides.
   std::vector<Tool> dies;

@@ -106,7 +106,7 @@ public:
     bulk_system.clear();
     system.clear();
     ok = bulk.assemble({time_old, time, x, trial}, bulk_system).has_value() &&
-         term.assemble({time_old, time, x, trial}, system).has_value();
+         term.assemble({time_old, time, x, trial, softening}, system).has_value();
     return system;
   }
   /// Assembles a trial and makes it the committed state; keeps the books of what the forces of the
@@ -161,6 +161,7 @@ public:
   Eigen::VectorXd last_force = Eigen::VectorXd::Zero(pattern.n_dofs()); ///< committed [N]
   double entered = 0.0; ///< work of the nodes against tools that stand [N mm]
   double time_old = 0.0;
+  mechanics::Softening softening{}; ///< of what is assembled
   bool ok = false;
 };
 

@@ -1,0 +1,180 @@
+// Jobs that used to diverge at once: a sheet that bends off the tool it lay on, a strip that a roll
+// takes faster than it is pushed; and what a run says when a load or the energy is at fault.
+
+#include "tests/app/tables.h"
+#include "tests/support/case_texts.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+namespace billet::test::hard_starts_test {
+
+namespace {
+
+/// A disc on a ring of radius 33, pressed in the middle by a flat punch of radius 20: it touches
+/// all over both at the start, and then on two circles.
+const std::string disc = R"(title = "Disc"
+analysis = "axisymmetric"
+
+[workpiece]
+element = "quad8"
+material = "steel"
+mesh = { box = [[0, 0], [34, 1]], cells = [68, 2] }
+
+[material.steel]
+elastic = { young = 210000, poisson = 0.3 }
+
+[[support]]
+where = "x = 0"
+fix = ["x"]
+
+[[tool]]
+name = "punch"
+surface = { profile = "punch.toml" }
+motion = { velocity = [0, -1] }
+
+[[tool]]
+name = "die"
+surface = { profile = "die.toml" }
+
+[time]
+end = 0.01
+)";
+const std::string punch = R"(start = [-5, 1]
+[[segment]]
+to = [20, 1]
+[[segment]]
+to = [25, 6]
+radius = 5
+[[segment]]
+to = [25, 80]
+)";
+const std::string die = R"(start = [80, 0]
+[[segment]]
+to = [33, 0]
+[[segment]]
+to = [27, -6]
+radius = 6
+[[segment]]
+to = [27, -60]
+)";
+
+/// Half of a strip before a roll whose surface is faster than the pusher behind it.
+const std::string strip = R"(title = "Strip"
+analysis = "plane-strain"
+
+[workpiece]
+element = "quad4"
+material = "steel"
+mesh = { box = [[0, 0], [80, 10]], cells = [40, 5] }
+
+[material.steel]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "swift", K = 600, eps0 = 0.01, n = 0.2 }
+
+[[support]]
+where = "y = 0"
+fix = ["y"]
+
+[[tool]]
+name = "roll"
+surface = { circle = { centre = [106, 107], radius = 100 } }
+motion = { rotation = { point = [106, 107], speed = 3 } }
+friction = { law = "coulomb", mu = 0.3 }
+
+[[tool]]
+name = "pusher"
+surface = { plane = { point = [0, 0], normal = [1, 0] } }
+motion = { velocity = [250, 0] }
+
+[time]
+end = 0.02
+)";
+
+/// Deflection of a plate of thickness 1 supported at radius a under a ring of load 1 at radius b,
+/// at that ring (Timoshenko and Woinowsky-Krieger, Theory of plates and shells, section 18).
+double deflection_at_ring(double a, double b, double young, double poisson) {
+  const double D = young / (12.0 * (1.0 - poisson * poisson));
+  return (2.0 * b * b * std::log(b / a) + (a * a - b * b) *
+                                              ((3.0 + poisson) * a * a - (1.0 - poisson) * b * b) /
+                                              (2.0 * (1.0 + poisson) * a * a)) /
+         (8.0 * std::numbers::pi * D);
+}
+
+class HardStarts : public testing::Test {
+protected:
+  Outcome run(const std::string& text) const {
+    write_text(folder_.path() / "case.toml", text);
+    return billet({"run", "case.toml", "-o", "out"}, folder_.path());
+  }
+  [[nodiscard]] ResultTable history() const {
+    return read_table(folder_.path() / "out" / "history.csv");
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(HardStarts, ASheetBendsOffAPunchWithTheForceOfAPlate) {
+  write_text(folder_.path() / "punch.toml", punch);
+  write_text(folder_.path() / "die.toml", die);
+  const double exact = 0.01 / deflection_at_ring(33.0, 20.0, 210e3, 0.3);
+  // Shear, the rim beyond the support and, in two linear elements over the height, their stiffness
+  // in bending.
+  for (const auto& [element, most] : {std::pair{"quad8", 0.03}, std::pair{"quad4", 0.1}}) {
+    const Outcome outcome = run(edited(disc, {{"quad8", element}}));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const ResultTable table = history();
+    const double force = table.value(table.rows.size() - 1, "punch.force_y");
+    std::printf("%s: %zu increments, force %.2f N (plate %.2f)\n", element, table.rows.size(),
+                force, exact);
+    EXPECT_NEAR(force, exact, most * exact);
+    EXPECT_LT(table.rows.size(), 100u);
+  }
+}
+
+TEST_F(HardStarts, ARollTakesAStripThatIsPushedMoreSlowly) {
+  const Outcome outcome = run(strip);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  const std::size_t last = table.rows.size() - 1;
+  std::printf("%zu increments, roll %.1f N/mm up, pusher %.2g N/mm\n", table.rows.size(),
+              table.value(last, "roll.force_y"), table.value(last, "pusher.force_x"));
+  EXPECT_GT(table.value(last, "roll.force_y"), 100.0) << "it has bitten";
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    EXPECT_LE(table.value(row, "pusher.force_x"), 0.0) << "it pushes or stays behind";
+}
+
+TEST_F(HardStarts, ARunThatMissesEnergySaysWhere) {
+  // The pusher leaves while the roll presses the strip back: far too fast for any increment.
+  const Outcome outcome = run(edited(
+      strip, {{"velocity = [250, 0]", "displacement = [[0, 0, 0], [0.02, 7, 0], [0.0201, -9, 0]]"},
+              {"speed = 3", "speed = 0"},
+              {"end = 0.02", "end = 0.0202"}}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(outcome.prints("warning: the balance of energy misses") ||
+              outcome.says("warning: the balance of energy misses"))
+      << outcome.out << outcome.err;
+  EXPECT_TRUE(outcome.prints("the increment that ends at t = 0.020") ||
+              outcome.says("the increment that ends at t = 0.020"))
+      << outcome.out << outcome.err;
+}
+
+TEST_F(HardStarts, ALoadBeyondWhatThePartBearsIsNamed) {
+  // A thin ring under a pressure that rises beyond its yield: it bursts.
+  const Outcome outcome = run(
+      edited(upsetting,
+             {{"[[0, 0], [5, 7.5]]", "[[20, 0], [22, 7.5]]"},
+              {"\"x = 0\"\nfix   = [\"x\"]", "\"y = 7.5\"\nfix = [\"y\"]"},
+              {"[time]", "[[load]]\nwhere = \"x = 20\"\npressure = [[0, 0], [0.1, 100]]\n\n[time]"},
+              {"motion   = { velocity = [0, -1] }\n", ""}}));
+  ASSERT_EQ(outcome.status, 5) << outcome.err;
+  const std::string post = whole_file(folder_.path() / "out" / "failure" / "post_mortem.txt");
+  EXPECT_NE(post.find("the most that the part bears"), std::string::npos) << post;
+}
+
+} // namespace
+} // namespace billet::test::hard_starts_test
