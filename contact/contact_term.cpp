@@ -78,6 +78,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
     state.position.resize(n);
     state.foot.resize(n);
     state.changes.resize(n, 0);
+    state.calmed.resize(n, 0);
     state.queried_at.resize(n, Vec3::Zero());
     state.known_gap.resize(n, -std::numeric_limits<double>::infinity());
     state.force.resize(n, Vec3::Zero());
@@ -217,6 +218,7 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
       in.kept = kept;
       in.multiplier = carried(state, k);
       in.strength = strength(tool.friction, k);
+      in.calmed = state.calmed[k] != 0;
       if (even != nullptr)
         in.shared = shared_pressure(*even, k);
       state.trial[k] = traction(tool.friction, penalty, old, in, surface_->scheme());
@@ -230,11 +232,10 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
 }
 
 std::vector<ContactTerm::Restless> ContactTerm::restless() const {
-  constexpr int many = 4; // points on their way to contact or to slip change once or twice
   std::vector<Restless> points;
   for (std::size_t t = 0; t < states_.size(); ++t)
     for (std::size_t k = 0; k < positions_.size(); ++k)
-      if (states_[t].changes[k] >= many)
+      if (states_[t].changes[k] >= restless_changes)
         points.push_back({t, positions_[k], states_[t].changes[k]});
   std::stable_sort(points.begin(), points.end(),
                    [](const Restless& a, const Restless& b) { return a.changes > b.changes; });
@@ -440,6 +441,26 @@ double ContactTerm::longest_way(const ToolState& state,
   return longest;
 }
 
+std::array<ContactTerm::ForcesOfTool, 2>
+ContactTerm::forces_of_tool(std::size_t t, const mechanics::Trial& trial) const {
+  const ToolState& state = states_[t];
+  const geometry::Pose pose = this->pose(t, trial.time, trial.x);
+  const geometry::Pose pose_old = this->pose(t, trial.time_old, trial.x_old);
+  const auto [way_old, way] = ways(t, trial);
+  ForcesOfTool before, now;
+  const auto add = [](ForcesOfTool& forces, const Vec3& force, const Vec3& way_of_point) {
+    forces.sum += force.norm();
+    forces.work += force.dot(way_of_point);
+  };
+  for (std::size_t k = 0; k < state.trial.size(); ++k) {
+    if (state.history[k].closed())
+      add(before, state.force[k], way_old.of(pose_old.to_space(state.history[k].position)));
+    if (state.trial[k].status != Status::open)
+      add(now, areas_[k] * (pose.rotation * state.trial[k].traction), way.of(positions_[k]));
+  }
+  return {before, now};
+}
+
 void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   ToolState& state = states_[t];
   const Tool& tool = tools_[t];
@@ -464,6 +485,11 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const double sliding = history.sliding + now.slip.norm();
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
     work_.friction += shear.friction_work * areas_[k];
+    // A point that opens has rubbed on the way, by the trapezoid that the work of tools is taken
+    // by.
+    if (history.closed() && now.status == Status::open)
+      work_.friction +=
+          areas_[k] * std::max(0.0, -0.5 * history.shear.dot(position - history.position));
     work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);
     const bool even = even_face(state, k) != nullptr;
     const double relief = even ? this->relief(state, k) : faded(history.relief, gone);

@@ -139,6 +139,11 @@ public:
 
   /// Begins a try of an increment: enforcement is that of the committed state, nothing is foretold.
   void restart();
+  /// Likewise, and points that were restless in the last try, with more shear than pressure, get no
+  /// more of it than that in this one. (F.3)
+  ///
+  /// @return whether there are any
+  bool restart_calmed();
   /// Tells where everything will be at the end of this try if it goes on as it does. Points that
   /// come down on a tool rub from where they touch; without this, from the next increment on.
   /// (C.42)
@@ -196,6 +201,14 @@ public:
   [[nodiscard]] Penetration
   penetration(const mechanics::Trial& trial,
               double limit = std::numeric_limits<double>::infinity()) const;
+  /// A tool's forces at one end of an increment.
+  struct ForcesOfTool {
+    double sum = 0.0;  ///< of the magnitudes at all points [N]
+    double work = 0.0; ///< over its way in the increment [N mm]
+  };
+  /// Those at the beginning and at the end of the increment of the last trial.
+  [[nodiscard]] std::array<ForcesOfTool, 2> forces_of_tool(std::size_t tool,
+                                                           const mechanics::Trial& trial) const;
   /// Whether a point lies on a tool in the committed state, with or without pressure.
   [[nodiscard]] bool lies_on(std::size_t tool) const;
   /// Whether a tool touches in the committed state but will not act at `time`.
@@ -205,6 +218,10 @@ public:
   [[nodiscard]] std::vector<double> release(std::size_t tool);
 
 private:
+  /// Changes of status that make a point restless: on its way to contact or to slip it changes once
+  /// or twice.
+  static constexpr int restless_changes = 4;
+
   /// A face on which pressures follow from the gaps of all points. (C.45)
   struct EvenFace {
     Index face;
@@ -221,6 +238,7 @@ private:
     std::vector<Vec3> position; ///< tried, tool frame
     std::vector<geometry::Projection> foot;
     std::vector<int> changes;     ///< of status in this try
+    std::vector<char> calmed;     ///< points that get no more shear than pressure in this try
     std::vector<Vec3> queried_at; ///< where `known_gap` holds
     std::vector<double> known_gap;
     std::vector<Vec3> force;          ///< committed force on the workpiece, in space
@@ -233,10 +251,10 @@ private:
   };
 
   [[nodiscard]] Penalty penalty() const;
-  /// Gap below which a point touches, but for a multiplier: rounding of coordinates [mm].
   /// Pressure that needs no penetration: the multiplier, and what a softer penalty on the way to a
   /// solution leaves of the pressure at the start of the increment [MPa]. (N.10)
   [[nodiscard]] double carried(const ToolState& state, std::size_t point) const;
+  /// Gap below which a point touches, but for a multiplier: rounding of coordinates [mm].
   [[nodiscard]] double touching_gap(std::size_t point) const;
   /// Gap at which a point opens: a multiplier holds it beyond touching [mm].
   [[nodiscard]] double opening_gap(const ToolState& state, std::size_t point) const;

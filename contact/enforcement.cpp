@@ -28,9 +28,28 @@ void ContactTerm::restart() {
   stiffening_ = stiffening_next_;
   for (ToolState& state : states_) {
     std::fill(state.changes.begin(), state.changes.end(), 0);
+    std::fill(state.calmed.begin(), state.calmed.end(), char{0});
     for (std::size_t k = 0; k < state.history.size(); ++k)
       state.multiplier[k] = state.history[k].multiplier;
   }
+}
+
+bool ContactTerm::restart_calmed() {
+  std::vector<std::vector<char>> calmed;
+  bool any = false;
+  for (const ToolState& state : states_) {
+    std::vector<char>& points = calmed.emplace_back(state.calmed.size(), char{0});
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Traction& now = state.trial[k];
+      points[k] = state.changes[k] >= restless_changes &&
+                  (now.status == Status::open || now.limit > now.pressure);
+      any = any || points[k] != 0;
+    }
+  }
+  restart();
+  for (std::size_t t = 0; t < states_.size(); ++t)
+    states_[t].calmed = std::move(calmed[t]);
+  return any;
 }
 
 void ContactTerm::augment() {

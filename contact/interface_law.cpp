@@ -234,10 +234,10 @@ Traction traction(const Friction& friction,
     holding = std::max(holding, penalty.normal * at.noise);
   const bool rubs = old.closed() || at.touching > 0.0;
   SlipState state{holding, at.strength, old.sliding, at.dt};
-  if (!old.closed() && rubs) {
+  if (!old.closed() && rubs)
     state.dt *= at.touching;
+  if ((!old.closed() && rubs) || at.calmed)
     state.steepest = 1.0;
-  }
   out.limit = limit_at(friction, state, 0.0).shear;
   if (!rubs)
     return out;

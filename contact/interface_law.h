@@ -82,6 +82,7 @@ struct InterfaceInput {
   double noise = 0.0;      ///< of a gap: what coordinates of their size cannot tell [mm]
   double touching = 0.0; ///< share of the increment in which a point that was open rubs (C.42) [-]
   std::optional<SharedPressure> shared = std::nullopt; ///< in place of the point's own
+  bool calmed = false; ///< no more shear than pressure, as where a point touches (F.3)
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.

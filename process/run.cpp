@@ -28,6 +28,9 @@ std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_po
 /// but the path of strain is lost.
 constexpr double most_plastic_increment = 0.5;
 
+/// Of an increment in which a tool lets go of the part too fast for its work: what is tried next.
+constexpr double share_that_lets_go = 0.25;
+
 /// Why an increment is too long for the tools; empty: it is not. A tool that moves farther than
 /// this in one increment could pass the workpiece unseen.
 std::string leap(const Scene& scene, const Stage& stage, double from, double to) {
@@ -60,6 +63,25 @@ double Process::missed_since(const EnergyBalance& before, double gone) const {
   const bool at_risk = gone > early && used > 1.0;
   // The less of the budget is left the more is asked of an increment.
   return at_risk && !scene_.increments.max ? used * used * energy_.error_since(before) : 0.0;
+}
+
+bool Process::lets_go_too_fast(double dt) const {
+  constexpr double early = 0.1; // of the run: there is next to no work yet to compare with
+  if (!contact_ || scene_.increments.max || time_ < early * scene_.stages.back().end)
+    return false;
+  // Of all work so far, for a tool whose force falls by more than half.
+  constexpr double most = 1e-3, fall = 0.5;
+  const double done =
+      std::max({std::abs(energy_.external), energy_.plastic, std::abs(energy_.elastic)});
+  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (!contact_->acts(t, time_ + dt))
+      continue;
+    const auto [before, now] = contact_->forces_of_tool(t, trial);
+    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) > most * done)
+      return true;
+  }
+  return false;
 }
 
 void Process::start_stage(const Stage& stage) {
@@ -129,6 +151,12 @@ std::vector<double> Process::foretold(double dt) const {
 }
 
 bool Process::try_increment(double dt, mechanics::Approach approach, std::string& why) {
+  if (contact_)
+    contact_->restart();
+  return solve_increment(dt, approach, why);
+}
+
+bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
   trial_x_ = x_;
   if (!last_step_.empty() && approach != mechanics::Approach::gently) {
     const double factor = dt / last_dt_;
@@ -137,10 +165,8 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
   }
   if (passes_through(dt, why))
     return false;
-  if (contact_) {
-    contact_->restart();
+  if (contact_)
     contact_->foretell(foretold(dt));
-  }
   const auto outcome =
       newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);
   if (!outcome)
@@ -163,7 +189,10 @@ bool Process::try_softened(double dt, std::string& why) {
        {mechanics::Approach::softly, mechanics::Approach::gently})
     if (contact_ && !refused_as_too_deep_ && try_increment(dt, approach, why))
       return true;
-  return false;
+  // Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
+  // does not.
+  return contact_ && !refused_as_too_deep_ && contact_->restart_calmed() &&
+         solve_increment(dt, mechanics::Approach::directly, why);
 }
 
 std::string Process::restless_points() const {
@@ -378,6 +407,11 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(*sooner);
+        continue;
+      }
+      if (lets_go_too_fast(step)) {
+        wasted_iterations_ += last_iterations_;
+        control.set_next(share_that_lets_go * step);
         continue;
       }
       if (const FirstTouch touch = poor_first_touch(step); !touch.cause.empty()) {

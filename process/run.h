@@ -277,6 +277,11 @@ private:
   /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
   [[nodiscard]] std::vector<double> foretold(double dt) const;
   [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
+  /// Likewise, with contact as it has been started for the try.
+  [[nodiscard]] bool solve_increment(double dt, mechanics::Approach approach, std::string& why);
+  /// Whether a tool's force falls so far in the increment just tried that half of its work, with
+  /// the force before, would spoil the balance of energy. (P.23)
+  [[nodiscard]] bool lets_go_too_fast(double dt) const;
   /// By way of softer contact, after an increment has failed. (N.10)
   [[nodiscard]] bool try_softened(double dt, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
