@@ -469,6 +469,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   const Vec3 reference = pose.to_space(tool.reference);
   const bool meridian = surface_->analysis() == mechanics::Analysis::axisymmetric;
   const Penalty penalty = this->penalty();
+  const bool touched = state.touches;
   state.stored = 0.0;
   state.touches = false;
   closed_[t].clear();
@@ -485,11 +486,14 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const double sliding = history.sliding + now.slip.norm();
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
     work_.friction += shear.friction_work * areas_[k];
-    // A point that opens has rubbed on the way, by the trapezoid that the work of tools is taken
-    // by.
+    // What opens, or comes to a tool that touches already, has rubbed on the way by the trapezoid
+    // that the work of tools is taken by: one point's contact passes to another.
+    Vec3 rubs = Vec3::Zero();
     if (history.closed() && now.status == Status::open)
-      work_.friction +=
-          areas_[k] * std::max(0.0, -0.5 * history.shear.dot(position - history.position));
+      rubs = history.shear;
+    else if (touched && !history.closed() && state.touching[k])
+      rubs = (1.0 - *state.touching[k]) * now.shear;
+    work_.friction += areas_[k] * std::max(0.0, -0.5 * rubs.dot(position - history.position));
     work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);
     const bool even = even_face(state, k) != nullptr;
     const double relief = even ? this->relief(state, k) : faded(history.relief, gone);

@@ -2,6 +2,7 @@
 // loses energy; the books balance.
 
 #include "contact/contact_term.h"
+#include "geometry/profile.h"
 #include "tests/support/contact_bench.h"
 #include "tests/support/contact_laws.h"
 
@@ -242,6 +243,40 @@ TEST(ContactWork, OfFrictionBeginsWhereAPointTouches) {
         const double found = friction_of_a_landing(increments, in_the_air, moves);
         EXPECT_NEAR(found, 1.0, 1e-3) << increments << " increments, in the air " << in_the_air;
       }
+}
+
+TEST(ContactWork, OfFrictionGoesOnUntilAPointLeaves) {
+  // A body slides off the rim of a floor under constant pressure, a point after the other: (C.18).
+  constexpr double mu = 0.2, depth = 0.001, rim = 3.05, step = 0.031;
+  mechanics::Mesh mesh = bench_mesh(body_kinds()[0]);
+  const auto faces = faces_at(mesh, 1, 0.0);
+  Tool floor = still_tool(geometry::make_profile({Vec2(rim, 0), {{Vec2(-10, 0)}}}), Coulomb{mu});
+  ContactBench bench(std::move(mesh), body_kinds()[0].analysis, bench_material(),
+                     one_tool(std::move(floor)), {Form::mixed, 1.0, 1.0}, faces);
+  const auto go = [&](double dx, double dy) {
+    std::vector<double> x = bench.x;
+    for (std::size_t i = 0; i < x.size(); i += 2) {
+      x[i] += dx;
+      x[i + 1] += dy;
+    }
+    bench.commit(x, bench.time_old + 1.0);
+  };
+  go(0.0, -depth);
+  std::vector<Vec3> points(bench.surface.n_points());
+  bench.surface.positions(bench.x, points);
+  double way = 0.0; // over all points
+  for (const Vec3& point : points)
+    way += rim - point[0];
+  const double area = bench.term.area() / static_cast<double>(points.size());
+  const double exact = mu * bench.surface.penalty().normal * depth * area * way;
+  const double pressed = bench.entered;
+  while (bench.term.area() > 0.0)
+    go(step, 0.0);
+  const double found = bench.term.work().friction;
+  std::printf("slid off: friction %.4e, exact %.4e, work of the nodes %.4e N mm\n", found, exact,
+              bench.entered - pressed);
+  EXPECT_NEAR(found, exact, 0.03 * exact); // points leave within increments
+  EXPECT_NEAR(found, bench.entered - pressed, 1e-9 * found);
 }
 
 TEST(ContactWork, NeverGainsFromFrictionAtConstantPressure) {
