@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace billet::process {
@@ -38,23 +39,31 @@ std::array<Vec3, places_on_side> places_on(const geometry::SideLoop& loop, std::
 /// Places that a tool will have reached, on each side of each loop.
 using Reached = std::vector<std::vector<std::vector<Vec2>>>;
 
-} // namespace
-
-std::vector<std::size_t> Process::tools_about_to_touch(double time) const {
-  std::vector<std::size_t> coming;
-  for (std::size_t t = 0; t < scene_.tools.size(); ++t)
-    if (contact_->acts(t, time) && contact_->closed()[t].empty())
-      coming.push_back(t);
-  return coming;
+/// Whether a face on a zone, or beside it, touches already: the zone is the end of a contact that
+/// grows.
+bool touches_near(const PartBoundary& boundary,
+                  std::span<const int> touching,
+                  std::span<const mechanics::Face> faces,
+                  const ContactZone& zone) {
+  constexpr std::size_t beside = 2; // sides
+  const std::size_t n = boundary.loops[zone.loop].corners.size();
+  for (std::size_t f = 0; f < touching.size(); ++f) {
+    if (touching[f] < 0)
+      continue;
+    const SideNumber at = boundary.sides.at({faces[f].nodes[0], faces[f].nodes[1]});
+    const std::size_t from_first = (idx(at.side) + n + beside - zone.first) % n;
+    if (idx(at.loop) == zone.loop && from_first < zone.n_sides + 2 * beside)
+      return true;
+  }
+  return false;
 }
+
+} // namespace
 
 FirstTouch Process::poor_first_touch(double dt) const {
   const bool just_meshed = increment_ == mesh_increment_ && !remeshings_.empty();
   if (!scene_.remesh || !contact_ || scene_.mesh.dimension() != 2 || fading_until_ > time_ ||
       just_meshed || refused_increment_ == increment_)
-    return {};
-  const std::vector<std::size_t> coming = tools_about_to_touch(time_ + dt);
-  if (coming.empty())
     return {};
   const std::vector<double> ahead = foretold(dt);
   const std::span<const double> nodes = std::span(ahead).first(x0_.size());
@@ -67,7 +76,9 @@ FirstTouch Process::poor_first_touch(double dt) const {
     const mechanics::Face& face = scene_.contact_faces[f];
     const SideNumber at = untouched.sides.at({face.nodes[0], face.nodes[1]});
     const auto places = places_on(untouched.loops[idx(at.loop)], idx(at.side));
-    for (const std::size_t t : coming) {
+    for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+      if (!contact_->acts(t, time_ + dt))
+        continue;
       const geometry::Pose pose = contact_->pose(t, time_ + dt, ahead);
       std::array<Vec3, places_on_side> seen;
       std::transform(places.begin(), places.end(), seen.begin(),
@@ -81,8 +92,11 @@ FirstTouch Process::poor_first_touch(double dt) const {
         }
     }
   }
-  for (const ContactZone& zone : contact_zones(part_boundary(scene_, nodes, touching, {}))) {
-    if (!can_be_refined(zone))
+  const std::vector<int> touched = touching_tools();
+  for (ContactZone zone : contact_zones(part_boundary(scene_, nodes, touching, {}))) {
+    zone.longest = zone.longest && contact_->closed()[idx(zone.tool)].empty();
+    if (touches_near(untouched, touched, scene_.contact_faces, zone) || !can_be_refined(zone) ||
+        leaves(idx(zone.tool)))
       continue;
     const auto& sides = reached[zone.loop];
     std::vector<Vec2> places;

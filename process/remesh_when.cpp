@@ -101,15 +101,17 @@ void Process::note_forces() {
         earlier_forces_[t] > 0.0 ? std::max(largest_forces_[t], earlier_forces_[t]) : 0.0;
 }
 
+bool Process::leaves(std::size_t tool) const {
+  constexpr double falling = 0.9, gone = 0.05;
+  if (earlier_forces_.empty())
+    return false; // nothing has happened yet
+  const double force = forces_on_tools()[tool];
+  return force < falling * earlier_forces_[tool] || force < gone * largest_forces_[tool];
+}
+
 std::optional<ContactZone> Process::zone_to_refine() const {
-  const std::vector<double> forces = forces_on_tools();
-  const auto leaves = [&](int tool) { // its zones shrink: they need no new mesh
-    constexpr double falling = 0.9, gone = 0.05;
-    return forces[idx(tool)] < falling * earlier_forces_[idx(tool)] ||
-           forces[idx(tool)] < gone * largest_forces_[idx(tool)];
-  };
   for (const ContactZone& zone : zones_of_contact())
-    if (can_be_refined(zone) && !leaves(zone.tool))
+    if (can_be_refined(zone) && !leaves(idx(zone.tool)))
       return zone;
   return std::nullopt;
 }

@@ -324,11 +324,11 @@ private:
   [[nodiscard]] double next_landing(double stage_end) const;
   /// Whether a new mesh would give a zone of contact with too few sides more of them. (P.18)
   [[nodiscard]] bool can_be_refined(const ContactZone& zone) const;
-  /// A tool that touches nothing yet and will in the increment just solved, on sides too long for
-  /// what it touches. (P.18)
+  /// A tool that will touch in the increment just solved, where nothing near touched yet, on sides
+  /// too long for what it touches. (P.18)
   [[nodiscard]] FirstTouch poor_first_touch(double dt) const;
-  /// Tools that act at a time and have touched nothing in the last increment.
-  [[nodiscard]] std::vector<std::size_t> tools_about_to_touch(double time) const;
+  /// Whether a tool's force falls: its zones of contact shrink and need no new mesh.
+  [[nodiscard]] bool leaves(std::size_t tool) const;
   /// Keeps the forces on all tools before an increment.
   void note_forces();
   /// A zone of contact that a new mesh would give more sides.
