@@ -69,6 +69,56 @@ const std::string header =
     "returned,"
     "seconds,punch.force_before,punch.force_after\n";
 
+TEST_F(Remeshing, RefinesBeforeATouchingToolComesDownElsewhere) {
+  // A tool with a flat foot and, half a millimetre higher, a round one.
+  write_text(folder_.path() / "feet.toml", R"(start = [2.2, 8]
+[[segment]]
+to = [2.2, 5.1]
+[[segment]]
+to = [3.1, 5.1]
+[[segment]]
+to = [3.1, 8]
+[[segment]]
+to = [4.5, 8]
+[[segment]]
+to = [4.5, 6.2]
+[[segment]]
+to = [9.5, 6.2]
+radius = 4
+[[segment]]
+to = [9.5, 8]
+)");
+  const auto results = run(R"(analysis = "plane-strain"
+
+[workpiece]
+material = "steel"
+mesh = { box = [[0, 0], [10, 5]], cells = [10, 5] }
+
+[material.steel]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "swift", K = 740, eps0 = 0.01, n = 0.2 }
+
+[[support]]
+where = "y = 0"
+fix = ["x", "y"]
+
+[[tool]]
+name = "feet"
+surface = { profile = "feet.toml" }
+motion = { velocity = [0, -1] }
+
+[remesh]
+
+[time]
+end = 0.4
+)");
+  const std::string ledger = whole_file(results / "remesh.csv");
+  const auto first = ledger.find("feet comes to touch on");
+  ASSERT_NE(first, std::string::npos) << ledger;
+  EXPECT_NE(ledger.find("feet comes to touch on", first + 1), std::string::npos) << ledger;
+  EXPECT_EQ(ledger.find("feet touches on"), std::string::npos) << ledger;
+}
+
 TEST_F(Remeshing, WritesItsLedger) {
   const auto results = run(remeshed(often));
   EXPECT_TRUE(whole_file(results / "remesh.csv").starts_with(header));
