@@ -10,9 +10,10 @@ namespace billet::contact {
 Penalty ContactTerm::penalty() const {
   Penalty penalty = surface_->penalty();
   penalty.normal *= stiffening_ * softening_;
-  // What presses lightly must not rather slip than sink: both are softened alike.
+  // What presses lightly must not rather slip than sink: the share that the defaults have.
+  constexpr double of_normal = 0.1;
   if (stiffening_ < 1.0)
-    penalty.tangent *= stiffening_;
+    penalty.tangent = std::min(penalty.tangent, of_normal * penalty.normal);
   return penalty;
 }
 
