@@ -71,14 +71,12 @@ bool Process::lets_go_too_fast(double dt) const {
     return false;
   // Of all work so far, for a tool whose force falls by more than half.
   constexpr double most = 1e-3, fall = 0.5;
-  const double done =
-      std::max({std::abs(energy_.external), energy_.plastic, std::abs(energy_.elastic)});
   const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     if (!contact_->acts(t, time_ + dt))
       continue;
     const auto [before, now] = contact_->forces_of_tool(t, trial);
-    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) > most * done)
+    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) > most * most_energy_)
       return true;
   }
   return false;
@@ -312,6 +310,8 @@ void Process::update_energy() {
     energy_.friction = contact_->work().friction;
     energy_.contact = contact_->work().stored;
   }
+  most_energy_ =
+      std::max({most_energy_, std::abs(energy_.external), energy_.plastic, energy_.elastic});
 }
 
 IncrementReport Process::report(double dt, int cutbacks) const {

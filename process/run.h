@@ -440,6 +440,7 @@ private:
   contact::ProcessWindow window_;
   std::unique_ptr<contact::Wear> wear_;
   EnergyBalance energy_;
+  double most_energy_ = 0.0; ///< that any of its larger terms has been [N mm]
   double support_work_ = 0.0;
   double load_work_ = 0.0;   ///< of loads on earlier meshes
   double tool_energy_ = 0.0; ///< of penalties, gone with tools that left
