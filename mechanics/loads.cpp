@@ -159,14 +159,17 @@ private:
 
 } // namespace
 
-void Load::commit(const Trial& trial) {
-  // Trapezoidal rule over the increment.
+double Load::work_in(const Trial& trial) const {
   std::vector<double> force(trial.x.size(), 0.0);
   add_force(trial.time_old, trial.x_old, force);
   add_force(trial.time, trial.x, force);
+  double work = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i)
-    work_ += 0.5 * force[i] * (trial.x[i] - trial.x_old[i]);
+    work += 0.5 * force[i] * (trial.x[i] - trial.x_old[i]);
+  return work;
 }
+
+void Load::commit(const Trial& trial) { work_ += work_in(trial); }
 
 std::unique_ptr<Load> make_pressure(const Mesh& mesh,
                                     Analysis analysis,

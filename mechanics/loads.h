@@ -20,6 +20,8 @@ class Load : public ForceTerm {
 public:
   /// Work done on the workpiece by all commits [N mm].
   [[nodiscard]] double work() const { return work_; }
+  /// Work done in an increment, by the trapezoidal rule [N mm].
+  [[nodiscard]] double work_in(const Trial& trial) const;
 
   void commit(const Trial& trial) final;
 

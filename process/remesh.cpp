@@ -94,6 +94,7 @@ std::string Process::remesh(const std::string& cause,
   const double exchanged = seconds_now();
   settle(carried, report);
   mesh_increment_ = increment_;
+  turned_inside_out_ = 0;
   mesh_time_ = time_;
   mesh_quality_ = worst_quality(scene_.mesh, positions());
   refused_quality_ = 1.0;
@@ -373,7 +374,7 @@ int Process::solve_again(const RunState& end) {
     const double step = step_towards(landing - time_, control.next());
     const bool lands = step == landing - time_;
     std::string why;
-    refused_as_too_deep_ = false;
+    refused_as_too_deep_ = refused_inside_out_ = false;
     if (try_increment(step, mechanics::Approach::directly, why) ||
         (failures > 0 && try_softened(step, why))) {
       commit(step);

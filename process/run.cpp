@@ -47,41 +47,6 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 
 } // namespace
 
-double EnergyBalance::error() const { return error_since({}); }
-
-double EnergyBalance::error_since(const EnergyBalance& before) const {
-  const double largest = std::max({std::abs(external - before.external),
-                                   std::abs(elastic - before.elastic), plastic - before.plastic,
-                                   friction - before.friction, std::abs(contact - before.contact)});
-  return largest > 0.0 ? std::abs(missing() - before.missing()) / largest : 0.0;
-}
-
-double Process::missed_since(const EnergyBalance& before, double gone) const {
-  constexpr double half_of_the_budget = 0.0025; // the balance of a run is to be within 0.5 %
-  constexpr double early = 0.1;                 // what the first yield misses counts little later
-  const double used = energy_.error() / half_of_the_budget;
-  const bool at_risk = gone > early && used > 1.0;
-  // The less of the budget is left the more is asked of an increment.
-  return at_risk && !scene_.increments.max ? used * used * energy_.error_since(before) : 0.0;
-}
-
-bool Process::lets_go_too_fast(double dt) const {
-  constexpr double early = 0.1; // of the run: there is next to no work yet to compare with
-  if (!contact_ || scene_.increments.max || time_ < early * scene_.stages.back().end)
-    return false;
-  // Of all work so far, for a tool whose force falls by more than half.
-  constexpr double most = 1e-3, fall = 0.5;
-  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
-  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (!contact_->acts(t, time_ + dt))
-      continue;
-    const auto [before, now] = contact_->forces_of_tool(t, trial);
-    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) > most * most_energy_)
-      return true;
-  }
-  return false;
-}
-
 void Process::start_stage(const Stage& stage) {
   last_step_.clear();
   remembered_.clear();
@@ -171,8 +136,10 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
     why = outcome.error().reason + restless_points();
   else
     last_residual_ = outcome->residual;
-  const bool solved = outcome && plausible(outcome->force_scale, why) && !passes_through(dt, why) &&
-                      limit_penetration(dt, why);
+  bool solved = outcome && plausible(outcome->force_scale, why) && !passes_through(dt, why) &&
+                limit_penetration(dt, why);
+  refused_inside_out_ = solved && turns_inside_out(why);
+  solved = solved && !refused_inside_out_;
   if (solved)
     last_iterations_ = spent();
   else
@@ -181,15 +148,18 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
 }
 
 bool Process::try_softened(double dt, std::string& why) {
+  const auto may_help = [this] { // what has been solved and refused has the same solution again
+    return contact_ && !refused_as_too_deep_ && !refused_inside_out_;
+  };
   // A softer friction finds the neutral point of a roll; a softer penalty where a sheet lifts off
   // a tool that it lay on: a stiff one opens little more than a point an iteration.
   for (const mechanics::Approach approach :
        {mechanics::Approach::softly, mechanics::Approach::gently})
-    if (contact_ && !refused_as_too_deep_ && try_increment(dt, approach, why))
+    if (may_help() && try_increment(dt, approach, why))
       return true;
   // Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
   // does not.
-  return contact_ && !refused_as_too_deep_ && contact_->restart_calmed() &&
+  return may_help() && contact_->restart_calmed() &&
          solve_increment(dt, mechanics::Approach::directly, why);
 }
 
@@ -231,6 +201,28 @@ bool Process::plausible(double force_scale, std::string& why) const {
   return true;
 }
 
+bool Process::turns_inside_out(std::string& why) const {
+  constexpr double inside_out = -0.05; // quality; where sides fold onto a die it may come to zero
+  const auto qualities = mechanics::element_qualities(
+      scene_.mesh, as_points(trial_x_, scene_.mesh.dimension(), scene_.mesh.points.size()));
+  const auto worst = std::min_element(qualities.begin(), qualities.end());
+  if (*worst > inside_out || *worst >= worst_quality(scene_.mesh, positions()))
+    return false;
+  const auto element = static_cast<Index>(worst - qualities.begin());
+  const auto nodes = scene_.mesh.cell(element);
+  const auto dim = idx(scene_.mesh.dimension());
+  Vec3 middle = Vec3::Zero();
+  for (const Index node : nodes)
+    for (std::size_t d = 0; d < dim; ++d)
+      middle[static_cast<Index>(d)] +=
+          trial_x_[idx(node) * dim + d] / static_cast<double>(nodes.size());
+  why = fmt::format("element {} near ({:.6g}, {:.6g}, {:.6g}) turns inside out (quality {:.2g})",
+                    element, middle[0], middle[1], middle[2], *worst);
+  if (!scene_.remesh)
+    why += ": one mesh cannot follow the metal any further, a [remesh] section goes on from there";
+  return true;
+}
+
 bool Process::passes_through(double dt, std::string& why) const {
   if (contact_)
     why = passage_complaint(scene_.tools, *surface_, *contact_, {time_, time_ + dt, x_, trial_x_});
@@ -265,11 +257,11 @@ void Process::commit(double dt) {
   events_ = blows_ ? blows_->commit(trial) : std::vector<std::string>();
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
-  for (const Index i : prescribed(time_ + dt).unknowns) {
-    const double reaction = newton_->residual()[idx(i)];
-    support_work_ += 0.5 * (reactions_[idx(i)] + reaction) * (trial_x_[idx(i)] - x_[idx(i)]);
-    reactions_[idx(i)] = reaction;
-  }
+  support_work_ += work_of_supports(dt);
+  if (grounding_)
+    energy_.grounding += work_of_grounding();
+  for (const Index i : prescribed(time_ + dt).unknowns)
+    reactions_[idx(i)] = newton_->residual()[idx(i)];
   last_step_.resize(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) {
     last_step_[i] = trial_x_[i] - x_[i];
@@ -279,9 +271,6 @@ void Process::commit(double dt) {
   last_dt_ = dt;
   x_ = trial_x_;
   time_ += dt;
-  if (grounding_)
-    for (std::size_t i = 0; i < x0_.size(); ++i)
-      energy_.grounding += grounding_stiffness_ * last_step_[i] * last_step_[i];
 }
 
 void Process::account_contact(double dt) {
@@ -294,24 +283,6 @@ void Process::account_contact(double dt) {
   window_.add(contact_->closed(), {surface_->beneath(), strain, plastic_rate_}, dt);
   if (wear_)
     wear_->add(*contact_, x_, time_);
-}
-
-void Process::update_energy() {
-  const mechanics::Bulk::ElasticEnergy elastic = bulk_->elastic_energy(x_);
-  energy_.elastic = elastic.sum();
-  energy_.plastic = bulk_->plastic_work();
-  energy_.external = support_work_ - tool_energy_ + load_work_;
-  for (const auto& load : loads_)
-    energy_.external += load->work();
-  for (const auto& load : fading_)
-    energy_.external += load->work();
-  if (contact_) {
-    energy_.external += contact_->work().external + contact_->work().enforcement;
-    energy_.friction = contact_->work().friction;
-    energy_.contact = contact_->work().stored;
-  }
-  most_energy_ =
-      std::max({most_energy_, std::abs(energy_.external), energy_.plastic, energy_.elastic});
 }
 
 IncrementReport Process::report(double dt, int cutbacks) const {
@@ -382,6 +353,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   IncrementControl control({*limit.first, *limit.min, *limit.max});
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
+  constexpr int most_turned = 3;      // tries that end with an element inside out, on one mesh
   const std::string overlapping = overlaps_at_start(stage);
   std::vector<std::string> tried;
   std::string unmeshed; // why the last remeshing was not possible
@@ -401,7 +373,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
     std::string why = leap(scene_, stage, time_, time_ + step);
-    refused_as_too_deep_ = false;
+    refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
                         (failures > 0 && try_softened(step, why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
@@ -412,6 +384,14 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       if (lets_go_too_fast(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(share_that_lets_go * step);
+        continue;
+      }
+      if (const std::string missed = misses_too_much(step, length);
+          !missed.empty() && 0.5 * step >= *limit.min) {
+        wasted_iterations_ += last_iterations_;
+        ++cutbacks_;
+        tried.push_back(fmt::format("dt = {:.4g}: {}", step, missed));
+        control.failed(step);
         continue;
       }
       if (const FirstTouch touch = poor_first_touch(step); !touch.cause.empty()) {
@@ -427,7 +407,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         time_ = landing;
       for (const std::string& line : tried)
         events_.push_back("  cut back from " + line);
-      notify(observers, report(step, failures));
+      notify(observers, report(step, static_cast<int>(tried.size())));
       const bool easy = failures == 0 && last_iterations_ <= IncrementControl::easy_iterations;
       adapt_penalty(easy ? Progress::easy : Progress::laboured);
       control.accepted(step, last_iterations_, missed_since(before, (time_ - start) / length));
@@ -452,6 +432,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     if (failures >= tries_with_last_step)
       last_step_.clear();
     refusals += refused_as_too_deep_ ? 1 : 0;
+    turned_inside_out_ += refused_inside_out_ ? 1 : 0;
     control.failed(step);
     constexpr int tries_of_a_mesh = 3;
     if ((failures >= tries_of_a_mesh || refusals == most_refusals) && may_remesh()) {
@@ -462,7 +443,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         continue;
       }
     }
-    if (control.exhausted() || refusals == most_refusals) {
+    if (control.exhausted() || refusals == most_refusals || turned_inside_out_ >= most_turned) {
       if (time_ == start)
         why += overlapping;
       if (!unmeshed.empty())

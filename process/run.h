@@ -263,6 +263,8 @@ private:
   void start_stage(const Stage& stage);
   /// Why the presses of a stage cannot strike; empty: they do.
   [[nodiscard]] std::string begin_blows(const Stage& stage);
+  /// Longest increment of a stage where the case does not say [s]. (P.1)
+  [[nodiscard]] static double default_longest(double length);
   /// First, longest and shortest increment of a stage; blows under way may ask for shorter ones.
   [[nodiscard]] IncrementLimits limits(double length) const;
   [[nodiscard]] double longest_for_blows() const;
@@ -282,6 +284,12 @@ private:
   /// Whether a tool's force falls so far in the increment just tried that half of its work, with
   /// the force before, would spoil the balance of energy. (P.23)
   [[nodiscard]] bool lets_go_too_fast(double dt) const;
+  /// Whether an increment just tried, longer than increments are by default, misses too much of
+  /// its work. (P.24)
+  ///
+  /// @param length  of the stage [s]
+  /// @return what it misses; empty: no more than it may
+  [[nodiscard]] std::string misses_too_much(double dt, double length) const;
   /// By way of softer contact, after an increment has failed. (N.10)
   [[nodiscard]] bool try_softened(double dt, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
@@ -305,6 +313,8 @@ private:
   [[nodiscard]] int spent() const;
   [[nodiscard]] PostMortem
   post_mortem(double dt, const std::string& why, std::vector<std::string> tried) const;
+  /// Whether the trial turns an element inside out that was not, or was less so.
+  [[nodiscard]] bool turns_inside_out(std::string& why) const;
   /// Whether the trial carries the workpiece through a tool.
   [[nodiscard]] bool passes_through(double dt, std::string& why) const;
   void accept(double dt);
@@ -316,6 +326,15 @@ private:
   /// @param gone  share of the stage that is behind
   [[nodiscard]] double missed_since(const EnergyBalance& before, double gone) const;
   void update_energy();
+  /// The sums of the run with the metal and the contact in these states.
+  [[nodiscard]] EnergyBalance balance_of(const mechanics::Bulk& bulk,
+                                         const contact::ContactTerm* contact,
+                                         std::span<const double> x) const;
+  /// What the balance would be with the increment just tried; nothing changes.
+  [[nodiscard]] EnergyBalance energy_after(double dt) const;
+  /// In the increment just tried [N mm].
+  [[nodiscard]] double work_of_supports(double dt) const;
+  [[nodiscard]] double work_of_grounding() const;
   /// Takes the increment just accepted into the sums over contact.
   void account_contact(double dt);
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
@@ -437,6 +456,8 @@ private:
   std::vector<double> reactions_;
   contact::Penetration penetration_; ///< of the last try that Newton solved
   bool refused_as_too_deep_ = false; ///< the last try
+  bool refused_inside_out_ = false;  ///< likewise
+  int turned_inside_out_ = 0;        ///< increments refused for that on the present mesh
   contact::ProcessWindow window_;
   std::unique_ptr<contact::Wear> wear_;
   EnergyBalance energy_;

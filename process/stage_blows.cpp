@@ -50,6 +50,8 @@ std::string Process::begin_blows(const Stage& stage) {
   return blows_->begin(stage, time_, points, x_);
 }
 
+double Process::default_longest(double length) { return largest_share * length; }
+
 /// (P.1), (P.11)
 IncrementLimits Process::limits(double length) const {
   const IncrementLimits& given = scene_.increments;
@@ -58,7 +60,7 @@ IncrementLimits Process::limits(double length) const {
   constexpr double shortest_of_blow = 1e-3; // of its first increment
   const double smallest =
       given.min.value_or(std::min(smallest_share * length, shortest_of_blow * begins));
-  const double largest = given.max.value_or(largest_share * length);
+  const double largest = given.max.value_or(default_longest(length));
   const double first = given.first.value_or(std::min(first_share * length, begins));
   return {std::clamp(first, std::min(smallest, largest), largest), smallest, largest};
 }

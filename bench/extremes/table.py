@@ -15,14 +15,15 @@ def criteria(judged):
     wrong = [r for r in judged if r.verdict == "WRONG"]
     stiff = [r for r in judged if r.setting.penalty >= 100.0 and r.setting.increments == 1.0 and r.done
              and not math.isnan(r.deviation)]
-    worst = max(stiff, key=lambda r: r.deviation)
+    worst = max(stiff, key=lambda r: r.deviation, default=None)
     usual = [r for r in judged if usual_setting(r.setting)]
     converged = sum(r.done for r in usual)
     share = converged / max(1, len(usual))
+    agreement = [(f"forces at the default penalty and above, largest deviation: {100 * worst.deviation:.2f} % "
+                  f"({worst.setting})", worst.deviation <= 0.01)] if worst else []
     return [
         (f"wrong: {len(wrong)} of {len(judged)}", not wrong),
-        (f"forces at the default penalty and above, largest deviation: {100 * worst.deviation:.2f} % "
-         f"({worst.setting})", worst.deviation <= 0.01),
+        *agreement,
         (f"converged at mu <= 1 or another law and poisson <= 0.499: {converged} of {len(usual)}, "
          f"{100 * share:.1f} %", share >= 0.99),
     ]

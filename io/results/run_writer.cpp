@@ -347,6 +347,10 @@ void RunWriter::incremented(const process::Process& process,
   constexpr double bad = 0.1; // below it elements hardly deform as they should
   if (!worn_ && report.min_quality < bad)
     worn_ = report;
+  constexpr double squeezed = 0.99; // of its volume: under pressures that tools bear it keeps more
+  if (!squeezed_at_ && report.max_plastic_strain > 0.0 &&
+      report.volume < squeezed * process.bulk().reference_volume())
+    squeezed_at_ = report.time;
   const double missed = report.energy.missing() - (last_ ? last_->energy.missing() : 0.0);
   if (std::abs(missed) > std::abs(most_missed_)) {
     most_missed_ = missed;
@@ -419,6 +423,8 @@ void RunWriter::remeshing(const process::Process& process) {
 }
 
 void RunWriter::remeshed(const process::Process& process, const process::RemeshReport& report) {
+  if (worn_ && worn_->increment == report.increment)
+    worn_.reset(); // replaced before time went on
   ledger_ += ledger_row(report);
   write_file(folder_ / "remesh.csv", ledger_);
   for (std::string& line : report.complaints())
@@ -469,6 +475,17 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         worn_->time, content_->units.time, worn_->min_quality, last_->min_quality,
         content_->remesh ? "no new mesh could be made in time: the log says why"
                          : "a [remesh] section would have replaced the mesh"));
+  if (squeezed_at_) {
+    const double share = last_->volume / process.bulk().reference_volume();
+    const double pressure = -process.bulk().material().elasticity.bulk() * std::log(share);
+    lines.push_back(fmt::format(
+        "warning: from t = {:.6g} {} on the metal is squeezed by more than 1 % of its volume, at "
+        "the "
+        "end by {:.2g} %, under {:.3g} {} in the mean, which no tool bears: the cavity is full, or "
+        "leaves too little way out",
+        *squeezed_at_, content_->units.time, 100.0 * (1.0 - share), pressure,
+        content_->units.stress));
+  }
   lines.insert(lines.end(), complaints_.begin(), complaints_.end());
   return lines;
 }

@@ -30,7 +30,7 @@ const std::string pressed_far =
     edited(upsetting,
            {{"\"quad8\"", "\"quad4\""},
             {"law = \"tresca\", m = 0.08", "law = \"sticking\""},
-            {"end = 0.1\nincrements = { first = 0.02, max = 0.02 }", "end = 5.5"},
+            {"end = 0.1\nincrements = { first = 0.02, max = 0.02 }", "end = 4.5"},
             {"cells = [2, 3]", "cells = [4, 6]"}});
 
 class Remeshing : public testing::Test {
@@ -120,7 +120,10 @@ end = 0.4
 }
 
 TEST_F(Remeshing, WritesItsLedger) {
-  const auto results = run(remeshed(often));
+  const std::string in_small_steps =
+      edited(remeshed(often), {{"first = 0.02, max = 0.02", "first = 0.002, max = 0.002"}});
+  constexpr std::size_t steps = 10; // between two meshes
+  const auto results = run(in_small_steps);
   EXPECT_TRUE(whole_file(results / "remesh.csv").starts_with(header));
   const ResultTable ledger = read_table(results / "remesh.csv");
   const ResultTable history = read_table(results / "history.csv");
@@ -131,8 +134,9 @@ TEST_F(Remeshing, WritesItsLedger) {
   double volume = 0.0, work = 0.0, jump = 0.0;
   for (std::size_t row = 0; row < 4; ++row) {
     EXPECT_EQ(ledger.value(row, "remeshing"), static_cast<double>(row + 1));
-    EXPECT_EQ(ledger.value(row, "increment"), static_cast<double>(row + 1));
-    EXPECT_EQ(ledger.value(row, "time"), history.value(row, "time"));
+    const std::size_t increment = steps * (row + 1);
+    EXPECT_EQ(ledger.value(row, "increment"), static_cast<double>(increment));
+    EXPECT_EQ(ledger.value(row, "time"), history.value(increment - 1, "time"));
     EXPECT_EQ(ledger.rows[row][ledger.index("cause")], "\"interval\"");
     EXPECT_EQ(ledger.rows[row][ledger.index("balanced")], "1");
     const auto change = [&](const std::string& what) {
@@ -151,7 +155,7 @@ TEST_F(Remeshing, WritesItsLedger) {
   EXPECT_LT(volume, 1e-4);
   // The column says how many there had been when the increment was accepted.
   for (std::size_t row = 0; row < history.rows.size(); ++row)
-    EXPECT_EQ(history.value(row, "remeshings"), static_cast<double>(std::min<std::size_t>(row, 4)));
+    EXPECT_EQ(history.value(row, "remeshings"), static_cast<double>(std::min<std::size_t>(row / steps, 4)));
   EXPECT_EQ(summary(results).at("element"), "tri6");
   EXPECT_EQ(summary(results).at("elements"), ledger.value(3, "elements_after"));
   EXPECT_GT(summary(results).at("seconds").at("remeshing"), 0.0);
@@ -230,6 +234,22 @@ TEST_F(Remeshing, WouldHaveHelpedARunThatGoesBad) {
   EXPECT_FALSE(warns(helped, advice));
   EXPECT_GT(summary(helped).at("remeshings").at("number"), 0);
   EXPECT_GT(summary(helped).at("min_quality"), summary(bad).at("min_quality"));
+}
+
+TEST_F(Remeshing, WouldHaveHelpedARunWhoseElementsTurnInsideOut) {
+  const std::string farther = edited(pressed_far, {{"end = 4.5", "end = 5.5"}});
+  write_text(folder_.path() / "tiny.toml", farther);
+  const Outcome ended = billet({"run", "tiny.toml", "--quiet", "-o", "bad"}, folder_.path());
+  EXPECT_EQ(ended.status, 5) << ended.err;
+  const std::string reason = summary(folder_.path() / "bad").at("failure").at("reason");
+  EXPECT_NE(reason.find("turns inside out (quality -0.0"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("a [remesh] section goes on from there"), std::string::npos) << reason;
+  // What stands is what came before.
+  const ResultTable history = read_table(folder_.path() / "bad" / "history.csv");
+  EXPECT_GT(history.value(history.rows.size() - 1, "min_quality"), -0.05);
+  EXPECT_GT(history.value(history.rows.size() - 1, "time"), 4.5);
+  const auto helped = run(edited(farther, {{"[time]", "[remesh]\n[time]"}}), "helped");
+  EXPECT_GT(summary(helped).at("min_quality"), 0.1);
 }
 
 TEST_F(Remeshing, WouldHaveHelpedARunThatTouchesOnOneSide) {

@@ -192,12 +192,14 @@ TEST(Remeshing, AsksMoreOfSquaresThanOfTriangles) {
   EXPECT_EQ(least_quality(settings, ElementKind::tri6), 0.1);
 }
 
-/// A frictionless die that is suddenly fast: increments of a second have too much strain.
+/// A frictionless die that is suddenly fast: no increment as long as they are by then, nor two of
+/// the tries that follow, is short enough for its strain.
 Scene sudden_billet() {
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 3, 0.6, contact::Frictionless{}));
   scene.tools[0].motion.velocity.reset();
   scene.tools[0].motion.displacement = std::array{
-      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -0.15}, {2.0, -9.0}}), TimeFunction(0.0)};
+      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -0.15}, {1.005, -9.0}, {2.0, -9.0}}),
+      TimeFunction(0.0)};
   scene.stages[0].end = 2.0;
   scene.increments.first = scene.increments.max = 1.0;
   return scene;
@@ -210,11 +212,13 @@ TEST(Remeshing, AnswersFailedIncrements) {
   ASSERT_EQ(done.status, RunStatus::done);
   ASSERT_FALSE(done.process->remeshings().empty());
   EXPECT_EQ(done.process->remeshings()[0].cause, "failed increments");
-  EXPECT_EQ(done.process->remeshings()[0].increment, 1);
+  EXPECT_LE(done.process->remeshings()[0].time, 1.0 + 0.005);
   // The tries that failed have softened the contact. Those on the old mesh must not soften that of
   // the new one: an increment was taken with a face half an element deep and an eighth of the
   // force.
   for (const Entry& entry : done.recorder.entries) {
+    if (entry.report.time < 1.0)
+      continue; // all of it flows from then on at the latest
     const double h = largest_position(entry, 2, 1), e = std::log(billet_height / h);
     const double exact =
         100.0 * std::numbers::pi * (700.0 + 300.0 * e) / (1.0 + 300.0 / 200e3) * billet_height / h;
@@ -251,7 +255,7 @@ TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
 
   Scene scene = sudden_billet();
   scene.remesh = tiny;
-  scene.increments.min = 0.2;
+  scene.increments.min = 0.05;
   const FinishedRun ended = run(std::move(scene));
   EXPECT_EQ(ended.status, RunStatus::not_converged);
   ASSERT_EQ(ended.recorder.failures.size(), 1u);

@@ -136,6 +136,23 @@ TEST(Process, CutsBackFromAnIncrementTooLargeAndLosesNothing) {
   EXPECT_NEAR(done.last().loads[0].force[1], exact, 1e-5 * exact);
 }
 
+TEST(Process, ShortensIncrementsOfTheCaseThatMissEnergy) {
+  // From nothing to well beyond yield at once: the trapezoid would see half of the work. (P.24)
+  Scene scene = small_billet(0.1);
+  scene.increments.first = scene.increments.max = 1.5;
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  EnergyBalance before;
+  for (const Entry& entry : done.recorder.entries) {
+    const bool long_one = entry.report.dt > 1.5 / 50.0 * (1.0 + 1e-9);
+    EXPECT_TRUE(!long_one || entry.report.energy.error_since(before) <= 0.05) << entry.report.time;
+    before = entry.report.energy;
+  }
+  EXPECT_LT(done.last().report.energy.error(), 0.03);
+  EXPECT_GT(done.recorder.entries.front().report.cutbacks, 0);
+  EXPECT_LT(done.recorder.entries.size(), 30u) << "what flows evenly misses nothing in long steps";
+}
+
 TEST(Process, EndsAnImpossibleCaseWithAPostMortem) {
   // The die would have to go through the anvil: 99.9 % with sticking.
   Scene scene = small_billet(0.999, contact::Sticking{});

@@ -1,0 +1,115 @@
+// The balance of energy, and what it says of the length of an increment. (P.6), (P.23), (P.24)
+
+#include "process/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace billet::process {
+
+double EnergyBalance::error() const { return error_since({}); }
+
+double EnergyBalance::error_since(const EnergyBalance& before) const {
+  const double largest = std::max({std::abs(external - before.external),
+                                   std::abs(elastic - before.elastic), plastic - before.plastic,
+                                   friction - before.friction, std::abs(contact - before.contact)});
+  return largest > 0.0 ? std::abs(missing() - before.missing()) / largest : 0.0;
+}
+
+double Process::work_of_supports(double dt) const {
+  double work = 0.0;
+  for (const Index i : prescribed(time_ + dt).unknowns)
+    work +=
+        0.5 * (reactions_[idx(i)] + newton_->residual()[idx(i)]) * (trial_x_[idx(i)] - x_[idx(i)]);
+  return work;
+}
+
+EnergyBalance Process::balance_of(const mechanics::Bulk& bulk,
+                                  const contact::ContactTerm* contact,
+                                  std::span<const double> x) const {
+  EnergyBalance energy = energy_;
+  energy.elastic = bulk.elastic_energy(x).sum();
+  energy.plastic = bulk.plastic_work();
+  energy.external = support_work_ - tool_energy_ + load_work_;
+  for (const auto* loads : {&loads_, &fading_})
+    for (const auto& load : *loads)
+      energy.external += load->work();
+  if (contact != nullptr) {
+    energy.external += contact->work().external + contact->work().enforcement;
+    energy.friction = contact->work().friction;
+    energy.contact = contact->work().stored;
+  }
+  return energy;
+}
+
+void Process::update_energy() {
+  energy_ = balance_of(*bulk_, contact_.get(), x_);
+  most_energy_ =
+      std::max({most_energy_, std::abs(energy_.external), energy_.plastic, energy_.elastic});
+}
+
+EnergyBalance Process::energy_after(double dt) const {
+  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  mechanics::Bulk bulk = *bulk_;
+  bulk.commit(trial);
+  std::optional<contact::ContactTerm> contact;
+  if (contact_) {
+    contact = *contact_;
+    contact->commit(trial);
+  }
+  EnergyBalance energy = balance_of(bulk, contact ? &*contact : nullptr, trial_x_);
+  energy.external += work_of_supports(dt);
+  for (const auto* loads : {&loads_, &fading_})
+    for (const auto& load : *loads)
+      energy.external += load->work_in(trial);
+  if (grounding_)
+    energy.grounding += work_of_grounding();
+  return energy;
+}
+
+double Process::work_of_grounding() const {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < x0_.size(); ++i)
+    squares += (trial_x_[i] - x_[i]) * (trial_x_[i] - x_[i]);
+  return grounding_stiffness_ * squares;
+}
+
+std::string Process::misses_too_much(double dt, double length) const {
+  constexpr double rounding = 1e-9;
+  constexpr double most = 0.05; // of the work of the increment
+  if (dt <= (1.0 + rounding) * default_longest(length))
+    return "";
+  const double missed = energy_after(dt).error_since(energy_);
+  return missed > most ? fmt::format("its balance of energy misses {:.2g} %", 100.0 * missed) : "";
+}
+
+double Process::missed_since(const EnergyBalance& before, double gone) const {
+  constexpr double half_of_the_budget = 0.0025; // the balance of a run is to be within 0.5 %
+  constexpr double early = 0.1;                 // what the first yield misses counts little later
+  const double used = energy_.error() / half_of_the_budget;
+  const bool at_risk = gone > early && used > 1.0;
+  // The less of the budget is left the more is asked of an increment.
+  return at_risk && !scene_.increments.max ? used * used * energy_.error_since(before) : 0.0;
+}
+
+bool Process::lets_go_too_fast(double dt) const {
+  constexpr double early = 0.1; // of the run: there is next to no work yet to compare with
+  if (!contact_ || scene_.increments.max || time_ < early * scene_.stages.back().end)
+    return false;
+  // Of all work so far, for a tool whose force falls by more than half.
+  constexpr double most = 1e-3, fall = 0.5;
+  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (!contact_->acts(t, time_ + dt))
+      continue;
+    const auto [before, now] = contact_->forces_of_tool(t, trial);
+    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) > most * most_energy_)
+      return true;
+  }
+  return false;
+}
+
+} // namespace billet::process
