@@ -347,7 +347,7 @@ void RunWriter::incremented(const process::Process& process,
   constexpr double bad = 0.1; // below it elements hardly deform as they should
   if (!worn_ && report.min_quality < bad)
     worn_ = report;
-  constexpr double squeezed = 0.99; // of its volume: under pressures that tools bear it keeps more
+  constexpr double squeezed = 0.98; // of its volume: under pressures that tools bear it keeps more
   if (!squeezed_at_ && report.max_plastic_strain > 0.0 &&
       report.volume < squeezed * process.bulk().reference_volume())
     squeezed_at_ = report.time;
@@ -478,13 +478,13 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
   if (squeezed_at_) {
     const double share = last_->volume / process.bulk().reference_volume();
     const double pressure = -process.bulk().material().elasticity.bulk() * std::log(share);
-    lines.push_back(fmt::format(
-        "warning: from t = {:.6g} {} on the metal is squeezed by more than 1 % of its volume, at "
-        "the "
-        "end by {:.2g} %, under {:.3g} {} in the mean, which no tool bears: the cavity is full, or "
-        "leaves too little way out",
-        *squeezed_at_, content_->units.time, 100.0 * (1.0 - share), pressure,
-        content_->units.stress));
+    lines.push_back(fmt::format("warning: from t = {:.6g} {} on the metal is squeezed by more than "
+                                "2 % of its volume, at the "
+                                "end by {:.2g} %, under {:.3g} {} in the mean, more than most "
+                                "tools bear: the cavity is full, "
+                                "or leaves too little way out",
+                                *squeezed_at_, content_->units.time, 100.0 * (1.0 - share),
+                                pressure, content_->units.stress));
   }
   lines.insert(lines.end(), complaints_.begin(), complaints_.end());
   return lines;

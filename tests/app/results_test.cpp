@@ -201,6 +201,24 @@ TEST_F(Results, frames_closer_than_increments_are_one_an_increment) {
   EXPECT_EQ(frames, times);
 }
 
+TEST_F(Results, metal_that_has_no_way_out_is_told) {
+  const std::string confined =
+      edited(upsetting, {{"[[tool]]", "[[support]]\nwhere = \"x = 5\"\nfix = [\"x\"]\n\n[[tool]]"},
+                         {"end = 0.1\nincrements = { first = 0.02, max = 0.02 }", "end = 0.3"}});
+  const auto warning_of = [&](const std::string& out, const std::string& text) {
+    const nlohmann::json summary = summary_of(run(out, text));
+    for (const std::string warning : summary.at("warnings"))
+      if (warning.find("squeezed by more than 2 %") != std::string::npos)
+        return warning;
+    return std::string();
+  };
+  // 0.3 mm of 7.5 are gone, less 0.0009 by which the punch sinks in, and nothing but the volume
+  // gives way: K ln(7.5 / 7.2009) = 7120 MPa.
+  const std::string warning = warning_of("confined", confined);
+  EXPECT_NE(warning.find("at the end by 4 %, under 7.12e+03 MPa"), std::string::npos) << warning;
+  EXPECT_EQ(warning_of("free", upsetting), "");
+}
+
 TEST_F(Results, unloading_leaves_no_force_on_the_tool) {
   const auto folder = run("tiny", unloading);
   const ResultTable history = read_table(folder / "history.csv");
