@@ -79,11 +79,24 @@ double Process::work_of_grounding() const {
 
 std::string Process::misses_too_much(double dt, double length) const {
   constexpr double rounding = 1e-9;
-  constexpr double most = 0.05; // of the work of the increment
-  if (dt <= (1.0 + rounding) * default_longest(length))
+  constexpr double most = 0.05;        // of the work of an increment longer than by default
+  constexpr double most_of_all = 1e-3; // of all work so far, in one of another length
+  constexpr double early = 0.1;        // of the run: there is next to no work yet to compare with
+  constexpr double short_share = 0.1;  // of the longest: no shorter for that
+  const double usual = default_longest(length);
+  const bool is_long = dt > (1.0 + rounding) * usual;
+  const bool is_spoiling = !scene_.increments.max && dt > short_share * usual &&
+                           time_ > early * scene_.stages.back().end;
+  if (!is_long && !is_spoiling)
     return "";
-  const double missed = energy_after(dt).error_since(energy_);
-  return missed > most ? fmt::format("its balance of energy misses {:.2g} %", 100.0 * missed) : "";
+  const EnergyBalance after = energy_after(dt);
+  const double missed = std::abs(after.missing() - energy_.missing());
+  if (is_long && after.error_since(energy_) > most)
+    return fmt::format("its balance of energy misses {:.2g} %", 100.0 * after.error_since(energy_));
+  if (!is_long && missed > most_of_all * most_energy_)
+    return fmt::format("its balance of energy misses {:.2g} % of all work so far",
+                       100.0 * missed / most_energy_);
+  return "";
 }
 
 double Process::missed_since(const EnergyBalance& before, double gone) const {

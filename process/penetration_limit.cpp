@@ -17,6 +17,11 @@ void Process::certify(double dt) {
                                        scene_.contact.max_penetration.value_or(HUGE_VAL));
 }
 
+bool Process::bounds_penetration() const {
+  const contact::ContactSettings& settings = scene_.contact;
+  return settings.max_penetration || settings.method == contact::Method::augmented;
+}
+
 bool Process::too_deep() const {
   const contact::ContactSettings& settings = scene_.contact;
   if (settings.max_penetration)
@@ -26,8 +31,8 @@ bool Process::too_deep() const {
 }
 
 bool Process::limit_penetration(double dt, std::string& why) {
-  if (!contact_)
-    return true;
+  if (!contact_ || !bounds_penetration())
+    return true; // what is accepted gets its certificate; tries that nobody will see need none
   certify(dt);
   constexpr int most_rounds = 8;
   // Once contact points are so much less deep than is allowed, what is too deep lies between them.
@@ -84,7 +89,7 @@ void Process::begin_with_stiffness(double factor) {
 /// (C.24)
 void Process::adapt_penalty(Progress progress) {
   const contact::ContactSettings& settings = scene_.contact;
-  if (!contact_ || settings.max_penetration || settings.method == contact::Method::augmented)
+  if (!contact_ || bounds_penetration())
     return;
   // Depths of the deepest contact point over that of the element beneath, with the penalty that the
   // next increment begins with.

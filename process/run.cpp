@@ -230,6 +230,8 @@ bool Process::passes_through(double dt, std::string& why) const {
 }
 
 void Process::accept(double dt) {
+  if (contact_ && !bounds_penetration())
+    certify(dt);
   if (scene_.remesh) {
     remember();
     note_forces();

@@ -294,6 +294,8 @@ private:
   [[nodiscard]] bool try_softened(double dt, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
   [[nodiscard]] bool plausible(double force_scale, std::string& why) const;
+  /// Whether increments are accepted only as deep as a limit allows.
+  [[nodiscard]] bool bounds_penetration() const;
   /// Presses harder until the limit of penetration holds. (P.7)
   [[nodiscard]] bool limit_penetration(double dt, std::string& why);
   [[nodiscard]] bool too_deep() const;
@@ -454,7 +456,7 @@ private:
   std::vector<double> velocity_;
   std::vector<double> plastic_rate_;
   std::vector<double> reactions_;
-  contact::Penetration penetration_; ///< of the last try that Newton solved
+  contact::Penetration penetration_; ///< of the last increment, or of a try that a limit judges
   bool refused_as_too_deep_ = false; ///< the last try
   bool refused_inside_out_ = false;  ///< likewise
   int turned_inside_out_ = 0;        ///< increments refused for that on the present mesh
