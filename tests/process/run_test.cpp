@@ -153,6 +153,29 @@ TEST(Process, ShortensIncrementsOfTheCaseThatMissEnergy) {
   EXPECT_LT(done.recorder.entries.size(), 30u) << "what flows evenly misses nothing in long steps";
 }
 
+TEST(Process, ShortensIncrementsThatMissMuchOfAllWork) {
+  // Pressed, let go, and pressed again in a longer stage: its first increment leads from nothing to
+  // the flow stress, and alone would miss one per cent of all work so far. (P.24)
+  Scene scene = small_billet(0.4);
+  scene.touch = {0};
+  scene.tools[0].motion.velocity.reset();
+  scene.tools[0].motion.displacement = std::array{
+      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -1.0}, {1.1, -0.9}, {8.0, -4.5}}),
+      TimeFunction(0.0)};
+  scene.stages = {{"once", 1.0, {1}, false}, {"back", 1.1, {1}, false}, {"again", 8.0, {1}, false}};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  double before = 0.0, largest = 0.0;
+  for (const Entry& entry : done.recorder.entries) {
+    const double missing = entry.report.energy.missing();
+    if (entry.report.time > 1.1 && entry.report.dt > 6.9 / 500.0)
+      largest = std::max(largest, std::abs(missing - before) / entry.report.energy.external);
+    before = missing;
+  }
+  EXPECT_LE(largest, 1.001e-3);
+  EXPECT_LT(done.last().report.energy.error(), 0.005);
+}
+
 TEST(Process, EndsAnImpossibleCaseWithAPostMortem) {
   // The die would have to go through the anvil: 99.9 % with sticking.
   Scene scene = small_billet(0.999, contact::Sticking{});
