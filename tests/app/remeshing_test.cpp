@@ -155,7 +155,8 @@ TEST_F(Remeshing, WritesItsLedger) {
   EXPECT_LT(volume, 1e-4);
   // The column says how many there had been when the increment was accepted.
   for (std::size_t row = 0; row < history.rows.size(); ++row)
-    EXPECT_EQ(history.value(row, "remeshings"), static_cast<double>(std::min<std::size_t>(row / steps, 4)));
+    EXPECT_EQ(history.value(row, "remeshings"),
+              static_cast<double>(std::min<std::size_t>(row / steps, 4)));
   EXPECT_EQ(summary(results).at("element"), "tri6");
   EXPECT_EQ(summary(results).at("elements"), ledger.value(3, "elements_after"));
   EXPECT_GT(summary(results).at("seconds").at("remeshing"), 0.0);
