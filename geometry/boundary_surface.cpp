@@ -38,17 +38,7 @@ BoundarySurface::BoundarySurface(const SolidBoundary& boundary, double short_cre
       lines_(feature_lines(boundary, normals_, short_crease)), members_(idx(lines_.n_patches)) {
   const TriangleMesh& mesh = boundary.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<CurvedTriangle::Side, 3> sides{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool forward = mesh.triangles[t][i] < mesh.triangles[t][(i + 1) % 3];
-      EdgeCurve turned = curve(static_cast<std::int32_t>(t), static_cast<std::int32_t>(i));
-      if (!forward) {
-        std::reverse(turned.control.begin(), turned.control.end());
-        std::swap(turned.normals[0], turned.normals[1]);
-      }
-      sides[i] = {turned, forward};
-    }
-    curved_.emplace_back(sides);
+    curved_.push_back(curved_triangle(mesh, edges_, t));
     is_curved_.push_back(static_cast<char>(is_curved(t)));
     members_[idx(lines_.patch[t])].push_back(static_cast<std::int32_t>(t));
   }

@@ -1,5 +1,7 @@
 #include "geometry/curved_triangle.h"
 
+#include "geometry/nearest_in_triangle.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -18,7 +20,7 @@ constexpr double close = 1e-3;        // steps of the parameters that are Newton
 constexpr double converged = 1e-14;   // step that ends the search
 constexpr double stalled = 1e-8;      // step that ends it if the last one was no longer
 constexpr double least_share = 1e-3;  // of a step
-constexpr double margin = 0.1;        // of the barycentric coordinates
+constexpr double overrun = 0.1;       // of the barycentric coordinates
 constexpr double overlap = 1e-13;     // of two triangles: a foot on their side is never lost
 constexpr int intervals = 8;          // along a side, for bounds and shape
 constexpr double least_convex = 0.05; // of the squared distance against the metric
@@ -34,8 +36,8 @@ std::array<Taylor2, 3> coordinates(double v, double w) {
 double share_inside(const Parameters& p, double dv, double dw) {
   double share = 1.0;
   for (const auto& [b, d] : {std::pair{1.0 - p[0] - p[1], -dv - dw}, {p[0], dv}, {p[1], dw}})
-    if (d < 0.0 && b + share * d < -margin)
-      share = std::max(0.0, -(b + margin) / d);
+    if (d < 0.0 && b + share * d < -overrun)
+      share = std::max(0.0, -(b + overrun) / d);
   return share;
 }
 
@@ -63,6 +65,10 @@ Distance distance(const SurfacePoint& s, const Vec3& x) {
   d.hww = d.mww + r.dot(s.ww);
   return d;
 }
+
+/// Of `Quarters::points`: at each corner, and the one in the middle.
+constexpr std::array<std::array<std::size_t, 3>, 4> quarter_corners{
+    {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
 
 Parameters solve(double a, double b, double c, double p, double q) {
   const double det = a * c - b * b;
@@ -199,13 +205,14 @@ SurfacePoint CurvedTriangle::at(double v, double w) const {
   return point;
 }
 
-// Sampled; the weights of the bends add up to less than one.
+// Sampled. The weights b_k W_ij of the bends add up to 1/3 at most: to the sum of all 1/b over that
+// of their squares, while the b add up to 1.
 double CurvedTriangle::largest_bend() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
     for (int k = 0; k <= intervals && bends_[i]; ++k)
       largest = std::max(largest, bend(i, static_cast<double>(k) / intervals).f.norm());
-  return largest;
+  return largest / 3.0;
 }
 
 // The cubic lies within the hull of its control points.
@@ -221,19 +228,73 @@ Box CurvedTriangle::bounds() const {
   return box;
 }
 
+// De Casteljau's steps with another place in each: the control points are the corners', the sides'
+// and the middle's, each known by how many of the three steps go to each corner.
+Vec3 CurvedTriangle::blossom(const Corners& at) const {
+  const auto control = [&](const std::array<std::size_t, 3>& to) -> const Vec3& {
+    if (to[0] == to[1] && to[1] == to[2])
+      return sides_[to[0]].curve.control[0];
+    if (to[0] != to[1] && to[1] != to[2] && to[2] != to[0])
+      return centre_;
+    const std::size_t twice = to[0] == to[1] || to[0] == to[2] ? to[0] : to[1];
+    const std::size_t once = to[0] != twice ? to[0] : to[1] != twice ? to[1] : to[2];
+    return once == (twice + 1) % 3 ? sides_[twice].curve.control[1] : sides_[once].curve.control[2];
+  };
+  Vec3 point = Vec3::Zero();
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k)
+        point += at[0][i] * at[1][j] * at[2][k] * control({i, j, k});
+  return point;
+}
+
 // A cubic in Bernstein form is a mean of its control points, and each of them is at most as far
 // from the straight triangle as from the point of it with the same parameters.
-double CurvedTriangle::rise() const {
-  const Vec3 &a = sides_[0].curve.control[0], &b = sides_[1].curve.control[0],
-             &c = sides_[2].curve.control[0];
-  double largest = (centre_ - (a + b + c) / 3.0).norm();
-  for (const Side& side : sides_) {
-    const std::array<Vec3, 4>& control = side.curve.control;
-    const Vec3 third = (control[3] - control[0]) / 3.0;
-    largest = std::max({largest, (control[1] - control[0] - third).norm(),
-                        (control[2] - control[3] + third).norm()});
-  }
+double CurvedTriangle::rise_between(const Corners& corners) const {
+  std::array<Vec3, 3> places;
+  for (std::size_t i = 0; i < 3; ++i)
+    places[i] = blossom({corners[i], corners[i], corners[i]});
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      for (std::size_t k = j; k < 3; ++k)
+        largest = std::max(largest, (blossom({corners[i], corners[j], corners[k]}) -
+                                     (places[i] + places[j] + places[k]) / 3.0)
+                                        .norm());
   return largest + largest_bend();
+}
+
+double CurvedTriangle::rise() const {
+  return rise_between({{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}});
+}
+
+// Bends vanish on the sides, so their middles are the cubic's.
+Quarters CurvedTriangle::quarters() const {
+  constexpr std::array<std::array<double, 3>, 6> places{{{1.0, 0.0, 0.0},
+                                                         {0.0, 1.0, 0.0},
+                                                         {0.0, 0.0, 1.0},
+                                                         {0.5, 0.5, 0.0},
+                                                         {0.0, 0.5, 0.5},
+                                                         {0.5, 0.0, 0.5}}};
+  Quarters quarters{};
+  for (std::size_t i = 0; i < places.size(); ++i)
+    quarters.points[i] = blossom({places[i], places[i], places[i]});
+  for (std::size_t q = 0; q < quarter_corners.size(); ++q) {
+    const auto& [a, b, c] = quarter_corners[q];
+    quarters.rises[q] = rise_between({places[a], places[b], places[c]});
+  }
+  return quarters;
+}
+
+double Quarters::least_distance2(const Vec3& x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t q = 0; q < quarter_corners.size(); ++q) {
+    const auto& [a, b, c] = quarter_corners[q];
+    const auto [u, v, w] = nearest_in_triangle(points[a], points[b], points[c], x);
+    const double distance = (u * points[a] + v * points[b] + w * points[c] - x).norm();
+    least = std::min(least, std::max(0.0, distance - rises[q]));
+  }
+  return least * least;
 }
 
 CurvedTriangle::Shape CurvedTriangle::shape() const {
@@ -282,6 +343,20 @@ std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) cons
     }
   }
   return std::nullopt;
+}
+
+CurvedTriangle curved_triangle(const TriangleMesh& mesh, const EdgeCurves& edges, std::size_t t) {
+  std::array<CurvedTriangle::Side, 3> sides{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool forward = mesh.triangles[t][i] < mesh.triangles[t][(i + 1) % 3];
+    EdgeCurve curve = edges.curves[static_cast<std::size_t>(edges.of_triangle[t][i])];
+    if (!forward) {
+      std::reverse(curve.control.begin(), curve.control.end());
+      std::swap(curve.normals[0], curve.normals[1]);
+    }
+    sides[i] = {curve, forward};
+  }
+  return CurvedTriangle(sides);
 }
 
 } // namespace billet::geometry

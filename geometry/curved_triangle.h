@@ -11,8 +11,10 @@
 #include "geometry/base/vector.h"
 #include "geometry/edge_curves.h"
 #include "geometry/taylor.h"
+#include "geometry/triangle_mesh.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 namespace billet::geometry {
@@ -28,6 +30,15 @@ struct SurfacePoint {
 ///
 /// @return empty if the point lies at or beyond the centre of curvature
 [[nodiscard]] std::optional<Mat3> normal_slope(const SurfacePoint& at, double gap);
+
+/// The four straight triangles between the corners and the middles of the sides of a curved one.
+struct Quarters {
+  std::array<Vec3, 6> points;  ///< corners, then the middles of the sides from corner 0, 1, 2 [mm]
+  std::array<double, 4> rises; ///< no point of that part is farther from it [mm]
+
+  /// A bound from below of the square of the distance of x to the curved triangle. [mm^2] (G.50)
+  [[nodiscard]] double least_distance2(const Vec3& x) const;
+};
 
 class CurvedTriangle {
 public:
@@ -50,6 +61,7 @@ public:
   [[nodiscard]] Box bounds() const;
   /// No point of it is farther than this from the straight triangle between the corners. [mm]
   [[nodiscard]] double rise() const;
+  [[nodiscard]] Quarters quarters() const;
   [[nodiscard]] Shape shape() const;
   [[nodiscard]] const std::array<Side, 3>& sides() const { return sides_; }
 
@@ -64,6 +76,12 @@ public:
                                                           std::array<double, 2> start) const;
 
 private:
+  using Corners = std::array<std::array<double, 3>, 3>; ///< barycentric coordinates of each
+
+  /// Control point of the part of the cubic between three places. [mm]
+  [[nodiscard]] Vec3 blossom(const Corners& at) const;
+  /// Largest distance of a point of that part from the same point of the straight triangle. [mm]
+  [[nodiscard]] double rise_between(const Corners& corners) const;
   [[nodiscard]] Taylor1<Vec3> bend(std::size_t side, double t) const;
   void add_bends(double v, double w, SurfacePoint& at) const;
   [[nodiscard]] double largest_bend() const;
@@ -73,5 +91,11 @@ private:
   std::array<std::array<Vec3, 3>, 3> across_; ///< derivative of the cubic across side i [mm]
   std::array<bool, 3> bends_;                 ///< side i needs a correction
 };
+
+/// The curved triangle over triangle t of a mesh.
+///
+/// @pre edges = edge_curves(mesh, ...)
+[[nodiscard]] CurvedTriangle
+curved_triangle(const TriangleMesh& mesh, const EdgeCurves& edges, std::size_t t);
 
 } // namespace billet::geometry

@@ -61,8 +61,9 @@ private:
 
   [[nodiscard]] Kind classify(std::size_t t, const CurvedTriangle& patch);
   [[nodiscard]] std::int32_t nearest_facet(const Vec3& x, double reach) const;
-  [[nodiscard]] double least_distance2(std::int32_t triangle, const Vec3& x) const;
-  [[nodiscard]] Place closest(std::int32_t triangle, const Vec3& x) const;
+  [[nodiscard]] double rough_distance2(std::int32_t triangle, const Vec3& x) const;
+  [[nodiscard]] double least_distance2(std::int32_t triangle, const Vec3& x, double rough2) const;
+  [[nodiscard]] Place closest(std::int32_t triangle, const Vec3& x, double least2) const;
   [[nodiscard]] Place closest_on_side(std::size_t t, const Vec3& x) const;
   [[nodiscard]] bool beneath(std::size_t t, const Vec3& x) const;
   [[nodiscard]] std::array<double, 2> start(std::size_t t, const Vec3& x) const;
@@ -88,6 +89,7 @@ private:
   std::vector<Kind> kinds_;
   std::vector<Box> boxes_;    // of the patches
   std::vector<double> rises_; // of the patches off their facets
+  std::vector<Quarters> quarters_;
   BoxTree tree_;
   Box bounds_;
   Smoothing smoothing_;
@@ -97,21 +99,12 @@ SmoothTriangleSurface::SmoothTriangleSurface(const TriangleMesh& mesh, double fe
     : features_(mesh), normals_(corner_normals(mesh, feature_angle)),
       edges_(edge_curves(mesh, normals_)) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<CurvedTriangle::Side, 3> sides{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool forward = mesh.triangles[t][i] < mesh.triangles[t][(i + 1) % 3];
-      EdgeCurve turned = curve(t, i);
-      if (!forward) {
-        std::reverse(turned.control.begin(), turned.control.end());
-        std::swap(turned.normals[0], turned.normals[1]);
-      }
-      sides[i] = {turned, forward};
-    }
-    patches_.emplace_back(sides);
+    patches_.push_back(curved_triangle(mesh, edges_, t));
     kinds_.push_back(classify(t, patches_.back()));
     const bool is_facet = kinds_.back() == Kind::facet || kinds_.back() == Kind::unchanged;
     Box box = is_facet ? Box{} : patches_.back().bounds();
     rises_.push_back(is_facet ? 0.0 : patches_.back().rise());
+    quarters_.push_back(is_facet ? Quarters{} : patches_.back().quarters());
     for (std::size_t i = 0; i < 3; ++i)
       box.add(corner(t, i));
     bounds_.add(box.low);
@@ -162,7 +155,7 @@ void SmoothTriangleSurface::do_project(std::span<const Vec3> points,
 }
 
 // Smallest (distance, triangle number), as (G.12) has it. A patch costs thirty times what its facet
-// does, so facets tell where to look first and which patches are too far.
+// does, so facets tell where to look first, and they and their quarters which patches are too far.
 Projection
 SmoothTriangleSurface::project_one(const Vec3& x, double reach, std::int32_t hint) const {
   if (hint < 0 || static_cast<std::size_t>(hint) >= patches_.size())
@@ -170,14 +163,19 @@ SmoothTriangleSurface::project_one(const Vec3& x, double reach, std::int32_t hin
   double limit2 = reach * reach;
   Place at_hint, best;
   if (hint >= 0) {
-    at_hint = closest(hint, x);
+    at_hint = closest(hint, x, least_distance2(hint, x, rough_distance2(hint, x)));
     limit2 = std::min(limit2, at_hint.distance2);
   }
   std::int32_t nearest = -1;
   tree_.walk(x, limit2, [&](std::int32_t triangle) {
-    if (triangle != hint && least_distance2(triangle, x) > limit2)
-      return limit2;
-    const Place place = triangle == hint ? at_hint : closest(triangle, x);
+    Place place = at_hint;
+    if (triangle != hint) {
+      const double rough2 = rough_distance2(triangle, x);
+      const double least2 = rough2 > limit2 ? rough2 : least_distance2(triangle, x, rough2);
+      if (least2 > limit2)
+        return limit2;
+      place = closest(triangle, x, least2);
+    }
     if (place.distance2 < limit2 ||
         (place.distance2 == limit2 && (nearest < 0 || triangle < nearest))) {
       best = place;
@@ -209,15 +207,22 @@ std::int32_t SmoothTriangleSurface::nearest_facet(const Vec3& x, double reach) c
 }
 
 // A bound of the square of the distance to a patch, by its box and its facet.
-double SmoothTriangleSurface::least_distance2(std::int32_t triangle, const Vec3& x) const {
+double SmoothTriangleSurface::rough_distance2(std::int32_t triangle, const Vec3& x) const {
   const auto t = static_cast<std::size_t>(triangle);
   const double to_facet = std::sqrt(features_.closest(triangle, x).distance2);
   const double beyond = std::max(0.0, to_facet - rises_[t]);
   return std::max(beyond * beyond, distance2(boxes_[t], x));
 }
 
+// A better one, by the facets of its quarters. (G.50)
+double
+SmoothTriangleSurface::least_distance2(std::int32_t triangle, const Vec3& x, double rough2) const {
+  const auto t = static_cast<std::size_t>(triangle);
+  return kinds_[t] == Kind::curved ? std::max(rough2, quarters_[t].least_distance2(x)) : rough2;
+}
+
 // Never less than that bound, whatever the rounding. (G.12)
-Place SmoothTriangleSurface::closest(std::int32_t triangle, const Vec3& x) const {
+Place SmoothTriangleSurface::closest(std::int32_t triangle, const Vec3& x, double least2) const {
   const auto t = static_cast<std::size_t>(triangle);
   Place place;
   if (kinds_[t] == Kind::facet || kinds_[t] == Kind::unchanged) {
@@ -237,7 +242,7 @@ Place SmoothTriangleSurface::closest(std::int32_t triangle, const Vec3& x) const
       place = closest_on_side(t, x);
     }
   }
-  place.distance2 = std::max(place.distance2, least_distance2(triangle, x));
+  place.distance2 = std::max(place.distance2, least2);
   return place;
 }
 
