@@ -116,25 +116,46 @@ std::uint64_t number(const File& file, const std::vector<std::uint8_t>& bytes, s
   return value;
 }
 
-/// The header of compressed data: number of blocks, size of a block, size of the last one.
-void require_sound_header(const File& file, const std::vector<std::uint8_t>& bytes) {
+/// The data of an array: text, or the bytes themselves.
+struct Data {
+  std::string_view content;
+  bool base64 = true;
+
+  /// The first `n` bytes; fewer if the data end before.
+  [[nodiscard]] std::vector<std::uint8_t> first(std::size_t n) const {
+    if (base64)
+      return decoded(content, n);
+    return {content.begin(),
+            content.begin() + static_cast<std::ptrdiff_t>(std::min(n, content.size()))};
+  }
+};
+
+/// The header of compressed data: number of blocks, size of a block, size of the last one, and the
+/// compressed size of each.
+void require_sound_header(const File& file, const Data& data) {
   constexpr std::uint64_t largest_block = std::uint64_t{1} << 32U;
+  const std::vector<std::uint8_t> bytes = data.first(3 * file.word);
   if (bytes.size() < file.word || number(file, bytes, 0) == 0)
     return; // an empty array; VTK finds it if it should not be
   if (bytes.size() < 3 * file.word)
     file.fail("the data of an array are cut short");
+  const std::uint64_t n_blocks = number(file, bytes, 0);
   const std::uint64_t block = number(file, bytes, 1);
-  if (number(file, bytes, 0) > file.content.size() || block == 0 || block > largest_block ||
+  if (n_blocks > file.content.size() || block == 0 || block > largest_block ||
       number(file, bytes, 2) > block)
     file.fail("the header of compressed data makes no sense");
+  const std::vector<std::uint8_t> header = data.first((3 + n_blocks) * file.word);
+  if (header.size() < (3 + n_blocks) * file.word)
+    file.fail("the data of an array are cut short");
+  for (std::size_t i = 0; i < n_blocks; ++i)
+    if (number(file, header, 3 + i) > file.content.size())
+      file.fail("a block of compressed data is larger than the file");
 }
 
-/// The bytes with which the data of an array begin; none if they are not binary.
-std::vector<std::uint8_t>
-first_bytes(const File& file, std::string_view element, std::size_t behind) {
-  const std::size_t n = 3 * file.word;
+/// The data of an array; empty if they are not binary.
+Data data_of(const File& file, std::string_view element, std::size_t behind) {
   if (attribute(element, "format") == "binary")
-    return decoded(trimmed(file.head.substr(behind, 200)), n);
+    return {trimmed(file.head.substr(behind, file.head.find('<', behind) - behind))};
   std::int64_t offset = 0;
   if (attribute(element, "format") != "appended" ||
       !parse_integer(attribute(element, "offset"), offset) || offset < 0)
@@ -145,10 +166,8 @@ first_bytes(const File& file, std::string_view element, std::size_t behind) {
   if (mark == std::string_view::npos ||
       static_cast<std::uint64_t>(offset) >= appended.size() - mark - 1)
     file.fail("the data of an array lie behind the end of the file");
-  const std::string_view data = appended.substr(mark + 1 + static_cast<std::size_t>(offset));
-  if (attribute(appended.substr(0, end), "encoding") == "base64")
-    return decoded(data, n);
-  return {data.begin(), data.begin() + static_cast<std::ptrdiff_t>(std::min(n, data.size()))};
+  return {appended.substr(mark + 1 + static_cast<std::size_t>(offset)),
+          attribute(appended.substr(0, end), "encoding") == "base64"};
 }
 
 } // namespace
@@ -163,7 +182,7 @@ void require_plausible_vtu(std::string_view content, const std::filesystem::path
       const std::string_view element = file.head.substr(at, end - at);
       require_known_type(file, element);
       if (file.compressed)
-        require_sound_header(file, first_bytes(file, element, end + 1));
+        require_sound_header(file, data_of(file, element, end + 1));
     }
 }
 

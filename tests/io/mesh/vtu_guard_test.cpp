@@ -42,6 +42,8 @@ TEST(VtuGuard, refuses_numbers_and_sizes_of_blocks_that_cannot_be) {
   EXPECT_FALSE(accepted(file(inline_array + "AQAAAAAAAHAAgAAAAAAAAAgAAAAAAAAADQAAAAAAAAA=eF5j")));
   EXPECT_FALSE(accepted(file(inline_array + "AQAAAAAAAAAAgAAAAAAAcAgAAAAAAAAADQAAAAAAAAA=eF5j")));
   EXPECT_FALSE(accepted(file(inline_array + "AQAAAAAAAAAAgAAA</DataArray>"))) << "cut short";
+  EXPECT_FALSE(accepted(file(inline_array + "AQAAAAAAAAAAgAAAAAAAAAgAAAAAAAAADQAAAAAAAHA=eF5j")))
+      << "a block larger than the file";
 }
 
 TEST(VtuGuard, looks_only_at_compressed_data_for_headers) {
