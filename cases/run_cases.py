@@ -77,9 +77,8 @@ def wanted_of(name):
     return tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
 
 
-def evaluate(name, results):
-    """Prints the checks of a case; returns the number of failed ones."""
-    content = wanted_of(name)
+def evaluate(name, content, results):
+    """Prints the checks of a run of a case; returns the number of failed ones."""
     if "shape" in content:
         shape.write(results, name, content["shape"])
     if "script" in content:
@@ -99,19 +98,29 @@ def evaluate(name, results):
     return failed
 
 
-def run(program, name, results):
-    """Runs a case; returns the number of failures."""
-    print(f"{name}:", flush=True)
-    before = wanted_of(name).get("before")
-    if before:
-        subprocess.run([sys.executable, CASES / name / before], check=True)
-    done = subprocess.run([program, "run", CASES / name / "case.toml", "-o", results, "--quiet"],
+def run_once(program, name, content, results):
+    """Runs a case with the settings `set`; returns the number of failures."""
+    settings = [word for setting in content.get("set", []) for word in ("--set", setting)]
+    done = subprocess.run([program, "run", CASES / name / "case.toml", "-o", results, "--quiet", *settings],
                           stdout=subprocess.PIPE, text=True, check=False)
     print("".join(f"  {line}\n" for line in done.stdout.splitlines()), end="")
     if done.returncode != 0:
         print(f"  FAIL billet run: exit status {done.returncode}")
         return 1
-    return evaluate(name, results)
+    return evaluate(name, content, results)
+
+
+def run(program, name, results):
+    """Runs a case and its variants; returns the number of failures."""
+    print(f"{name}:", flush=True)
+    content = wanted_of(name)
+    if "before" in content:
+        subprocess.run([sys.executable, CASES / name / content["before"]], check=True)
+    failed = run_once(program, name, content, results)
+    for variant in content.get("variant", []):
+        print(f"{name}, {variant['name']}:", flush=True)
+        failed += run_once(program, name, variant, results.with_name(f"{name}-{variant['name']}"))
+    return failed
 
 
 def main():
