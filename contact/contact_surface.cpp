@@ -253,7 +253,7 @@ std::vector<Vec3> ContactSurface::samples(std::span<const double> x, Index face,
   return mechanics::visit_face(kind_, [&](auto shape) {
     using Shape = decltype(shape);
     constexpr int dim = Shape::dim + 1;
-    constexpr bool triangle = std::is_same_v<Shape, mechanics::Tri6>;
+    constexpr bool triangle = is_triangle<Shape>;
     std::array<double, std::size_t{Shape::nodes} * dim> local{};
     mechanics::gather(x, scatter_.nodes(face), dim, local.data());
     const auto coordinate = [&](int i) {

@@ -147,8 +147,15 @@ private:
   std::vector<std::size_t> beneath_;
 };
 
+/// Whether a face shape is a triangle.
+template <class Shape>
+inline constexpr bool is_triangle =
+    std::is_same_v<Shape, mechanics::Tri3> || std::is_same_v<Shape, mechanics::Tri6>;
+
 /// Whether a face shape is that of a linear element.
-template <class Shape> inline constexpr bool of_linear_element = Shape::nodes == (1 << Shape::dim);
+template <class Shape>
+inline constexpr bool
+    of_linear_element = Shape::nodes == (1 << Shape::dim) || Shape::nodes == Shape::dim + 1;
 
 /// Calls `visitor(shape, rule)` with the face shape and the integration rule of a form.
 template <class Visitor>

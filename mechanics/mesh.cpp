@@ -19,6 +19,7 @@ FaceTable corner_table(ElementKind kind) {
   case ElementKind::quad4:
   case ElementKind::quad8:
     return {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  case ElementKind::tet4:
   case ElementKind::tet10:
     return {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
   case ElementKind::hex8:
@@ -96,6 +97,7 @@ std::vector<std::size_t> unshared(std::vector<FaceKey> keys) {
 int nodes_per_element(ElementKind kind) {
   switch (kind) {
   case ElementKind::quad4:
+  case ElementKind::tet4:
     return 4;
   case ElementKind::tri6:
     return 6;
@@ -118,6 +120,7 @@ int dimension(ElementKind kind) {
     return 2;
   case ElementKind::hex8:
   case ElementKind::hex20:
+  case ElementKind::tet4:
   case ElementKind::tet10:
     return 3;
   }
@@ -136,6 +139,8 @@ std::string_view name(ElementKind kind) {
     return "hex8";
   case ElementKind::hex20:
     return "hex20";
+  case ElementKind::tet4:
+    return "tet4";
   case ElementKind::tet10:
     return "tet10";
   }
@@ -143,10 +148,10 @@ std::string_view name(ElementKind kind) {
 }
 
 std::span<const std::vector<int>> face_nodes(ElementKind kind) {
-  static const std::array<FaceTable, 6> tables{
-      face_table(ElementKind::quad4), face_table(ElementKind::quad8),
-      face_table(ElementKind::tri6),  face_table(ElementKind::hex8),
-      face_table(ElementKind::hex20), face_table(ElementKind::tet10)};
+  static const std::array<FaceTable, 7> tables{
+      face_table(ElementKind::quad4), face_table(ElementKind::quad8), face_table(ElementKind::tri6),
+      face_table(ElementKind::hex8),  face_table(ElementKind::hex20), face_table(ElementKind::tet4),
+      face_table(ElementKind::tet10)};
   return tables[static_cast<std::size_t>(kind)];
 }
 

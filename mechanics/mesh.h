@@ -23,7 +23,10 @@ namespace billet::mechanics {
 using Index = std::int32_t;
 
 /// Kinds of cell the solver knows by name.
-enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet10 };
+/// `tet4` is for parts that stay elastic or nearly so, and for what is handed 3-node faces: it
+/// locks where metal flows (docs/decisions/0008-simplex-elements.md), and case files do not offer
+/// it.
+enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet4, tet10 };
 
 /// Number of nodes of a cell.
 [[nodiscard]] int nodes_per_element(ElementKind kind);
@@ -32,7 +35,7 @@ enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet10 };
 /// "quad4", ...
 [[nodiscard]] std::string_view name(ElementKind kind);
 
-/// A face of a cell: its nodes in the order of a line2/line3/quad4/quad8/tri6 with outward
+/// A face of a cell: its nodes in the order of a line2/line3/quad4/quad8/tri3/tri6 with outward
 /// orientation (in the plane the body lies on the left of the direction of travel; in space the
 /// nodes turn counter-clockwise seen from outside). Corners first, then mid-sides.
 struct Face {

@@ -181,8 +181,9 @@ ReferenceCorner reference_corner(ElementKind kind, int corner) {
 const std::vector<ReferenceCorner>& corners_for_quality(ElementKind kind) {
   static const std::map<ElementKind, std::vector<ReferenceCorner>> all = [] {
     std::map<ElementKind, std::vector<ReferenceCorner>> corners;
-    for (const ElementKind each : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
-                                   ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
+    for (const ElementKind each :
+         {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6, ElementKind::hex8,
+          ElementKind::hex20, ElementKind::tet4, ElementKind::tet10})
       for (int corner = 0; corner < corners_per_element(each); ++corner)
         corners[each].push_back(reference_corner(each, corner));
     return corners;
@@ -217,6 +218,7 @@ double ideal_determinant(ElementKind kind) {
   switch (kind) {
   case ElementKind::tri6:
     return std::sqrt(3.0) / 2.0;
+  case ElementKind::tet4:
   case ElementKind::tet10:
     return std::sqrt(0.5);
   default:

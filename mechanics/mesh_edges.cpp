@@ -30,6 +30,7 @@ int corners_per_element(ElementKind kind) {
     return 3;
   case ElementKind::quad4:
   case ElementKind::quad8:
+  case ElementKind::tet4:
   case ElementKind::tet10:
     return 4;
   case ElementKind::hex8:
@@ -42,13 +43,13 @@ int corners_per_element(ElementKind kind) {
 std::size_t corners_per_face(ElementKind kind) {
   if (dimension(kind) == 2)
     return 2;
-  return kind == ElementKind::tet10 ? 3 : 4;
+  return is_simplex(kind) ? 3 : 4;
 }
 
 bool is_quadratic(ElementKind kind) { return nodes_per_element(kind) != corners_per_element(kind); }
 
 bool is_simplex(ElementKind kind) {
-  return kind == ElementKind::tri6 || kind == ElementKind::tet10;
+  return kind == ElementKind::tri6 || kind == ElementKind::tet4 || kind == ElementKind::tet10;
 }
 
 std::span<const Edge> element_edges(ElementKind kind) {
@@ -58,6 +59,7 @@ std::span<const Edge> element_edges(ElementKind kind) {
   case ElementKind::quad4:
   case ElementKind::quad8:
     return quad;
+  case ElementKind::tet4:
   case ElementKind::tet10:
     return tetrahedron;
   case ElementKind::hex8:

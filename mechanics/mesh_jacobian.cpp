@@ -90,7 +90,9 @@ void simplex_gradients(ElementKind kind, const Vec3& xi, Gradients& gradients) {
     slope[0] -= slope[i];
   }
   for (std::size_t i = 0; i < n_corners; ++i)
-    gradients[i] = (4.0 * lambda[i] - 1.0) * slope[i];
+    gradients[i] = is_quadratic(kind) ? Vec3((4.0 * lambda[i] - 1.0) * slope[i]) : slope[i];
+  if (!is_quadratic(kind))
+    return;
   std::size_t node = n_corners;
   for (const auto& edge : element_edges(kind)) {
     const auto a = static_cast<std::size_t>(edge[0]);

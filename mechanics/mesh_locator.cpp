@@ -41,7 +41,8 @@ Box element_box(const Mesh& mesh, std::span<const double> x, Index element) {
 /// Planes `normal . xi <= bound` around the reference cell.
 template <class Shape> struct ReferenceCell {
   static constexpr int dim = Shape::dim;
-  static constexpr bool simplex = Shape::nodes == (dim + 1) * (dim + 2) / 2;
+  static constexpr bool simplex =
+      Shape::nodes == dim + 1 || Shape::nodes == (dim + 1) * (dim + 2) / 2;
   static constexpr int n_planes = simplex ? dim + 1 : 2 * dim;
   using Vector = Eigen::Matrix<double, dim, 1>;
 

@@ -23,7 +23,7 @@ using mechanics::Index;
 /// For each local node of an element kind, the integration points whose mean it shows: the closest,
 /// in the middle of an edge of a simplex those towards both its corners.
 std::vector<std::vector<int>> points_of_nodes(mechanics::ElementKind kind) {
-  if (mechanics::is_simplex(kind)) {
+  if (mechanics::is_simplex(kind) && mechanics::is_quadratic(kind)) {
     std::vector<std::vector<int>> points;
     points.reserve(idx(mechanics::corners_per_element(kind)) +
                    mechanics::element_edges(kind).size());

@@ -41,6 +41,8 @@ int vtk_type(ElementKind kind) {
     return VTK_HEXAHEDRON;
   case ElementKind::hex20:
     return VTK_QUADRATIC_HEXAHEDRON;
+  case ElementKind::tet4:
+    return VTK_TETRA;
   case ElementKind::tet10:
     return VTK_QUADRATIC_TETRA;
   }

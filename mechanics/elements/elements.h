@@ -2,6 +2,7 @@
 //
 // quad8, hex20   displacement elements with the reduced rule (2 per direction), as in the paper.
 // tri6, tet10    likewise with 3 and 4 points (docs/decisions/0008-simplex-elements.md).
+// tet4           one point, uniform strain; locks where volume is kept (likewise).
 // quad4, hex8    variational mean dilatation: one pressure and one dilatation per element.
 // A new element is one struct here and one line in `visit_element`.
 
@@ -41,6 +42,11 @@ struct ElementTri6 {
   using Rule = SimplexRule<2, 3>;
   static constexpr bool mean_dilatation = false;
 };
+struct ElementTet4 {
+  using Shape = Tet4;
+  using Rule = SimplexRule<3, 1>;
+  static constexpr bool mean_dilatation = false;
+};
 struct ElementTet10 {
   using Shape = Tet10;
   using Rule = SimplexRule<3, 4>;
@@ -60,6 +66,8 @@ template <class Visitor> decltype(auto) visit_element(ElementKind kind, Visitor&
     return visitor(ElementHex20{});
   case ElementKind::tri6:
     return visitor(ElementTri6{});
+  case ElementKind::tet4:
+    return visitor(ElementTet4{});
   case ElementKind::tet10:
     return visitor(ElementTet10{});
   }

@@ -33,6 +33,8 @@ template <class Visitor> decltype(auto) visit_face(ElementKind kind, Visitor&& v
     return visitor(Quad4{});
   case ElementKind::hex20:
     return visitor(Quad8{});
+  case ElementKind::tet4:
+    return visitor(Tri3{});
   case ElementKind::tet10:
     return visitor(Tri6{});
   }
@@ -45,6 +47,10 @@ template <class Visitor> decltype(auto) visit_face(ElementKind kind, Visitor&& v
 template <class Shape> struct FaceRules {
   using Full = GaussRule<Shape::dim, 3>;
   using Lower = GaussRule<Shape::dim, 2>;
+};
+template <> struct FaceRules<Tri3> {
+  using Full = SimplexRule<2, 3>;
+  using Lower = SimplexRule<2, 3>;
 };
 template <> struct FaceRules<Tri6> {
   using Full = SimplexRule<2, 6>;

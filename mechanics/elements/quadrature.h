@@ -79,6 +79,13 @@ template <> struct SimplexRule<2, 6> {
   static constexpr double weight(int i) { return 0.5 * share[static_cast<std::size_t>(i / 3)]; }
 };
 
+/// Exact for degree 1.
+template <> struct SimplexRule<3, 1> {
+  static constexpr int points = 1;
+  static constexpr std::array<double, 3> point(int) { return {0.25, 0.25, 0.25}; }
+  static constexpr double weight(int) { return 1.0 / 6.0; }
+};
+
 /// Exact for degree 2.
 template <> struct SimplexRule<3, 4> {
   static constexpr int points = 4;

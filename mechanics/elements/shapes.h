@@ -182,6 +182,37 @@ private:
   static constexpr double factor(double c, double x) { return c == 0 ? 1 - x * x : 1 + c * x; }
 };
 
+/// Linear triangle (dim = 2) or tetrahedron (dim = 3): its barycentric coordinates.
+template <int dimension> struct LinearSimplex {
+  static constexpr int dim = dimension;
+  static constexpr int nodes = dim + 1;
+
+  /// Reference coordinates of all nodes.
+  static constexpr std::array<RefPoint<dim>, nodes> corners = [] {
+    std::array<RefPoint<dim>, nodes> places{};
+    for (std::size_t a = 1; a < nodes; ++a)
+      places[a][a - 1] = 1.0;
+    return places;
+  }();
+
+  static constexpr ShapeValues<nodes> values(const RefPoint<dim>& xi) {
+    ShapeValues<nodes> N{1.0};
+    for (std::size_t d = 0; d < dim; ++d) {
+      N[d + 1] = xi[d];
+      N[0] -= xi[d];
+    }
+    return N;
+  }
+  static constexpr ShapeGradients<nodes, dim> gradients(const RefPoint<dim>&) {
+    ShapeGradients<nodes, dim> dN{};
+    for (std::size_t d = 0; d < dim; ++d) {
+      dN[0][d] = -1.0;
+      dN[d + 1][d] = 1.0;
+    }
+    return dN;
+  }
+};
+
 /// Quadratic triangle (dim = 2) or tetrahedron (dim = 3) in barycentric coordinates: a node at
 /// each of the dim + 1 corners and in the middle of each edge. (M.30)
 ///
@@ -228,16 +259,11 @@ template <int dimension, auto edges> struct QuadraticSimplex {
 
 private:
   static constexpr std::array<double, n_corners> barycentric(const RefPoint<dim>& xi) {
-    std::array<double, n_corners> lambda{1.0};
-    for (std::size_t d = 0; d < dim; ++d) {
-      lambda[d + 1] = xi[d];
-      lambda[0] -= xi[d];
-    }
-    return lambda;
+    return LinearSimplex<dim>::values(xi);
   }
   /// d lambda_a / d xi_d.
   static constexpr double slope(std::size_t a, std::size_t d) {
-    return a == 0 ? -1.0 : a == d + 1 ? 1.0 : 0.0;
+    return LinearSimplex<dim>::gradients({})[a][d];
   }
 };
 
@@ -245,6 +271,8 @@ inline constexpr std::array<std::array<std::size_t, 2>, 3> triangle_edges{{{0, 1
 inline constexpr std::array<std::array<std::size_t, 2>, 6> tetrahedron_edges{
     {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
+using Tri3 = LinearSimplex<2>;
+using Tet4 = LinearSimplex<3>;
 using Tri6 = QuadraticSimplex<2, triangle_edges>;
 using Tet10 = QuadraticSimplex<3, tetrahedron_edges>;
 

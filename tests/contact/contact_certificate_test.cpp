@@ -68,7 +68,7 @@ double brute(const ContactSurface& surface, const std::vector<double>& x, const 
           xi[0] = 2.0 * i / fine - 1.0;
           if constexpr (Shape::dim == 2)
             xi[1] = 2.0 * j / fine - 1.0;
-          if constexpr (std::is_same_v<Shape, mechanics::Tri6>) {
+          if constexpr (is_triangle<Shape>) {
             if (i + j > fine)
               continue;
             xi = {static_cast<double>(i) / fine, static_cast<double>(j) / fine};

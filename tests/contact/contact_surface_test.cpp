@@ -1,5 +1,6 @@
 #include "contact/contact_surface.h"
 #include "mechanics/elements/elements.h"
+#include "mechanics/mesh_edges.h"
 #include "tests/support/contact_bench.h"
 
 #include <gtest/gtest.h>
@@ -127,7 +128,7 @@ TEST(ContactSurface, SamplesAFaceWithItsCorners) {
     const ContactBench bench = bench_of(body, {});
     const auto samples = bench.surface.samples(bench.x, 0, 4);
     const auto nodes = bench.surface.scatter().nodes(0);
-    const bool triangle = body.kind == mechanics::ElementKind::tet10;
+    const bool triangle = mechanics::is_simplex(body.kind) && body.solid();
     const std::size_t corners = triangle ? 3 : body.solid() ? 4 : 2;
     EXPECT_EQ(samples.size(), triangle ? 15U : body.solid() ? 25U : 5U);
     for (std::size_t a = 0; a < corners; ++a) {

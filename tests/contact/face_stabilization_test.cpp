@@ -2,6 +2,7 @@
 
 #include "contact/face_stabilization.h"
 #include "mechanics/elements/shapes.h"
+#include "mechanics/mesh_edges.h"
 #include "tests/support/contact_bench.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ constexpr double stiffness = 1e5; // [MPa/mm]
 std::vector<BodyKind> quadratic_kinds() {
   std::vector<BodyKind> kinds;
   for (const BodyKind& body : body_kinds())
-    if (body.kind != mechanics::ElementKind::quad4 && body.kind != mechanics::ElementKind::hex8)
+    if (mechanics::is_quadratic(body.kind))
       kinds.push_back(body);
   return kinds;
 }

@@ -40,7 +40,7 @@ struct Paper {
 std::array<double, 2> stress_line(double xi) { return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi)}; }
 
 template <class Shape> VectorXd stress_shapes(const mechanics::RefPoint<Shape::dim>& xi) {
-  if constexpr (std::is_same_v<Shape, mechanics::Tri6>)
+  if constexpr (is_triangle<Shape>)
     return Eigen::Vector3d(1.0 - xi[0] - xi[1], xi[0], xi[1]);
   const auto along = stress_line(xi[0]);
   if constexpr (Shape::dim == 1)
@@ -96,6 +96,14 @@ template <class Shape, class Rule> void add_integrals(Paper& e, double jacobian)
     e.P1 += w * P;
     e.full += w * N * N.transpose();
   }
+}
+
+/// Half of the square of 2 x 2. The rule is exact for the products of two shape functions.
+template <> Paper paper_element<mechanics::Tri3>() {
+  Paper e{MatrixXd::Zero(3, 3), MatrixXd::Zero(3, 3), VectorXd::Zero(3), MatrixXd::Zero(3, 3)};
+  constexpr double jacobian = 4.0;
+  add_integrals<mechanics::Tri3, mechanics::SimplexRule<2, 6>>(e, jacobian);
+  return e;
 }
 
 /// Half of the square of 2 x 2; the compatible element by the rule of degree 4, exact.
@@ -163,11 +171,16 @@ public:
       std::is_same_v<Shape, mechanics::Line2>   ? mechanics::ElementKind::quad4
       : std::is_same_v<Shape, mechanics::Line3> ? mechanics::ElementKind::quad8
       : std::is_same_v<Shape, mechanics::Quad4> ? mechanics::ElementKind::hex8
+      : std::is_same_v<Shape, mechanics::Tri3>  ? mechanics::ElementKind::tet4
       : std::is_same_v<Shape, mechanics::Tri6>  ? mechanics::ElementKind::tet10
                                                 : mechanics::ElementKind::hex20;
 };
-using FaceShapes = testing::
-    Types<mechanics::Line2, mechanics::Line3, mechanics::Quad4, mechanics::Quad8, mechanics::Tri6>;
+using FaceShapes = testing::Types<mechanics::Line2,
+                                  mechanics::Line3,
+                                  mechanics::Quad4,
+                                  mechanics::Quad8,
+                                  mechanics::Tri3,
+                                  mechanics::Tri6>;
 TYPED_TEST_SUITE(MixedElement, FaceShapes);
 
 TYPED_TEST(MixedElement, HasTheStiffnessOfThePointRule) {
@@ -235,6 +248,21 @@ TEST(MixedLine3, HasThePublishedCoefficients) {
   EXPECT_NEAR(kf(0, 1), -1.0 / 15.0, tolerance);
   EXPECT_EQ(rank(k), 2);
   EXPECT_EQ(rank(kf), 3);
+}
+
+TEST(MixedTri3, HasThePointsOfAStressThatIsLinear) {
+  // One sixth of the area at a corner with itself, one twelfth with another, as int N_a N_b dA is:
+  // no mode of the face passes without energy, in either form. (C.12)
+  constexpr double area = 2.0, tolerance = 1e-12;
+  for (const Form form : {Form::mixed, Form::compatible}) {
+    ContactBench bench = one_face(mechanics::ElementKind::tet4, form);
+    bench.assemble(sunk(bench, 1e-3), 1.0);
+    const MatrixXd k = face_block(bench, 1) / bench.surface.penalty().normal;
+    EXPECT_EQ(rank(k), 3);
+    for (Eigen::Index a = 0; a < 3; ++a)
+      for (Eigen::Index b = 0; b < 3; ++b)
+        EXPECT_NEAR(k(a, b), area / (a == b ? 6.0 : 12.0), tolerance);
+  }
 }
 
 TEST(MixedTri6, LetsTheCornersMoveWithoutEnergyAndNothingElse) {

@@ -1,6 +1,7 @@
 // Pressure that is high and low in turn along quadratic faces. (C.45)
 
 #include "contact/uneven_pressure.h"
+#include "mechanics/mesh_edges.h"
 #include "tests/support/contact_bench.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ on_floor(const BodyKind& body, Form form, std::optional<double> max_penetration 
 
 void for_each_quadratic(const std::function<void(const BodyKind&, Form)>& check) {
   for (const BodyKind& body : body_kinds())
-    if (body.kind != ElementKind::quad4 && body.kind != ElementKind::hex8)
+    if (mechanics::is_quadratic(body.kind))
       for (const Form form : {Form::mixed, Form::compatible}) {
         SCOPED_TRACE(body.name() + (form == Form::mixed ? ", mixed" : ", compatible"));
         check(body, form);

@@ -43,7 +43,7 @@ TEST(ElementKernel, ELT_03_has_the_zero_modes_of_its_kind_and_no_others) {
   // Rigid motions, and what 2 points per direction cannot see of a serendipity element: 1 in the
   // plane, 6 in space, none communicable between elements. The points of
   // simplices see all that is not rigid.
-  constexpr std::array expected{3, 3 + 1, 1, 1, 6, 6 + 6, 3, 1, 6};
+  constexpr std::array expected{3, 3 + 1, 1, 1, 6, 6 + 6, 3, 1, 6, 6};
   for (std::size_t i = 0; i < every_element.size(); ++i) {
     const int modes = zero_modes(every_element[i]);
     support::show("ELT-03", every_element[i].name() + " zero modes", modes, expected[i]);

@@ -1,6 +1,7 @@
 // Loads besides contact: VALIDATION ELT-05, ELT-04 (iv), tangents of follower pressure.
 
 #include "mechanics/loads.h"
+#include "mechanics/mesh_edges.h"
 #include "mechanics/mesh_generators.h"
 #include "tests/support/differences.h"
 #include "tests/support/element_probe.h"
@@ -61,20 +62,21 @@ std::vector<Face> faces_where(const Mesh& mesh, int component, double value) {
 
 constexpr double load_tolerance = 1e-14; // VALIDATION ELT-05
 
-/// Weights of the first face of a unit box (half of its side for tet10), corners and mid-sides,
-/// through both functions that make them.
+/// Weights of the first face of a unit box (half of its side for tetrahedra), corners and
+/// mid-sides, through both functions that make them.
 void check_weights(ElementKind kind, double corner, double middle) {
   const bool planar = dimension(kind) == 2;
+  const bool triangle = !planar && is_simplex(kind);
   Bench bench(box_mesh({.kind = kind}), planar ? Analysis::plane_strain : Analysis::solid);
   auto faces = faces_where(bench.mesh, 0, 1.0);
-  ASSERT_EQ(faces.size(), kind == ElementKind::tet10 ? 2U : 1U);
+  ASSERT_EQ(faces.size(), triangle ? 2U : 1U);
   faces.resize(1);
   const auto pressure =
       make_pressure(bench.mesh, bench.analysis, bench.pattern, faces, TimeFunction(1.0));
   ASSERT_TRUE(bench.assemble(*pressure, bench.X));
   const auto traction = traction_forces(bench.mesh, bench.analysis, faces, Vec3(-1.0, 0.0, 0.0));
   const auto& nodes = faces[0].nodes;
-  const std::size_t corners = planar ? 2 : kind == ElementKind::tet10 ? 3 : 4;
+  const std::size_t corners = planar ? 2 : triangle ? 3 : 4;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double expected = i < corners ? corner : middle;
     const auto at = static_cast<std::size_t>(nodes[i] * bench.mesh.dimension());
@@ -85,7 +87,7 @@ void check_weights(ElementKind kind, double corner, double middle) {
       support::show("ELT-05", std::string(name(kind)) + (i == 0 ? " corner" : " middle"),
                     bench.residual(nodes[i], 0), expected);
   }
-  EXPECT_NEAR(bench.total(0), kind == ElementKind::tet10 ? 0.5 : 1.0, load_tolerance);
+  EXPECT_NEAR(bench.total(0), triangle ? 0.5 : 1.0, load_tolerance);
 }
 
 TEST(Loads, ELT_05_faces_share_a_uniform_pressure_as_their_shape_functions_do) {
@@ -94,6 +96,7 @@ TEST(Loads, ELT_05_faces_share_a_uniform_pressure_as_their_shape_functions_do) {
   check_weights(ElementKind::hex8, 1.0 / 4.0, 0.0);
   check_weights(ElementKind::hex20, -1.0 / 12.0, 1.0 / 3.0);
   check_weights(ElementKind::tri6, 1.0 / 6.0, 4.0 / 6.0);
+  check_weights(ElementKind::tet4, 1.0 / 3.0 / 2.0, 0.0);
   check_weights(ElementKind::tet10, 0.0, 1.0 / 3.0 / 2.0);
 }
 

@@ -10,7 +10,8 @@ namespace billet::mechanics::mesh_check_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
-                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
+                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet4,
+                               ElementKind::tet10};
 
 /// One cell from its corners, mid-side nodes in the middles.
 std::vector<Vec3> cell(ElementKind kind, const std::vector<Vec3>& corners) {
@@ -27,6 +28,7 @@ std::vector<Vec3> ideal(ElementKind kind) {
   switch (kind) {
   case ElementKind::tri6:
     return cell(kind, {{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}});
+  case ElementKind::tet4:
   case ElementKind::tet10:
     return cell(kind, {{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, h / 3, std::sqrt(2.0 / 3.0)}});
   case ElementKind::quad4:

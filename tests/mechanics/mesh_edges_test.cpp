@@ -8,7 +8,8 @@ namespace billet::mechanics::mesh_edges_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
-                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
+                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet4,
+                               ElementKind::tet10};
 
 TEST(MeshEdges, a_quadratic_cell_has_a_node_for_each_corner_and_each_edge) {
   for (const ElementKind kind : all_kinds) {

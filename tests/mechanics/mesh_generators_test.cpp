@@ -13,7 +13,8 @@ namespace billet::mechanics::mesh_generators_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
-                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
+                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet4,
+                               ElementKind::tet10};
 
 std::vector<Vec3> nodes_of(const Mesh& mesh, Index element) {
   std::vector<Vec3> nodes;
@@ -63,7 +64,8 @@ TEST(BoxMesh, has_the_expected_numbers_of_nodes_and_cells) {
   for (const Expected& expected :
        {Expected{ElementKind::quad4, 12, 6}, Expected{ElementKind::quad8, 29, 6},
         Expected{ElementKind::tri6, 35, 12}, Expected{ElementKind::hex8, 60, 24},
-        Expected{ElementKind::hex20, 193, 24}, Expected{ElementKind::tet10, 315, 144}}) {
+        Expected{ElementKind::hex20, 193, 24}, Expected{ElementKind::tet4, 60, 144},
+        Expected{ElementKind::tet10, 315, 144}}) {
     const Mesh mesh = box_mesh({.kind = expected.kind, .cells = {2, 3, 4}});
     EXPECT_EQ(mesh.n_points(), expected.points) << name(expected.kind);
     EXPECT_EQ(mesh.n_elements(), expected.elements) << name(expected.kind);

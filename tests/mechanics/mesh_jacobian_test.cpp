@@ -10,7 +10,8 @@ namespace billet::mechanics::mesh_jacobian_test {
 namespace {
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
-                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
+                               ElementKind::hex8,  ElementKind::hex20, ElementKind::tet4,
+                               ElementKind::tet10};
 
 /// Nodes of the reference cell itself.
 std::vector<Vec3> reference_nodes(ElementKind kind) {
@@ -57,7 +58,7 @@ TEST(MeshJacobian, of_a_quadratic_map_is_its_exact_gradient) {
 }
 
 TEST(MeshJacobian, weights_add_up_to_the_volume_of_the_reference_cell) {
-  constexpr std::array volumes{4.0, 4.0, 0.5, 8.0, 8.0, 1.0 / 6.0};
+  constexpr std::array volumes{4.0, 4.0, 0.5, 8.0, 8.0, 1.0 / 6.0, 1.0 / 6.0};
   for (const ElementKind kind : all_kinds) {
     double sum = 0.0;
     for (const Sample& sample : measuring_points(kind))

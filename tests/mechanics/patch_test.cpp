@@ -55,6 +55,7 @@ std::vector<Case> plane_cases() {
 std::vector<Case> solid_cases() {
   return {{"hex8", support::solid_patch(ElementKind::hex8)},
           {"hex20", support::solid_patch(ElementKind::hex20)},
+          {"tet4", support::solid_patch(ElementKind::tet4)},
           {"tet10", support::solid_patch(ElementKind::tet10)}};
 }
 

@@ -46,7 +46,7 @@ inline const std::vector<BodyKind>& body_kinds() {
       {ElementKind::quad4, Analysis::axisymmetric}, {ElementKind::quad8, Analysis::axisymmetric},
       {ElementKind::hex8, Analysis::solid},         {ElementKind::hex20, Analysis::solid},
       {ElementKind::tri6, Analysis::plane_strain},  {ElementKind::tri6, Analysis::axisymmetric},
-      {ElementKind::tet10, Analysis::solid}};
+      {ElementKind::tet4, Analysis::solid},         {ElementKind::tet10, Analysis::solid}};
   return kinds;
 }
 

@@ -39,6 +39,7 @@ inline constexpr std::array every_element{
     ElementCase{mechanics::ElementKind::hex20, mechanics::Analysis::solid},
     ElementCase{mechanics::ElementKind::tri6, mechanics::Analysis::plane_strain},
     ElementCase{mechanics::ElementKind::tri6, mechanics::Analysis::axisymmetric},
+    ElementCase{mechanics::ElementKind::tet4, mechanics::Analysis::solid},
     ElementCase{mechanics::ElementKind::tet10, mechanics::Analysis::solid},
 };
 

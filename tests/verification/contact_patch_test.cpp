@@ -130,7 +130,8 @@ std::string label(const Patch& patch) {
 }
 
 constexpr std::array kinds{ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
-                           ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
+                           ElementKind::hex8,  ElementKind::hex20, ElementKind::tet4,
+                           ElementKind::tet10};
 
 TEST(ContactPatch, HasUniformPressureOnAPlane) {
   for (const ElementKind kind : kinds)

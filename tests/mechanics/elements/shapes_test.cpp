@@ -25,7 +25,7 @@ protected:
   }
 };
 
-using AllShapes = testing::Types<Line2, Line3, Quad4, Quad8, Hex8, Hex20, Tri6, Tet10>;
+using AllShapes = testing::Types<Line2, Line3, Quad4, Quad8, Hex8, Hex20, Tri3, Tri6, Tet4, Tet10>;
 TYPED_TEST_SUITE(Shapes, AllShapes);
 
 constexpr double rounding = 1e-14;
@@ -162,6 +162,7 @@ TEST(Elements, have_as_many_points_as_their_rule) {
   EXPECT_EQ(points_per_element(ElementKind::hex8), 8);
   EXPECT_EQ(points_per_element(ElementKind::hex20), 8);
   EXPECT_EQ(points_per_element(ElementKind::tri6), 3);
+  EXPECT_EQ(points_per_element(ElementKind::tet4), 1);
   EXPECT_EQ(points_per_element(ElementKind::tet10), 4);
 }
 
@@ -208,12 +209,14 @@ TEST(Faces, the_derivative_of_the_measure_is_exact) {
   check_measure<Line3>(Analysis::axisymmetric);
   check_measure<Quad4>(Analysis::solid);
   check_measure<Quad8>(Analysis::solid);
+  check_measure<Tri3>(Analysis::solid);
   check_measure<Tri6>(Analysis::solid);
 }
 
 TEST(Faces, area_vectors_point_out_of_the_body) {
-  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
-                                 ElementKind::hex8, ElementKind::hex20, ElementKind::tet10}) {
+  for (const ElementKind kind :
+       {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6, ElementKind::hex8,
+        ElementKind::hex20, ElementKind::tet4, ElementKind::tet10}) {
     const Mesh mesh = box_mesh({.kind = kind, .low = {-1, -1, -1}});
     const int dim = mesh.dimension();
     for (const Face& face : boundary_faces(mesh)) {
