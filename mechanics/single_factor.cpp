@@ -15,12 +15,11 @@ using Column = Eigen::Map<Eigen::VectorXf>;
 
 } // namespace
 
-SingleFactor::SingleFactor(const cholmod_factor_struct& factor) {
+SingleFactor::SingleFactor(const cholmod_factor_struct& factor, std::span<const Index> order)
+    : order_(order.begin(), order.end()) {
   const auto* super = static_cast<const Index*>(factor.super);
   const auto* begin = static_cast<const Index*>(factor.pi);
   const auto* row = static_cast<const Index*>(factor.s);
-  const auto* order = static_cast<const Index*>(factor.Perm);
-  order_.assign(order, order + factor.n);
   std::size_t values = 0;
   Index most_rows = 0;
   for (std::size_t s = 0; s < factor.nsuper; ++s) {

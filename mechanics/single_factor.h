@@ -19,7 +19,9 @@ namespace billet::mechanics {
 class SingleFactor {
 public:
   /// Takes the structure of a supernodal factor; `take` takes its values.
-  explicit SingleFactor(const cholmod_factor_struct& factor);
+  ///
+  /// @param order  place i of the factor holds unknown order[i]
+  SingleFactor(const cholmod_factor_struct& factor, std::span<const Index> order);
 
   /// @param factor  of the same structure
   void take(const cholmod_factor_struct& factor);

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -408,6 +411,22 @@ TEST(LinearSolver, solves_for_a_right_hand_side_of_zero) {
   ASSERT_TRUE(solver.solve(problem.matrix, true, problem.rhs, problem.x));
   for (const double value : problem.x)
     EXPECT_EQ(value, 0.0);
+}
+
+/// Threads of this process, as the system counts them.
+std::ptrdiff_t threads() {
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return std::distance(begin(tasks), end(tasks));
+}
+
+TEST(LinearSolver, factorizes_in_the_thread_that_asks) {
+  // CHOLMOD would share its loops among four, where its OpenMP regions are not ours.
+  const Problem problem(Sort::positive);
+  const auto cholmod = make_cholmod(problem.pattern, fill_reducing_order(problem.pattern));
+  const std::ptrdiff_t before = threads();
+  ASSERT_GE(before, 1);
+  ASSERT_TRUE(cholmod->factorize(problem.matrix));
+  EXPECT_EQ(threads(), before);
 }
 
 TEST(FillReducingOrder, is_a_permutation_that_keeps_the_unknowns_of_a_node_together) {

@@ -24,7 +24,7 @@ constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad8, ElementKi
                                ElementKind::hex8,  ElementKind::hex20, ElementKind::tet10};
 
 int gmsh_type(ElementKind kind) {
-  constexpr std::array numbers{3, 16, 9, 5, 17, 11};
+  constexpr std::array numbers{3, 16, 9, 5, 17, 4, 11};
   return numbers[static_cast<std::size_t>(kind)];
 }
 

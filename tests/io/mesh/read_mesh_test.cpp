@@ -17,7 +17,7 @@ using mechanics::Mesh;
 using test::TemporaryFolder;
 
 const char* abaqus_type(ElementKind kind) {
-  constexpr std::array names{"CPE4", "CPE8", "CPE6", "C3D8", "C3D20", "C3D10"};
+  constexpr std::array names{"CPE4", "CPE8", "CPE6", "C3D8", "C3D20", "C3D4", "C3D10"};
   return names[static_cast<std::size_t>(kind)];
 }
 
