@@ -17,8 +17,8 @@ namespace {
 using Parameters = std::array<double, 2>;
 
 constexpr double close = 1e-3;        // steps of the parameters that are Newton's without a check
-constexpr double converged = 1e-14;   // step that ends the search
-constexpr double stalled = 1e-8;      // step that ends it if the last one was no longer
+constexpr double converged = 1e-8;    // step after which there is nothing but rounding
+constexpr double near = 1e-3;         // step that ends the search on the cubic alone
 constexpr double least_share = 1e-3;  // of a step
 constexpr double overrun = 0.1;       // of the barycentric coordinates
 constexpr double overlap = 1e-13;     // of two triangles: a foot on their side is never lost
@@ -172,7 +172,7 @@ void CurvedTriangle::add_bends(double v, double w, SurfacePoint& at) const {
 }
 
 // The cubic is a quadratic in its own derivatives' control points; here by powers. (G.19)
-SurfacePoint CurvedTriangle::at(double v, double w) const {
+SurfacePoint CurvedTriangle::cubic(double v, double w) const {
   const std::array<double, 3> b{1.0 - v - w, v, w};
   Vec3 position = 6.0 * b[0] * b[1] * b[2] * centre_;
   std::array<Vec3, 3> d;  // by each coordinate
@@ -195,12 +195,16 @@ SurfacePoint CurvedTriangle::at(double v, double w) const {
     dd[j] += 6.0 * b[i] * far;
     m[i] += 6.0 * (b[i] * near + b[j] * far);
   }
-  SurfacePoint point{position,
-                     d[1] - d[0],
-                     d[2] - d[0],
-                     dd[1] - 2.0 * m[0] + dd[0],
-                     m[1] - m[0] - m[2] + dd[0],
-                     dd[2] - 2.0 * m[2] + dd[0]};
+  return {position,
+          d[1] - d[0],
+          d[2] - d[0],
+          dd[1] - 2.0 * m[0] + dd[0],
+          m[1] - m[0] - m[2] + dd[0],
+          dd[2] - 2.0 * m[2] + dd[0]};
+}
+
+SurfacePoint CurvedTriangle::at(double v, double w) const {
+  SurfacePoint point = cubic(v, w);
   add_bends(v, w, point);
   return point;
 }
@@ -312,9 +316,20 @@ CurvedTriangle::Shape CurvedTriangle::shape() const {
   return shape;
 }
 
-std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) const {
-  SurfacePoint s = at(p[0], p[1]);
-  double last = std::numeric_limits<double>::infinity();
+namespace {
+
+/// Where a search for the foot has led, and whether that is one, inside the triangle or beside it.
+struct Approach {
+  Parameters at;
+  bool settled;
+};
+
+/// Newton's method for (G.21) until a step is no longer than `shortest`, which it still takes.
+///
+/// @param surface  point of the surface at (v, w)
+template <class Surface>
+Approach approach(const Surface& surface, const Vec3& x, Parameters p, double shortest) {
+  SurfacePoint s = surface(p);
   constexpr int most = 40;
   for (int i = 0; i < most; ++i) {
     const Distance d = distance(s, x);
@@ -323,26 +338,41 @@ std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) cons
                                    : solve(d.mvv, d.mvw, d.mww, -d.gv, -d.gw);
     const double size = std::max(std::abs(step[0]), std::abs(step[1]));
     if (!(size < std::numeric_limits<double>::infinity()))
-      return std::nullopt;
-    if (convex && (size < converged || (size < stalled && size > 0.5 * last)))
-      return std::min({p[0], p[1], 1.0 - p[0] - p[1]}) > -overlap ? std::optional(p) : std::nullopt;
-    last = size;
+      return {p, false};
+    if (convex && size < shortest)
+      return {{p[0] + step[0], p[1] + step[1]}, true};
     double share = share_inside(p, step[0], step[1]);
-    if (share * size < converged)
-      return std::nullopt; // pushed against the margin
+    if (share * size < shortest)
+      return {p, false}; // pushed against the margin
     const double before = (s.position - x).squaredNorm();
     for (;; share *= 0.5) {
       const Parameters next{p[0] + share * step[0], p[1] + share * step[1]};
-      s = at(next[0], next[1]);
+      s = surface(next);
       if ((convex && size < close) || (s.position - x).squaredNorm() <= before) {
         p = next;
         break;
       }
       if (share < least_share)
-        return std::nullopt;
+        return {p, false};
     }
   }
-  return std::nullopt;
+  return {p, false};
+}
+
+} // namespace
+
+// The cubic alone leads near the foot, or out of the triangle, for a quarter of the work.
+std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) const {
+  if (bends_[0] || bends_[1] || bends_[2]) {
+    const auto [led_to, near_foot] =
+        approach([this](const Parameters& q) { return cubic(q[0], q[1]); }, x, p, near);
+    if (near_foot)
+      p = led_to;
+  }
+  const auto [at, settled] =
+      approach([this](const Parameters& q) { return this->at(q[0], q[1]); }, x, p, converged);
+  const bool inside = std::min({at[0], at[1], 1.0 - at[0] - at[1]}) > -overlap;
+  return settled && inside ? std::optional(at) : std::nullopt;
 }
 
 CurvedTriangle curved_triangle(const TriangleMesh& mesh, const EdgeCurves& edges, std::size_t t) {

@@ -82,6 +82,7 @@ private:
   [[nodiscard]] Vec3 blossom(const Corners& at) const;
   /// Largest distance of a point of that part from the same point of the straight triangle. [mm]
   [[nodiscard]] double rise_between(const Corners& corners) const;
+  [[nodiscard]] SurfacePoint cubic(double v, double w) const; ///< without bends
   [[nodiscard]] Taylor1<Vec3> bend(std::size_t side, double t) const;
   void add_bends(double v, double w, SurfacePoint& at) const;
   [[nodiscard]] double largest_bend() const;
