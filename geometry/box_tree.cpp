@@ -1,5 +1,7 @@
 #include "geometry/box_tree.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -29,7 +31,11 @@ float above(double value) { return -below(-value); }
   return dx * dx + dy * dy + dz * dz;
 }
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) {
+BoxTree::BoxTree(const std::vector<Box>& boxes) { plant(boxes, {}); }
+
+BoxTree::BoxTree(const std::vector<Box>& boxes, const FacetOf& facet) { plant(boxes, facet); }
+
+void BoxTree::plant(const std::vector<Box>& boxes, const FacetOf& facet) {
   if (boxes.empty())
     return;
   Box all;
@@ -42,7 +48,36 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   }
   centre_ = 0.5 * (all.low + all.high);
   nodes_.reserve(boxes.size() / 4 + 1);
-  build(boxes, middles);
+  if (facet)
+    slabs_.reserve(nodes_.capacity());
+  rounding_ = 1e-15 * (all.high - all.low).lpNorm<1>();
+  build(boxes, facet, middles);
+}
+
+// Normal to the triangles together: where they turn to all sides the slab is as thick as the box.
+void BoxTree::set_slab(Slabs& slabs,
+                       std::size_t lane,
+                       std::span<Middle> middles,
+                       const FacetOf& facet) const {
+  Vec3 normal = Vec3::Zero();
+  for (const Middle& m : middles) {
+    const auto [a, b, c] = facet(m.number).corners;
+    normal += (b - a).cross(c - a);
+  }
+  normal = normal.stableNormalized();
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Middle& m : middles) {
+    const SlabFacet of = facet(m.number);
+    for (const Vec3& corner : of.corners) {
+      const double at = normal.dot(corner - centre_);
+      low = std::min(low, at - of.rise);
+      high = std::max(high, at + of.rise);
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    slabs.normal[i][lane] = normal[static_cast<Eigen::Index>(i)];
+  slabs.low[lane] = low;
+  slabs.high[lane] = high;
 }
 
 void BoxTree::set_child(Node& node, std::size_t lane, std::int32_t child, const Box& box) const {
@@ -55,7 +90,8 @@ void BoxTree::set_child(Node& node, std::size_t lane, std::int32_t child, const 
 }
 
 // A node over these boxes, of which every subtree but the last is full.
-std::int32_t BoxTree::build(const std::vector<Box>& boxes, std::span<Middle> middles) {
+std::int32_t
+BoxTree::build(const std::vector<Box>& boxes, const FacetOf& facet, std::span<Middle> middles) {
   const auto number = nodes_.size();
   Node node;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,6 +100,8 @@ std::int32_t BoxTree::build(const std::vector<Box>& boxes, std::span<Middle> mid
   }
   node.child.fill(0);
   nodes_.push_back(node);
+  if (facet)
+    slabs_.emplace_back();
   std::size_t capacity = 1; // of a child
   while (capacity * width < middles.size())
     capacity *= width;
@@ -75,9 +113,11 @@ std::int32_t BoxTree::build(const std::vector<Box>& boxes, std::span<Middle> mid
       box.add(boxes[static_cast<std::size_t>(m.number)].low);
       box.add(boxes[static_cast<std::size_t>(m.number)].high);
     }
-    const std::int32_t child =
-        parts[lane].size() == 1 ? -1 - parts[lane].front().number : build(boxes, parts[lane]);
+    const std::int32_t child = parts[lane].size() == 1 ? -1 - parts[lane].front().number
+                                                       : build(boxes, facet, parts[lane]);
     set_child(nodes_[number], lane, child, box);
+    if (facet)
+      set_slab(slabs_[number], lane, parts[lane], facet);
   }
   return static_cast<std::int32_t>(number);
 }

@@ -18,11 +18,13 @@ namespace billet::geometry {
 
 namespace {
 
-constexpr int most_halvings = 60;           // of a face: its width is then that of rounding
-constexpr int halvings_at_rim = 5;          // of what has its centre beyond the rim of an open tool
-constexpr int most_balls = 5;               // tried for a piece
-constexpr double largest_ball = 1e6;        // radius over that of the piece; more is rounding
-constexpr double small_ball = 30.0;         // likewise, tried first: from afar many facets are near
+constexpr int most_halvings = 60;     // of a face: its width is then that of rounding
+constexpr int halvings_at_rim = 5;    // of what has its centre beyond the rim of an open tool
+constexpr int most_balls = 5;         // tried for a piece
+constexpr double largest_ball = 1e6;  // radius over that of the piece; more is rounding
+constexpr double small_ball = 30.0;   // likewise, tried first: from afar many facets are near
+constexpr double least_shrink = 0.02; // of a ball that would touch in two places
+constexpr double most_shrink = 0.2;
 constexpr double share_of_tolerance = 0.25; // that the curvature of the ball may take
 constexpr double rounding_of_distance =
     8.0 * std::numeric_limits<double>::epsilon(); // of a distance
@@ -224,7 +226,11 @@ void Search::blow_up_ball(Piece& piece, const Projection& at) const {
     }
     if (touches || !(height > 0.0))
       return;
-    radius = std::min(0.5 * way.squaredNorm() / height, radius);
+    // One that touches in two places, made smaller: from the centre of a hollow's curvature all of
+    // it is equally far, and a search would have to look at every facet.
+    const double touching = 0.5 * way.squaredNorm() / height;
+    const double shrink = 2.0 * touching * share_of_tolerance * tolerance(piece) / (half * half);
+    radius = std::min((1.0 - std::clamp(shrink, least_shrink, most_shrink)) * touching, radius);
   }
 }
 

@@ -111,7 +111,10 @@ SmoothTriangleSurface::SmoothTriangleSurface(const TriangleMesh& mesh, double fe
     bounds_.add(box.high);
     boxes_.push_back(box);
   }
-  tree_ = BoxTree(boxes_);
+  tree_ = BoxTree(boxes_, [&](std::int32_t triangle) {
+    const auto t = static_cast<std::size_t>(triangle);
+    return SlabFacet{{corner(t, 0), corner(t, 1), corner(t, 2)}, rises_[t]};
+  });
 }
 
 Kind SmoothTriangleSurface::classify(std::size_t t, const CurvedTriangle& patch) {

@@ -29,7 +29,13 @@ BoxTree tree_of(const TriangleMesh& mesh) {
   boxes.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     boxes.push_back(box_of(mesh, t));
-  return BoxTree(boxes);
+  return {boxes, [&](std::int32_t t) {
+            const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(t)];
+            const auto point = [&](std::int32_t i) {
+              return mesh.points[static_cast<std::size_t>(i)];
+            };
+            return SlabFacet{{point(a), point(b), point(c)}};
+          }};
 }
 
 class TriangleSurface final : public RigidSurface {

@@ -117,10 +117,12 @@ std::string forge(int cells, std::int64_t triangles) {
   if (process.run({}) != process::RunStatus::done)
     throw std::runtime_error("the forging did not converge");
   const double total = processor_time() - start;
-  return fmt::format("| {} | {} | {} | {:.2f} | {:.1f} | {} | {} | {:.3f} | {:.1f} % |", cells,
-                     process.positions().size(), before.queries, before.seconds, total,
-                     process.iterations(), cost.queries, cost.seconds,
-                     100.0 * cost.seconds / total);
+  const process::PhaseTimes& times = process.times();
+  return fmt::format(
+      "| {} | {} | {} | {:.2f} | {:.1f} | {} | {} | {:.3f} | {:.1f} % | {:.3f} | {:.1f} % |", cells,
+      process.positions().size(), before.queries, before.seconds, total, process.iterations(),
+      cost.queries, times.search, 100.0 * times.search / times.total, times.certificate,
+      100.0 * times.certificate / times.total);
 }
 
 } // namespace billet::bench

@@ -90,7 +90,7 @@ private:
 void load(Report& report) {
   const auto path = std::filesystem::temp_directory_path() / fmt::format("billet-{}.stl", getpid());
   io::write_stl(path, die(1'000'000));
-  io::StlFile file;
+  io::FacetFile file;
   io::StlTool tool;
   geometry::SurfacePtr surface;
   const double start = wall_time();
@@ -257,10 +257,9 @@ void run(const Options& options) {
   for (std::int64_t count = 10'000; count <= options.largest; count *= 10)
     compare(count, report);
   report.line("\n| cells | unknowns | queries before | s | CPU s of the run | iterations | queries "
-              "| search s "
-              "| share |");
-  report.line("|---|---|---|---|---|---|---|---|---|");
-  for (const int cells : {4, 6, 8})
+              "| search s | share | certificate s | share |");
+  report.line("|---|---|---|---|---|---|---|---|---|---|---|");
+  for (const int cells : {4, 6, 8, 12})
     report.line(forge(cells, options.largest));
   report.write();
 }

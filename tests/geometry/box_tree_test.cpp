@@ -1,10 +1,13 @@
 #include "geometry/box_tree.h"
+#include "tests/geometry/sample_meshes.h"
 #include "tests/geometry/surface_checks.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <random>
 #include <vector>
@@ -65,6 +68,53 @@ TEST(BoxTree, FindsTheNearestBoxOfEqualOnesToo) {
     });
     EXPECT_EQ(found, least);
     EXPECT_LT(visited, boxes.size() / 4);
+  }
+}
+
+/// What a search for the nearest triangle finds, and how many it looks at.
+struct Search {
+  double distance = std::numeric_limits<double>::infinity();
+  std::size_t looked_at = 0;
+};
+
+Search nearest(const BoxTree& tree, const TriangleMesh& mesh, const Vec3& x) {
+  Search search;
+  tree.walk(x, search.distance, [&](std::int32_t i) {
+    const auto t = static_cast<std::size_t>(i);
+    ++search.looked_at;
+    search.distance =
+        std::min(search.distance, distance_to_triangle(x, corner(mesh, t, 0), corner(mesh, t, 1),
+                                                       corner(mesh, t, 2)));
+    return search.distance * search.distance;
+  });
+  return search;
+}
+
+TEST(BoxTree, SlabsTellTheFacetsOfAHollowApartFromNearItsCentre) {
+  // 20 000 triangles of a dish of radius 2; at its centre all are equally far. (G.51)
+  const TriangleMesh mesh = sheet(100, [](double x, double y) {
+    return 2.0 - std::sqrt(4.0 - (x - 0.5) * (x - 0.5) - (y - 0.5) * (y - 0.5));
+  });
+  std::vector<Box> boxes(mesh.triangles.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      boxes[t].add(corner(mesh, t, i));
+  const BoxTree plain(boxes);
+  const BoxTree tree(boxes, [&](std::int32_t i) {
+    const auto t = static_cast<std::size_t>(i);
+    return SlabFacet{{corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2)}};
+  });
+  for (const double share : {0.0, 0.3, 0.8, 0.95, 1.0, 1.5}) {
+    const Vec3 x(0.503, 0.501, 2.0 * share);
+    const Search without = nearest(plain, mesh, x), with = nearest(tree, mesh, x);
+    EXPECT_EQ(with.distance, without.distance);
+    EXPECT_EQ(with.distance, brute_distance(mesh, x));
+    std::printf("%.2f of the radius off: %zu triangles looked at, %zu by boxes alone\n", share,
+                with.looked_at, without.looked_at);
+    EXPECT_LE(with.looked_at, without.looked_at);
+    if (share > 0.5 && share < 1.0) {
+      EXPECT_LT(5 * with.looked_at, without.looked_at);
+    }
   }
 }
 
