@@ -18,7 +18,7 @@ using Parameters = std::array<double, 2>;
 
 constexpr double close = 1e-3;        // steps of the parameters that are Newton's without a check
 constexpr double converged = 1e-8;    // step after which there is nothing but rounding
-constexpr double near = 1e-3;         // step that ends the search on the cubic alone
+constexpr double rough = 1e-3;        // step that ends the search on the cubic alone
 constexpr double least_share = 1e-3;  // of a step
 constexpr double overrun = 0.1;       // of the barycentric coordinates
 constexpr double overlap = 1e-13;     // of two triangles: a foot on their side is never lost
@@ -365,7 +365,7 @@ Approach approach(const Surface& surface, const Vec3& x, Parameters p, double sh
 std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) const {
   if (bends_[0] || bends_[1] || bends_[2]) {
     const auto [led_to, near_foot] =
-        approach([this](const Parameters& q) { return cubic(q[0], q[1]); }, x, p, near);
+        approach([this](const Parameters& q) { return cubic(q[0], q[1]); }, x, p, rough);
     if (near_foot)
       p = led_to;
   }

@@ -16,8 +16,11 @@
 /// among four threads whatever the machine has. On small fronts the threads wait for each other
 /// longer than they work, and libgomp ends a region of one thread with a system call as well: a
 /// quarter of the time of a small run (docs/decisions/0012-cost-of-small-runs.md).
-extern "C" void
-GOMP_parallel(void (*region)(void*), void* data, unsigned /*threads*/, unsigned /*flags*/) {
+extern "C" void GOMP_parallel( // NOLINT(readability-identifier-naming)
+    void (*region)(void*),
+    void* data,
+    unsigned /*threads*/,
+    unsigned /*flags*/) {
   region(data);
 }
 
