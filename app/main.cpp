@@ -35,16 +35,6 @@ void open_streams() {
       std::exit(internal_error);
 }
 
-/// Starts the program anew when OpenBLAS chose wrong kernels or started threads.
-void mend_blas(char** argv) {
-  const auto wanted = billet::mechanics::better_blas_environment();
-  if (wanted.empty())
-    return;
-  for (const auto& [name, value] : wanted)
-    setenv(name.c_str(), value.c_str(), 1);
-  execv("/proc/self/exe", argv); // on failure the slow kernels still give right results
-}
-
 /// Lets the C library keep what is freed: factorizations take and give back the same megabytes in
 /// each iteration, and asking the system for them anew costs a tenth to a fifth of a run.
 void keep_freed_memory() {
@@ -110,7 +100,6 @@ int after_output(int status) {
 
 int main(int argc, char** argv) {
   open_streams();
-  mend_blas(argv);
   keep_freed_memory();
   billet::mechanics::set_blas_threads(1);
   billet::mechanics::flush_subnormal_numbers();

@@ -2,23 +2,18 @@
 //
 // OpenBLAS 0.3.21 does not know new processors and then silently uses kernels up to several times
 // slower (docs/decisions); and it starts threads, which spin for a tenth of a second, before
-// anybody can tell it that none are wanted. Both are settled when it is loaded, so the only cure is
-// to start the program anew with its variables set.
+// anybody can tell it that none are wanted. Both are settled when it is loaded, before `main`. It
+// asks the environment for both in a function that this program replaces by one that sets them
+// first: linking against this library is enough.
 
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace billet::mechanics {
 
 /// Kernels in use, e.g. "SkylakeX".
 [[nodiscard]] std::string blas_core();
-
-/// Variables of the environment OpenBLAS should have found, with their values; none when it found
-/// them, or when the choice it made is right. What the user has set is left alone.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> better_blas_environment();
 
 /// Sets the number of threads of the kernels. One makes results repeat to the bit.
 void set_blas_threads(int threads);

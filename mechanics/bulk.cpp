@@ -54,6 +54,8 @@ Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPa
   volumes_ = volumes_at(node_positions(mesh));
   states_.resize(volumes_.size());
   trial_states_ = states_;
+  shape_energies_.resize(states_.size());
+  trial_shape_energies_ = shape_energies_;
   if (material_.heating > 0.0)
     temperatures_.assign(volumes_.size(), material_.temperature);
   increments_.resize(idx(mesh.n_elements()));
@@ -82,6 +84,12 @@ void Bulk::adopt(std::span<const double> x,
     volumes_[k] /= std::sqrt(states[k].b_e.determinant());
   states_ = std::move(states);
   trial_states_ = states_;
+  elastic_energies(material_.elasticity, states_, shape_energies_);
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const double log_J = 0.5 * std::log(states_[k].b_e.determinant());
+    shape_energies_[k] -= 0.5 * material_.elasticity.bulk() * log_J * log_J;
+  }
+  trial_shape_energies_ = shape_energies_;
   if (!temperatures.empty())
     temperatures_ = std::move(temperatures);
   else if (material_.heating > 0.0)
@@ -113,7 +121,8 @@ ElementStatus Bulk::run_element(Index element, const Trial& trial, Scratch& scra
                                                           ? std::span<const double>()
                                                           : temperatures().subspan(first, n)}};
   ElementOutput out{scratch.force.data(), scratch.tangent.data(),
-                    std::span(trial_states_).subspan(first, n), 0.0};
+                    std::span(trial_states_).subspan(first, n), 0.0,
+                    std::span(trial_shape_energies_).subspan(first, n)};
   const ElementStatus status = kernel_(material_, in, out);
   if (status != ElementStatus::good)
     return status;
@@ -187,15 +196,13 @@ void Bulk::commit(const Trial& trial) {
       temperatures_[k] += material_.heating * work; // (M.29)
   }
   states_ = trial_states_;
+  shape_energies_ = trial_shape_energies_;
 }
 
 std::vector<double> Bulk::shape_energies() const {
   std::vector<double> energies(states_.size());
-  elastic_energies(material_.elasticity, states_, energies);
-  for (std::size_t k = 0; k < energies.size(); ++k) {
-    const double log_J = 0.5 * std::log(states_[k].b_e.determinant());
-    energies[k] = volumes_[k] * (energies[k] - 0.5 * material_.elasticity.bulk() * log_J * log_J);
-  }
+  for (std::size_t k = 0; k < energies.size(); ++k)
+    energies[k] = volumes_[k] * shape_energies_[k];
   return energies;
 }
 
@@ -205,8 +212,8 @@ Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x) const {
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> current(n);
   ElasticEnergy energy;
-  for (const double shape : shape_energies())
-    energy.shape += shape;
+  for (std::size_t k = 0; k < volumes_.size(); ++k)
+    energy.shape += volumes_[k] * shape_energies_[k];
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
     gather(x, mesh_->cell(e), dim, local.data());
     point_volumes(mesh_->kind, analysis_, local.data(), current);

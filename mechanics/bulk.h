@@ -118,9 +118,11 @@ private:
   std::vector<double> volumes_;
   std::vector<PointState> states_;
   std::vector<PointState> trial_states_;
-  std::vector<double> temperatures_; ///< of the points; empty: isothermal
-  double trial_dt_ = 0.0;            ///< length of the increment of the last trial
-  std::vector<double> increments_;   ///< largest plastic increment of each element
+  std::vector<double> temperatures_;   ///< of the points; empty: isothermal
+  std::vector<double> shape_energies_; ///< elastic, per reference volume, of the states [MPa]
+  std::vector<double> trial_shape_energies_;
+  double trial_dt_ = 0.0;          ///< length of the increment of the last trial
+  std::vector<double> increments_; ///< largest plastic increment of each element
   double largest_plastic_increment_ = 0.0;
   double plastic_work_ = 0.0;
   Times times_;

@@ -378,6 +378,8 @@ template <class Element, Analysis analysis> struct Kernel {
     for (int g = 0; g < points; ++g) {
       const DeviatoricResponse& response_at = response[idx(g)];
       out.trial[idx(g)] = response_at.state;
+      if (!out.shape_energies.empty())
+        out.shape_energies[idx(g)] = shape_energy(material.elasticity, response_at.s);
       out.largest_plastic_increment =
           std::max(out.largest_plastic_increment, response_at.plastic_increment);
       const double dV = in.volumes[idx(g)];

@@ -33,6 +33,7 @@ struct ElementOutput {
   double* tangent = nullptr;            ///< overwritten; null: not wanted
   std::span<PointState> trial;          ///< trial states
   double largest_plastic_increment = 0; ///< over the points [-]
+  std::span<double> shape_energies;     ///< elastic, of the trial states [MPa]; empty: not wanted
 };
 
 enum class ElementStatus { good, inverted, no_return };

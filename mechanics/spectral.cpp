@@ -10,7 +10,7 @@ namespace billet::mechanics {
 Spectral spectral_plane(const Mat3& A) {
   const double mean = 0.5 * (A(0, 0) + A(1, 1));
   const double half = 0.5 * (A(0, 0) - A(1, 1));
-  const double radius = std::hypot(half, A(0, 1));
+  const double radius = std::sqrt(half * half + A(0, 1) * A(0, 1));
   Spectral S;
   S.values = Vec3(mean + radius, mean - radius, A(2, 2));
   S.vectors.setIdentity();

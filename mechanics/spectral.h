@@ -30,7 +30,14 @@ void spectral(std::span<const Mat3> A, std::span<Spectral> out);
 /// arguments, which need no perturbation. (M.8)
 [[nodiscard]] inline double log_difference(double a, double b) {
   const double x = (a - b) / b;
-  return x == 0.0 ? 1.0 : std::log1p(x) / x;
+  constexpr double small = 1.0 / 64.0; // as elastic strains of metals are: nine terms do
+  if (std::abs(x) < small) {
+    double sum = 0.0;
+    for (int n = 9; n >= 1; --n)
+      sum = 1.0 / n - x * sum;
+    return sum;
+  }
+  return std::log1p(x) / x;
 }
 
 } // namespace billet::mechanics

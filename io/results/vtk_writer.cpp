@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/results/atomic_file.h"
+#include "io/results/vtk_threads.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -96,6 +97,7 @@ template <class Frame> void add_field_data(vtkFieldData& data, const Frame& fram
 
 /// Writes into memory first: a full disk is then found by `write_file` and leaves nothing behind.
 void write(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::path& path) {
+  keep_vtk_to_one_thread();
   writer.SetInputData(&data);
   writer.SetHeaderTypeToUInt64();
   writer.SetDataModeToBinary();

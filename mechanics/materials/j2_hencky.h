@@ -75,6 +75,13 @@ struct DeviatoricResponse {
                           const FlowConditions& at,
                           std::span<DeviatoricResponse> out);
 
+/// Elastic energy of shape per reference volume [MPa]. (M.6)
+///
+/// @param s  principal deviatoric Kirchhoff stresses [MPa]
+[[nodiscard]] inline double shape_energy(const Elasticity& elasticity, const Vec3& s) {
+  return s.squaredNorm() / (4.0 * elasticity.shear());
+}
+
 /// Elastic energies per reference volume stored in states, shape (n) [MPa]. (M.6)
 void elastic_energies(const Elasticity& elasticity,
                       std::span<const PointState> states,
