@@ -1,6 +1,7 @@
 #include "geometry/solid_quality.h"
 
 #include "geometry/base/index.h"
+#include "geometry/solid_reconnection.h"
 
 #include <Eigen/Geometry>
 
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace billet::geometry {
 
@@ -50,43 +52,52 @@ std::vector<Vec3> directions() {
 class Improver {
 public:
   Improver(SolidMesh& mesh, const std::vector<char>& movable, const Confine& confine, double wanted)
-      : mesh_(mesh), movable_(movable), confine_(confine), wanted_(wanted),
-        around_(mesh.points.size()), fresh_(mesh.points.size(), 1), ways_(directions()),
+      : mesh_(mesh), stars_(mesh), movable_(movable), confine_(confine), wanted_(wanted),
+        fresh_(mesh.points.size(), 1), ways_(directions()),
         moves_(
-            static_cast<std::int64_t>(most_moves * static_cast<double>(mesh.tetrahedra.size()))) {
-    for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e)
-      for (const std::int32_t node : mesh.tetrahedra[e])
-        around_[idx(node)].push_back(e);
-  }
+            static_cast<std::int64_t>(most_moves * static_cast<double>(mesh.tetrahedra.size()))) {}
 
   void run() {
     for (int round = 0; round < most_rounds_of_moves; ++round) {
       bool better = false;
-      for (std::size_t e = 0; e < mesh_.tetrahedra.size(); ++e)
-        if (quality(e) < wanted_)
-          for (const std::int32_t node : mesh_.tetrahedra[e])
+      for (std::size_t e = 0; e < stars_.size(); ++e)
+        if (is_poor(e))
+          better = reconnect(e) || better;
+      for (std::size_t e = 0; e < stars_.size(); ++e)
+        if (is_poor(e))
+          for (const std::int32_t node : stars_[e])
             if (movable_[idx(node)] != 0 && fresh_[idx(node)] != 0 && moves_-- > 0)
               better = move(node) || better;
       if (!better)
-        return;
+        break;
     }
+    stars_.close();
   }
 
 private:
-  [[nodiscard]] double quality(std::size_t e) const {
-    std::array<Vec3, 4> corners;
-    for (std::size_t i = 0; i < 4; ++i)
-      corners[i] = mesh_.points[idx(mesh_.tetrahedra[e][i])];
-    return shape_quality(corners);
+  [[nodiscard]] bool is_poor(std::size_t e) const {
+    return stars_.is_there(e) && stars_.quality(e) < wanted_;
+  }
+
+  /// Joins the nodes around a tetrahedron otherwise, if that is better.
+  bool reconnect(std::size_t e) {
+    const std::optional<Reconnection> better = reconnection(stars_, e);
+    if (!better)
+      return false;
+    stars_.replace(better->old, better->fresh);
+    for (const auto& corners : better->fresh)
+      for (const std::int32_t node : corners)
+        fresh_[idx(node)] = 1;
+    return true;
   }
 
   /// Quality of the worst tetrahedron around a node, or of one that is no better than `enough`;
   /// that one is the first to be asked the next time.
   double worst_around(std::int32_t node, double enough) {
-    std::vector<std::size_t>& around = around_[idx(node)];
+    std::vector<std::size_t>& around = stars_.around(node);
     double worst = std::numeric_limits<double>::infinity();
     for (std::size_t& e : around) {
-      worst = std::min(worst, quality(e));
+      worst = std::min(worst, stars_.quality(e));
       if (worst <= enough) {
         std::swap(e, around.front());
         break;
@@ -97,8 +108,8 @@ private:
 
   [[nodiscard]] double shortest_edge(std::int32_t node) const {
     double shortest = std::numeric_limits<double>::infinity();
-    for (const std::size_t e : around_[idx(node)])
-      for (const std::int32_t other : mesh_.tetrahedra[e])
+    for (const std::size_t e : stars_.around(node))
+      for (const std::int32_t other : stars_[e])
         if (other != node)
           shortest =
               std::min(shortest, (mesh_.points[idx(other)] - mesh_.points[idx(node)]).norm());
@@ -128,17 +139,17 @@ private:
     }
     fresh_[idx(node)] = 0;
     if (worst > before)
-      for (const std::size_t e : around_[idx(node)])
-        for (const std::int32_t other : mesh_.tetrahedra[e])
+      for (const std::size_t e : stars_.around(node))
+        for (const std::int32_t other : stars_[e])
           fresh_[idx(other)] = static_cast<char>(other != node || fresh_[idx(other)] != 0);
     return worst > before;
   }
 
   SolidMesh& mesh_;
+  SolidStars stars_;
   const std::vector<char>& movable_;
   const Confine& confine_;
   double wanted_;
-  std::vector<std::vector<std::size_t>> around_; ///< tetrahedra of each node
   std::vector<char> fresh_; ///< something beside the node has moved since it was tried
   std::vector<Vec3> ways_;
   std::int64_t moves_; ///< that are left

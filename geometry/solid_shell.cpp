@@ -78,6 +78,11 @@ void SolidShell::find_edges() {
     for (std::size_t i = 0; i < 3; ++i)
       facet_edges_.back()[i] = edge_between(facet.corners[i], facet.corners[(i + 1) % 3]);
   }
+  find_edges_of_tetrahedra();
+}
+
+void SolidShell::find_edges_of_tetrahedra() {
+  tetra_edges_.clear();
   for (const auto& tetrahedron : solid_.mesh.tetrahedra) {
     tetra_edges_.emplace_back();
     for (std::size_t i = 0; i < 6; ++i)
@@ -217,6 +222,7 @@ void SolidShell::improve_nodes(const std::vector<char>& movable, double wanted) 
     return seated(seats_[idx(node)], x);
   };
   improve(solid_.mesh, movable, confine, wanted);
+  find_edges_of_tetrahedra();
 }
 
 void SolidShell::slide(double wanted) {

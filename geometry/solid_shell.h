@@ -68,6 +68,7 @@ private:
   };
 
   void find_edges();
+  void find_edges_of_tetrahedra();
   void find_pinches();
   void find_seats();
   void place_corners();
