@@ -34,8 +34,8 @@ namespace billet::geometry {
 /// of its surface, x itself inside.
 using Confine = std::function<Vec3(std::int32_t node, const Vec3& x)>;
 
-/// Joins the nodes of tetrahedra whose `shape_quality` is below `wanted` otherwise and moves them, so
-/// that the worst one gets better each time. Faces of the boundary stay.
+/// Joins the nodes of tetrahedra whose `shape_quality` is below `wanted` otherwise and moves them,
+/// so that the worst one gets better each time. Faces of the boundary stay.
 ///
 /// @param movable  of each node
 void improve(SolidMesh& mesh,

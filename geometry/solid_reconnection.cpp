@@ -13,7 +13,7 @@ namespace {
 
 using Tetrahedron = SolidStars::Tetrahedron;
 
-constexpr double gain = 1e-3;           ///< in quality that is worth a change
+constexpr double least_gain = 1e-3;     ///< of quality that is worth a change
 constexpr std::size_t longest_ring = 8; ///< of tetrahedra around an edge that may go
 
 bool has(const Tetrahedron& corners, std::int32_t node) {
@@ -114,8 +114,7 @@ public:
   }
 
 private:
-  [[nodiscard]] std::array<Tetrahedron, 2>
-  pair(std::size_t i, std::size_t k, std::size_t j) const {
+  [[nodiscard]] std::array<Tetrahedron, 2> pair(std::size_t i, std::size_t k, std::size_t j) const {
     return {{{ring_[i], ring_[k], ring_[j], b_}, {ring_[i], ring_[j], ring_[k], a_}}};
   }
 
@@ -140,7 +139,7 @@ without_edge(const SolidStars& stars, std::int32_t a, std::int32_t b, double at_
   const std::optional<Ring> ring = ring_around(stars, a, b);
   if (!ring)
     return std::nullopt;
-  at_least = std::max(at_least, worst_of(stars, ring->tetrahedra) + gain);
+  at_least = std::max(at_least, worst_of(stars, ring->tetrahedra) + least_gain);
   const RingTriangles triangles(stars, ring->nodes, a, b);
   if (!(triangles.worst() > at_least))
     return std::nullopt;
@@ -163,7 +162,7 @@ without_face(const SolidStars& stars, std::size_t e, std::size_t tip, double at_
       if (std::find(face.begin(), face.end(), node) == face.end())
         beyond = node;
     Reconnection result{{e, other}, {}, std::numeric_limits<double>::infinity()};
-    at_least = std::max(at_least, worst_of(stars, result.old) + gain);
+    at_least = std::max(at_least, worst_of(stars, result.old) + least_gain);
     for (std::size_t i = 0; i < 3; ++i) {
       result.fresh.push_back({face[i], face[(i + 1) % 3], beyond, stars[e][tip]});
       result.worst = std::min(result.worst, stars.quality(result.fresh.back()));

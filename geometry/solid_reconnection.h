@@ -1,5 +1,5 @@
-// Tetrahedra that share nodes are joined otherwise where the worst of them gets better by it. Internal
-// to geometry/.
+// Tetrahedra that share nodes are joined otherwise where the worst of them gets better by it.
+// Internal to geometry/.
 //
 // Theory: docs/theory/geometry.md (G.52).
 

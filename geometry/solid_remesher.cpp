@@ -9,6 +9,7 @@
 #include "geometry/patch_mesher.h"
 #include "geometry/self_intersection.h"
 #include "geometry/size_field.h"
+#include "geometry/solid_contraction.h"
 #include "geometry/solid_shell.h"
 #include "geometry/triangle_shape.h"
 #include "geometry/wall_widths.h"
@@ -177,9 +178,11 @@ Attempt attempt(const BoundarySurface& surface,
                 double volume,
                 const SettleSolid& settle) {
   Attempt made;
-  made.shell = std::make_unique<SolidShell>(
-      surface, mesh_patches(
-                   patched(surface), [&](const Vec3& x) { return size(x); }, most));
+  const SpaceSize size_at = [&](const Vec3& x) { return size(x); };
+  const PatchedSurface patches = patched(surface);
+  PatchedSolid solid = mesh_patches(patches, size_at, most);
+  tidy(solid, patches.corners, size_at, wanted_quality);
+  made.shell = std::make_unique<SolidShell>(surface, std::move(solid));
   SolidShell& shell = *made.shell;
   if (!shell.flaws().empty())
     return {std::move(made.shell), -1.0, "the new boundary touches itself", shell.flaws(),
