@@ -19,7 +19,8 @@ namespace billet::geometry {
 namespace {
 
 constexpr double most_tetrahedra = 5e6;
-constexpr double sag = 0.03; ///< of a facet off the surface, over the size
+constexpr double wanted_quality = 0.3; ///< `shape_quality`, as far as that is possible
+constexpr double sag = 0.03;           ///< of a facet off the surface, over the size
 
 void require_sound(const TriangleMesh& surface, double size) {
   if (!(size > 0.0) || !std::isfinite(size))
@@ -59,6 +60,23 @@ SolidMesh extracted(const mesh_3::Complex& complex) {
   return mesh;
 }
 
+/// Flags of the nodes that are on no face of a single tetrahedron.
+std::vector<char> nodes_inside(const SolidMesh& mesh) {
+  std::map<std::array<std::int32_t, 3>, int> uses;
+  for (const auto& [a, b, c, d] : mesh.tetrahedra)
+    for (std::array<std::int32_t, 3> face :
+         {std::array{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}}) {
+      std::sort(face.begin(), face.end());
+      ++uses[face];
+    }
+  std::vector<char> inside(mesh.points.size(), 1);
+  for (const auto& [face, times] : uses)
+    if (times == 1)
+      for (const std::int32_t node : face)
+        inside[static_cast<std::size_t>(node)] = 0;
+  return inside;
+}
+
 const Vec3& corner(const SolidMesh& mesh, const std::array<std::int32_t, 4>& cell, std::size_t i) {
   return mesh.points[static_cast<std::size_t>(cell[i])];
 }
@@ -80,6 +98,8 @@ SolidMesh mesh_solid(const TriangleMesh& surface, double size, double feature_an
   if (mesh.tetrahedra.empty())
     throw Error(Fault::geometry, "", "the body could not be meshed",
                 "give a size smaller than its thinnest wall");
+  improve(
+      mesh, nodes_inside(mesh), [](std::int32_t, const Vec3& x) { return x; }, wanted_quality);
   return mesh;
 }
 

@@ -11,8 +11,8 @@
 namespace billet::geometry {
 
 /// Joins nodes of tetrahedra whose `shape_quality` is below `wanted` otherwise, and moves nodes
-/// inside or within a patch of the boundary onto a neighbour, where the worst tetrahedron gets
-/// better by it. Lines and their nodes stay; so do sizes, on the whole.
+/// inside, within a patch of the boundary or along a line onto a neighbour, where the worst
+/// tetrahedron gets better by it. Ends and turns of lines stay; so do sizes, on the whole.
 ///
 /// @param corners  places of further nodes that stay
 /// @param size     length of the edges asked for at a place [mm]
