@@ -59,8 +59,8 @@ private:
   /// Between which planes the children lie, from `centre_`.
   struct alignas(64) Slabs {
     std::array<std::array<double, width>, 3> normal; ///< unit
-    std::array<double, width> low;                   ///< -inf: none
-    std::array<double, width> high;                  ///< +inf: none
+    std::array<double, width> low;                   ///< along it, from `centre_`
+    std::array<double, width> high;                  ///< likewise
   };
   struct Item {
     double distance2; ///< less than or equal to that of every box below

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 
 namespace billet::test::command_line_test {
 
@@ -195,6 +197,20 @@ TEST_F(CommandLine, progress_goes_to_standard_error_without_colour_or_not_at_all
   EXPECT_EQ(quiet.err, "");
   EXPECT_TRUE(quiet.prints("tool punch: force"));
 }
+
+#if defined(__x86_64__)
+TEST_F(CommandLine, kernels_are_those_of_the_processor_unless_the_user_has_chosen) {
+  const auto kernels = [&](const std::function<void()>& in_child) {
+    return billet(Start{{"run", "tiny.toml"}, folder_.path(), in_child}).err;
+  };
+  const std::string own = kernels([] { ::unsetenv("OPENBLAS_CORETYPE"); });
+  EXPECT_NE(own.find("BLAS kernels "), std::string::npos);
+  if (__builtin_cpu_supports("avx2") != 0) // which Prescott's do without
+    EXPECT_EQ(own.find("BLAS kernels Prescott"), std::string::npos) << own;
+  const std::string chosen = kernels([] { ::setenv("OPENBLAS_CORETYPE", "Prescott", 1); });
+  EXPECT_NE(chosen.find("BLAS kernels Prescott"), std::string::npos) << chosen;
+}
+#endif
 
 TEST_F(CommandLine, standard_streams_that_are_closed_or_full_do_no_harm) {
   const auto closed = [] {
