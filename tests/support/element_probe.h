@@ -92,7 +92,7 @@ public:
 
   /// Evaluates forces, tangent and trial states at nodal positions.
   mechanics::ElementStatus evaluate(const std::vector<double>& x) {
-    mechanics::ElementOutput out{force_.data(), tangent_.data(), trial_, 0.0};
+    mechanics::ElementOutput out{force_.data(), tangent_.data(), trial_, 0.0, {}};
     const auto status = kernel_(material_, {x_.data(), x.data(), volumes_, states_, {dt_}}, out);
     plastic_increment_ = out.largest_plastic_increment;
     return status;
