@@ -43,10 +43,10 @@ struct SizeAt {
 struct RemeshSizes {
   double min; ///< shortest side asked for [mm], > 0; poor angles are mended down to min / 16
   double max; ///< longest side on the boundary [mm]
-  double turn = std::numbers::pi / 9.0; ///< most a side's tangent turns, unless it is shorter than
-                                        ///< `min` by it [rad]
-  double growth = 0.3;                  ///< most change of size per distance [-]
-  int across = 3;                       ///< sides across a thin place (web, flash)
+  double turn = std::numbers::pi / 18.0; ///< most a side's tangent turns, unless it is shorter than
+                                         ///< `min` by it [rad]
+  double growth = 0.3;                   ///< most change of size per distance [-]
+  int across = 3;                        ///< sides across a thin place (web, flash)
   /// Size asked for at a place of the domain [mm]; empty: `max`.
   std::function<double(const Vec2&)> wanted = {};
   std::vector<SizeAt> at = {}; ///< asked for besides, even below `min`
