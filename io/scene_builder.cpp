@@ -133,7 +133,10 @@ mechanics::JohnsonCook law_of(const JohnsonCookFlow& f) {
   return {f.A, f.B, f.n, f.C, f.rate0, f.m, f.T_room, f.T_melt};
 }
 mechanics::HanselSpittel law_of(const HanselSpittelFlow& f) {
-  return {f.A, f.m1, f.m2, f.m3, f.m4, f.m5, f.m7, f.m8, f.m9, f.eps_min};
+  mechanics::HanselSpittel law{f.A, f.m1, f.m2, f.m3, f.m4, f.m5, f.m7, f.m8, f.m9, f.eps_min};
+  if (f.eps_max > 0.0)
+    law.eps_max = f.eps_max;
+  return law;
 }
 
 mechanics::AnyFlowLaw flow_law(const std::optional<FlowLaw>& flow) {

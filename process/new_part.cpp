@@ -68,7 +68,9 @@ Process::UsualSizes Process::usual_sizes() const {
   const double usual = settings.size.value_or(side_);
   const double at_contact = settings.size_contact.value_or(usual);
   const double finest = std::min(usual, at_contact);
-  constexpr double of_usual = 0.25, of_usual_in_zone = 0.0625;
+  // Metal that slides round an edge of a tool turns as sharply as the tool does.
+  const double of_usual = scene_.mesh.dimension() == 2 ? 0.125 : 0.25;
+  constexpr double of_usual_in_zone = 0.0625;
   const double min = settings.size_min.value_or(of_usual * finest);
   return {usual,
           at_contact,
@@ -172,7 +174,7 @@ std::vector<geometry::SizeAt> Process::sizes_for_flow() const {
       grown[k] = std::max(0.0, bulk_->states()[k].plastic_strain -
                                    remembered_.front()->states[k].plastic_strain);
   constexpr double of_length = 0.5; // of that over which the rate changes by its mean
-  constexpr double of_usual = 0.5;  // no shorter: corners of tools have no length of their own
+  constexpr double of_usual = 0.25; // no shorter: corners of tools have no length of their own
   const UsualSizes usual = usual_sizes();
   const double least = std::max(usual.min, of_usual * usual.usual);
   const std::vector<Vec3> points = mechanics::integration_points(scene_.mesh, positions());

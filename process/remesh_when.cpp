@@ -130,7 +130,9 @@ std::string Process::remeshing_due() const {
   const double quality = worst_quality(scene_.mesh, positions());
   const double limit = std::min(
       {least_quality(settings, scene_.mesh.kind), worn_share * mesh_quality_, refused_quality_});
-  if (quality < limit)
+  // Metal that springs back hardly flows: its mesh gets no worse.
+  constexpr double of_limit = 0.5;
+  if (quality < (springs_back_ ? of_limit * limit : limit))
     return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
   if (refused_increment_ && increment_ <= *refused_increment_ + rest_after_refusal)
     return {};

@@ -245,7 +245,9 @@ void Process::accept(double dt) {
   iterations_ += last_iterations_;
   if (increment_ == mesh_increment_ + 1)
     mesh_share_ = penetration_.share;
+  const double external = energy_.external;
   update_energy();
+  springs_back_ = energy_.external < external;
   account_contact(dt);
 }
 

@@ -482,6 +482,7 @@ private:
   int mesh_increment_ = 0;               ///< likewise
   std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]
   double mesh_share_ = 0.0;              ///< penetration_.share of its first increment [-]
+  bool springs_back_ = false;            ///< the last increment took work out of the metal
   std::optional<int> refused_increment_; ///< after which the last one could not be made
   double refused_quality_ = 1.0;         ///< at which the part could not be meshed anew [-]
   mechanics::SolverWork earlier_work_;   ///< on earlier meshes

@@ -184,6 +184,7 @@ struct HanselSpittelFlow {
   double m1 = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0, m5 = 0.0, m7 = 0.0, m8 = 0.0, m9 = 0.0;
   double m6 = 0.0;       ///< reserved by the formula's numbering; must be 0
   double eps_min = 0.01; ///< strains below this count as this [-]
+  double eps_max = 0.0;  ///< strains above this count as this; 0: the formula goes on [-]
 
   bool operator==(const HanselSpittelFlow&) const = default;
 };

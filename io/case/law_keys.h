@@ -141,6 +141,7 @@ template <> struct LawKeys<HanselSpittelFlow> {
       Key{"m8", &Law::m8, exponent, false},
       Key{"m9", &Law::m9, exponent, false},
       Key{"eps_min", &Law::eps_min, positive_number, false},
+      Key{"eps_max", &Law::eps_max, positive_number, false},
   };
 };
 

@@ -41,7 +41,7 @@ flow = { law = "johnson-cook", A = "553.1 MPa", B = "600.8 MPa", n = 0.234, C = 
 elastic = { young = "120 GPa", poisson = 0.33 }
 density = "7850 kg/m^3"
 heat_capacity = "620 J/kg/K"
-flow = { law = "hansel-spittel", A = "3268.49 MPa", m1 = -0.00267855, m2 = 0.34446, m4 = 0.000551814, m5 = -0.00132042, m7 = 0.0166334, m8 = 0.000149907, eps_min = 0.05 }
+flow = { law = "hansel-spittel", A = "3268.49 MPa", m1 = -0.00267855, m2 = 0.34446, m4 = 0.000551814, m5 = -0.00132042, m7 = 0.0166334, m8 = 0.000149907, eps_min = 0.05, eps_max = 1.0 }
 )",
         "C45, hot: Hensel and Spittel's form as in PyRolL (TU Freiberg), plugin "
         "freiberg-flow-stress, which adds 0.1 to strain and rate; strain 0.1 to 1, rate "
@@ -97,7 +97,7 @@ flow = { law = "johnson-cook", A = "90 MPa", B = "292 MPa", n = 0.31, C = 0.025,
 elastic = { young = "110 GPa", poisson = 0.33 }
 density = "7850 kg/m^3"
 heat_capacity = "630 J/kg/K"
-flow = { law = "hansel-spittel", A = "6022.9 MPa", m1 = -0.00337646736, m2 = 0.33712534, m3 = 0.036758, m7 = -0.8721164, m8 = 0.00011175, eps_min = 0.02 }
+flow = { law = "hansel-spittel", A = "6022.9 MPa", m1 = -0.00337646736, m2 = 0.33712534, m3 = 0.036758, m7 = -0.8721164, m8 = 0.00011175, eps_min = 0.02, eps_max = 0.7 }
 )",
         "rail steel with 0.75 % C (R260), hot: fit, within 3.5 %, to Shida's formula, J. "
         "JSTP 10 (1969) 610-617; strain 0.05 to 0.7, rate 0.1 to 100 /s, 850 to 1150 degC; "

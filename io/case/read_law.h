@@ -20,6 +20,7 @@ void read_more(TableReader& table, VoceFlow& law);
 void read_more(TableReader& table, TableFlow& law);
 void read_more(TableReader& table, PerzynaFlow& law);
 void read_more(TableReader& table, JohnsonCookFlow& law);
+void read_more(TableReader& table, HanselSpittelFlow& law);
 
 // Of friction laws (read_friction.cpp).
 void read_more(TableReader& table, CoulombFriction& law);

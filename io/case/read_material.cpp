@@ -74,6 +74,12 @@ void read_more(TableReader& table, JohnsonCookFlow& law) {
     at->complain_found(fmt::format("more than T_room = {}", law.T_room));
 }
 
+void read_more(TableReader& table, HanselSpittelFlow& law) {
+  const std::optional<At> at = table.find("eps_max");
+  if (at && law.eps_max > 0.0 && law.eps_max <= law.eps_min)
+    at->complain_found(fmt::format("more than eps_min = {}", law.eps_min));
+}
+
 namespace {
 
 std::optional<std::string> as_library_name(const At& at) {

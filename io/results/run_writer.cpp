@@ -486,6 +486,20 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
                                 *squeezed_at_, content_->units.time, 100.0 * (1.0 - share),
                                 pressure, content_->units.stress));
   }
+  if (last_) {
+    const mechanics::Material& material = process.bulk().material();
+    const double left = mechanics::strength_left(
+        material.flow, {last_->max_plastic_strain, 1.0, material.temperature});
+    constexpr double soft = 0.5;
+    if (left < soft)
+      lines.push_back(fmt::format(
+          "warning: at the largest plastic strain, {:.3g}, the flow law has {:.0f} % of "
+          "its largest stress left: metal that "
+          "softens so far flows in bands as thin as its elements, and forces depend on "
+          "their size; let the law "
+          "end where its measured curves do (eps_max of hansel-spittel, a table)",
+          last_->max_plastic_strain, 100.0 * left));
+  }
   lines.insert(lines.end(), complaints_.begin(), complaints_.end());
   return lines;
 }

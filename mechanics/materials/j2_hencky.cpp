@@ -270,6 +270,19 @@ double yield_stress(const AnyFlowLaw& flow, const FlowPoint& at) {
   return std::visit([&](const auto& law) { return flow_at(law, at).stress; }, flow);
 }
 
+double strength_left(const AnyFlowLaw& flow, const FlowPoint& at) {
+  const double end = yield_stress(flow, at);
+  double largest = end;
+  constexpr int places = 100;
+  constexpr double shortest = 1e-3; // of the strain; evenly spread by its logarithm
+  for (int i = 0; i < places; ++i)
+    largest = std::max(
+        largest,
+        yield_stress(flow, {at.plastic_strain * std::pow(shortest, static_cast<double>(i) / places),
+                            at.rate, at.temperature}));
+  return std::isfinite(largest) && largest > 0.0 ? end / largest : 1.0;
+}
+
 MisesStress mises_stress(const Material& material,
                          const PointState& state,
                          double old_plastic_strain,

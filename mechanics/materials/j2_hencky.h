@@ -96,6 +96,10 @@ void elastic_energies(const Elasticity& elasticity,
 /// Flow stress [MPa]; infinite for an elastic body.
 [[nodiscard]] double yield_stress(const AnyFlowLaw& flow, const FlowPoint& at);
 
+/// Flow stress as a share of the largest on the way there from no strain, at the same rate and
+/// temperature, found at a hundred strains; 1 for an elastic body [-].
+[[nodiscard]] double strength_left(const AnyFlowLaw& flow, const FlowPoint& at);
+
 /// Von Mises stress of a state and how it follows the strains of an increment. (F.21)
 struct MisesStress {
   double stress;     ///< q, of the Kirchhoff stress [MPa]

@@ -219,6 +219,26 @@ TEST_F(Results, metal_that_has_no_way_out_is_told) {
   EXPECT_EQ(warning_of("free", upsetting), "");
 }
 
+TEST_F(Results, metal_that_loses_most_of_its_strength_is_told) {
+  const auto warning_of = [&](const std::string& out, const std::string& points) {
+    const std::size_t flow = upsetting.find("flow");
+    const std::size_t end = upsetting.find('\n', flow);
+    const std::string text = upsetting.substr(0, flow) +
+                             "flow = { law = \"table\", points = " + points + " }" +
+                             upsetting.substr(end);
+    const nlohmann::json summary = summary_of(run(out, text));
+    for (const std::string warning : summary.at("warnings"))
+      if (warning.find("of its largest stress left") != std::string::npos)
+        return warning;
+    return std::string();
+  };
+  // The strain is ln(7.5 / 7.4) less what is elastic.
+  const std::string warning = warning_of("soft", "[[0, 400], [0.002, 400], [0.006, 100]]");
+  EXPECT_NE(warning.find("the flow law has 25 % of its largest stress left"), std::string::npos)
+      << warning;
+  EXPECT_EQ(warning_of("hard", "[[0, 400], [0.002, 400], [0.006, 300]]"), "");
+}
+
 TEST_F(Results, unloading_leaves_no_force_on_the_tool) {
   const auto folder = run("tiny", unloading);
   const ResultTable history = read_table(folder / "history.csv");

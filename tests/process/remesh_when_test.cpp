@@ -180,6 +180,45 @@ TEST(Remeshing, DoesNotFollowAContactThatShrinks) {
   EXPECT_EQ(done.last().loads[0].force.norm(), 0.0) << "it has left";
 }
 
+TEST(Remeshing, LeavesTheMeshOfMetalThatSpringsBack) {
+  const auto scene = [] {
+    Scene s = upsetting_scene(billet(ElementKind::quad8, 4, 0.4, contact::Sticking{}));
+    const double pressed = s.stages[0].end, back = 0.05;
+    const double speed = s.tools[0].motion.velocity->y();
+    s.tools[0].motion.velocity.reset();
+    s.tools[0].motion.displacement =
+        std::array{TimeFunction(0.0),
+                   TimeFunction({{0.0, 0.0},
+                                 {pressed, pressed * speed},
+                                 {(1.0 + back) * pressed, (1.0 - 0.1 * back) * pressed * speed}}),
+                   TimeFunction(0.0)};
+    s.stages.push_back(s.stages[0]);
+    s.stages[1].end = (1.0 + back) * pressed;
+    return s;
+  };
+  const FinishedRun kept = run(scene());
+  ASSERT_EQ(kept.status, RunStatus::done);
+  // So bad that the mesh is due when the tool turns back, and not sooner.
+  RemeshSettings settings;
+  settings.penetration = 1e3; // never
+  double before = 1.0;
+  for (const Entry& entry : kept.recorder.entries) {
+    if (entry.report.time > scene().stages[0].end)
+      break;
+    if (settings.quality)
+      before = *settings.quality;
+    settings.quality = entry.report.min_quality;
+  }
+  settings.quality = 0.5 * (before + *settings.quality);
+  ASSERT_LT(*settings.quality, 0.7) << "of the first mesh's 1";
+  Scene again = scene();
+  again.remesh = settings;
+  const FinishedRun done = run(std::move(again));
+  ASSERT_EQ(done.status, RunStatus::done);
+  EXPECT_LT(done.last().report.min_quality, *settings.quality);
+  EXPECT_TRUE(done.process->remeshings().empty()) << done.process->remeshings()[0].cause;
+}
+
 TEST(Remeshing, AsksMoreOfSquaresThanOfTriangles) {
   RemeshSettings settings;
   EXPECT_EQ(least_quality(settings, ElementKind::tri6), 0.2);

@@ -107,6 +107,13 @@ double shida(double carbon, double strain, double rate, double celsius) {
          (1.3 * std::pow(strain / 0.2, n) - 0.3 * strain / 0.2) * std::pow(rate / 10.0, m);
 }
 
+TEST(MaterialLibrary, hot_steels_end_where_their_data_do) {
+  for (const auto& [name, strain] : {std::pair("c45-hot", 1.0), std::pair("rail-steel-hot", 0.7)}) {
+    const auto law = std::get<HanselSpittelFlow>(*material(named(name)).flow);
+    EXPECT_EQ(law.eps_max, strain) << name;
+  }
+}
+
 TEST(MaterialLibrary, hot_rail_steel_is_shidas_formula_within_the_stated_range) {
   const auto law = std::get<HanselSpittelFlow>(*material(named("rail-steel-hot")).flow);
   double worst = 0.0;

@@ -103,10 +103,12 @@ TEST(ResolvedCase, keeps_rate_laws_temperature_and_heating) {
   lead.density = 1.1e-8;
   lead.heat_capacity = 1.3e8;
   lead.heating = 0.9;
-  for (const FlowLaw& flow : {FlowLaw(NortonHoffFlow{1, 0.1, 0.2, 0.3, 4}),
-                              FlowLaw(PerzynaFlow{SwiftFlow{1, 0.1, 0.2}, 3, 4}),
-                              FlowLaw(JohnsonCookFlow{1, 2, 3, 4, 5, 6, 20, 6000}),
-                              FlowLaw(HanselSpittelFlow{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0.02})}) {
+  for (const FlowLaw& flow :
+       {FlowLaw(NortonHoffFlow{1, 0.1, 0.2, 0.3, 4}),
+        FlowLaw(PerzynaFlow{SwiftFlow{1, 0.1, 0.2}, 3, 4}),
+        FlowLaw(JohnsonCookFlow{1, 2, 3, 4, 5, 6, 20, 6000}),
+        FlowLaw(HanselSpittelFlow{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0.02}),
+        FlowLaw(HanselSpittelFlow{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0.02, 1.5})}) {
     lead.flow = flow;
     expect_round_trip(content);
   }

@@ -49,6 +49,22 @@ TEST(HanselSpittel, counts_strains_below_the_floor_as_the_floor) {
   EXPECT_EQ(start.slope, 0.0);
 }
 
+TEST(HanselSpittel, counts_strains_above_the_ceiling_as_the_ceiling) {
+  HanselSpittel ending = full;
+  ending.eps_max = 0.8;
+  const RateFlowStress end = ending.flow_stress({0.8, 2.0, 1000.0});
+  EXPECT_EQ(end.stress, full.flow_stress({0.8, 2.0, 1000.0}).stress);
+  const RateFlowStress beyond = ending.flow_stress({5.0, 2.0, 1000.0});
+  EXPECT_EQ(beyond.stress, end.stress);
+  EXPECT_EQ(beyond.slope, 0.0);
+  EXPECT_EQ(beyond.rate_slope, end.rate_slope);
+  EXPECT_EQ(ending.flow_stress({0.79, 2.0, 1000.0}).slope,
+            full.flow_stress({0.79, 2.0, 1000.0}).slope);
+  EXPECT_LT(full.flow_stress({5.0, 2.0, 1000.0}).stress, 0.5 * end.stress) << "without one";
+  support::check_slopes(ending, {{0.02, 1e-4, 900}, {0.5, 1.0, 1000}, {2.0, 1e4, 1200}});
+  support::check_everywhere(ending, {20.0, 900.0, 1500.0});
+}
+
 TEST(HanselSpittel, is_sound_everywhere) {
   support::check_everywhere(steel, {20.0, 900.0, 1500.0});
   support::check_everywhere(full, {20.0, 900.0, 1500.0});

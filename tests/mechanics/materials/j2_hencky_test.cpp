@@ -173,6 +173,23 @@ TEST(J2Hencky, does_not_notice_a_rotation_by_any_angle) {
   EXPECT_LE(worst, allowed);
 }
 
+TEST(J2Hencky, knows_how_far_a_law_has_softened) {
+  const auto left = [](const AnyFlowLaw& flow, double strain) {
+    return strength_left(flow, {strain, 1.0, 1150.0});
+  };
+  EXPECT_EQ(left(Elastic{}, 0.0), 1.0);
+  EXPECT_EQ(left(Perfect{300.0}, 5.0), 1.0);
+  EXPECT_EQ(left(Swift{700.0, 0.01, 0.2}, 5.0), 1.0);
+  const FlowTable table{{{0.0, 300.0}, {0.1, 400.0}, {0.5, 100.0}}};
+  EXPECT_EQ(left(table, 0.05), 1.0);
+  EXPECT_NEAR(left(table, 0.5), 0.25, 2e-3) << "the peak lies between two of the strains tried";
+  HanselSpittel hot = support::hot_steel;
+  EXPECT_LT(left(hot, 8.0), 0.25) << "the formula, far beyond its data";
+  hot.eps_max = 1.0;
+  EXPECT_GT(left(hot, 8.0), 0.75);
+  EXPECT_EQ(left(hot, 8.0), left(hot, 1.0));
+}
+
 TEST(J2Hencky, lands_on_the_yield_surface_keeps_the_volume_and_the_direction) {
   support::Random random(6);
   for (const auto& [name, material] : support::every_material()) {
