@@ -276,7 +276,7 @@ TEST_F(Remeshing, IsDescribedByCheck) {
   const Outcome usual = check(remeshed(""));
   EXPECT_TRUE(usual.prints(
       "remeshing with tri6 when an element is worse than 0.35 (0.2 in new meshes) or increments "
-      "fail, a tool touches on fewer than three sides; sides of 0.625 to "
+      "fail, a tool touches on fewer than three sides; sides of 0.3125 to "
       "2.5 mm"))
       << usual.out;
   const Outcome all = check(remeshed("when = { quality = 0.1, strain = 0.5, interval = 0.03, "

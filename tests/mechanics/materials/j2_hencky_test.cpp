@@ -187,7 +187,7 @@ TEST(J2Hencky, knows_how_far_a_law_has_softened) {
   EXPECT_LT(left(hot, 8.0), 0.25) << "the formula, far beyond its data";
   hot.eps_max = 1.0;
   EXPECT_GT(left(hot, 8.0), 0.75);
-  EXPECT_EQ(left(hot, 8.0), left(hot, 1.0));
+  EXPECT_NEAR(left(hot, 8.0), left(hot, 1.0), 1e-3);
 }
 
 TEST(J2Hencky, lands_on_the_yield_surface_keeps_the_volume_and_the_direction) {
