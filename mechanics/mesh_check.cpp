@@ -251,6 +251,24 @@ std::vector<double> element_qualities(const Mesh& mesh, std::span<const Vec3> po
   return qualities;
 }
 
+double element_aspect(ElementKind kind, std::span<const Vec3> points) {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
+  for (const auto& [a, b] : element_edges(kind)) {
+    const double length =
+        (points[static_cast<std::size_t>(b)] - points[static_cast<std::size_t>(a)]).norm();
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+  }
+  return shortest > 0.0 ? longest / shortest : std::numeric_limits<double>::infinity();
+}
+
+double largest_aspect(const Mesh& mesh, std::span<const Vec3> points) {
+  double largest = 1.0;
+  for (Index element = 0; element < mesh.n_elements(); ++element)
+    largest = std::max(largest, element_aspect(mesh.kind, places(mesh, points, element)));
+  return largest;
+}
+
 double element_measure(ElementKind kind, std::span<const Vec3> points) {
   double measure = 0.0;
   for (const Sample& sample : measuring_points(kind))

@@ -30,6 +30,12 @@ namespace billet::mechanics {
 /// @param points  shape (n_points) [mm]; for the mesh as it is, pass `mesh.points`
 [[nodiscard]] std::vector<double> element_qualities(const Mesh& mesh, std::span<const Vec3> points);
 
+/// Longest over shortest edge of one cell, between its corners; infinite if one has no length [-].
+[[nodiscard]] double element_aspect(ElementKind kind, std::span<const Vec3> points);
+
+/// Largest aspect of a mesh at the given places of the nodes, shape (n_points).
+[[nodiscard]] double largest_aspect(const Mesh& mesh, std::span<const Vec3> points);
+
 /// Area [mm^2] or volume [mm^3] of one cell, negative if its nodes turn the wrong way.
 [[nodiscard]] double element_measure(ElementKind kind, std::span<const Vec3> points);
 

@@ -97,6 +97,7 @@ std::string Process::remesh(const std::string& cause,
   turned_inside_out_ = 0;
   mesh_time_ = time_;
   mesh_quality_ = worst_quality(scene_.mesh, positions());
+  mesh_aspect_ = aspect();
   refused_quality_ = 1.0;
   mesh_strain_.clear();
   for (const mechanics::PointState& point : bulk_->states())

@@ -29,6 +29,10 @@ constexpr double worth_while = 1.5;
 /// A mesh has to have lost this share of its first quality before it is replaced.
 constexpr double worn_share = 0.7;
 
+/// Elements longer than so many times their width, and twice as long as when the mesh was new,
+/// resolve little along them; quality, a matter of angles, does not see squares flattened.
+constexpr double most_aspect = 10.0, most_stretch = 2.0;
+
 std::vector<Vec3> as_points(std::span<const double> x, int dim) {
   std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -62,7 +66,12 @@ double mean_side(const mechanics::Mesh& mesh) {
 void Process::start_remeshing() {
   side_ = mean_side(scene_.mesh);
   mesh_quality_ = worst_quality(scene_.mesh, positions());
+  mesh_aspect_ = aspect();
   mesh_strain_.assign(bulk_->states().size(), 0.0);
+}
+
+double Process::aspect() const {
+  return mechanics::largest_aspect(scene_.mesh, as_points(positions(), scene_.mesh.dimension()));
 }
 
 bool Process::may_remesh() const {
@@ -136,6 +145,9 @@ std::string Process::remeshing_due() const {
     return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
   if (refused_increment_ && increment_ <= *refused_increment_ + rest_after_refusal)
     return {};
+  const double longest = std::max(most_aspect, most_stretch * mesh_aspect_);
+  if (const double now = aspect(); now > longest && !springs_back_)
+    return fmt::format("element aspect {:.3g} > {:.3g}", now, longest);
   constexpr double rounding = 1e-9;
   if (settings.interval && time_ - mesh_time_ >= *settings.interval * (1.0 - rounding))
     return "interval";

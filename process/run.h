@@ -356,6 +356,8 @@ private:
   [[nodiscard]] std::optional<ContactZone> zone_to_refine() const;
   /// Notes what remeshing needs to know of the first mesh.
   void start_remeshing();
+  /// Longest over shortest edge of the most slender element [-].
+  [[nodiscard]] double aspect() const;
   /// Why the part should be meshed anew now; empty: it need not.
   [[nodiscard]] std::string remeshing_due() const;
   /// Whether a mesh can be exchanged now, and has been used since it was made.
@@ -478,6 +480,7 @@ private:
   std::vector<double> earlier_forces_;   ///< on all tools, before the last increment [N]
   std::vector<double> largest_forces_;   ///< likewise, the largest since they touched nothing [N]
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
+  double mesh_aspect_ = 1.0;             ///< likewise, the largest of its elements [-]
   double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;               ///< likewise
   std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]

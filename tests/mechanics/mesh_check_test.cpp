@@ -55,6 +55,16 @@ std::string complaints(const Mesh& mesh, bool axisymmetric = false) {
   return text;
 }
 
+TEST(ElementQuality, aspect_is_the_longest_over_the_shortest_edge) {
+  const std::vector<Vec3> flat{Vec3(0, 0, 0), Vec3(6, 0, 0), Vec3(6, 2, 0), Vec3(0, 2, 0)};
+  EXPECT_NEAR(element_aspect(ElementKind::quad4, flat), 3.0, 1e-14);
+  EXPECT_NEAR(element_quality(ElementKind::quad4, flat), 1.0, 1e-14) << "its angles are right";
+  EXPECT_TRUE(std::isinf(element_aspect(ElementKind::quad4, std::vector<Vec3>(4, Vec3::Zero()))));
+  const Mesh bricks =
+      box_mesh({ElementKind::hex20, Vec3::Zero(), Vec3(4, 1, 2), {1, 1, 1}, {1, 1, 1}});
+  EXPECT_NEAR(largest_aspect(bricks, bricks.points), 4.0, 1e-14);
+}
+
 TEST(ElementQuality, is_one_for_the_ideal_cell) {
   for (const ElementKind kind : all_kinds)
     EXPECT_NEAR(element_quality(kind, ideal(kind)), 1.0, 1e-14) << name(kind);

@@ -180,6 +180,19 @@ TEST(Remeshing, DoesNotFollowAContactThatShrinks) {
   EXPECT_EQ(done.last().loads[0].force.norm(), 0.0) << "it has left";
 }
 
+TEST(Remeshing, ReplacesElementsThatAreDrawnOut) {
+  Upsetting u = billet(ElementKind::quad8, 3, 0.9, contact::Frictionless{});
+  RemeshSettings settings;
+  settings.penetration = 1e3; // never
+  const FinishedRun done = run(remeshed(std::move(u), settings));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  const RemeshReport& first = done.process->remeshings()[0];
+  EXPECT_TRUE(first.cause.starts_with("element aspect")) << first.cause;
+  EXPECT_GT(first.quality.before, 0.99) << "of right angles";
+  EXPECT_LT(first.force_jump(), 1e-3) << "a homogeneous state";
+}
+
 TEST(Remeshing, LeavesTheMeshOfMetalThatSpringsBack) {
   const auto scene = [] {
     Scene s = upsetting_scene(billet(ElementKind::quad8, 4, 0.4, contact::Sticking{}));
