@@ -201,16 +201,20 @@ TEST_F(Results, frames_closer_than_increments_are_one_an_increment) {
   EXPECT_EQ(frames, times);
 }
 
+/// The first warning of a summary that has the words; empty: there is none.
+std::string warning_with(const nlohmann::json& summary, const std::string& words) {
+  for (const nlohmann::json& entry : summary.at("warnings"))
+    if (auto warning = entry.get<std::string>(); warning.find(words) != std::string::npos)
+      return warning;
+  return "";
+}
+
 TEST_F(Results, metal_that_has_no_way_out_is_told) {
   const std::string confined =
       edited(upsetting, {{"[[tool]]", "[[support]]\nwhere = \"x = 5\"\nfix = [\"x\"]\n\n[[tool]]"},
                          {"end = 0.1\nincrements = { first = 0.02, max = 0.02 }", "end = 0.3"}});
   const auto warning_of = [&](const std::string& out, const std::string& text) {
-    const nlohmann::json summary = summary_of(run(out, text));
-    for (const std::string warning : summary.at("warnings"))
-      if (warning.find("squeezed by more than 2 %") != std::string::npos)
-        return warning;
-    return std::string();
+    return warning_with(summary_of(run(out, text)), "squeezed by more than 2 %");
   };
   // 0.3 mm of 7.5 are gone, less 0.0009 by which the punch sinks in, and nothing but the volume
   // gives way: K ln(7.5 / 7.2009) = 7120 MPa.
@@ -226,11 +230,7 @@ TEST_F(Results, metal_that_loses_most_of_its_strength_is_told) {
     const std::string text = upsetting.substr(0, flow) +
                              "flow = { law = \"table\", points = " + points + " }" +
                              upsetting.substr(end);
-    const nlohmann::json summary = summary_of(run(out, text));
-    for (const std::string warning : summary.at("warnings"))
-      if (warning.find("of its largest stress left") != std::string::npos)
-        return warning;
-    return std::string();
+    return warning_with(summary_of(run(out, text)), "of its largest stress left");
   };
   // The strain is ln(7.5 / 7.4) = 0.0134 less what is elastic.
   const std::string warning = warning_of("soft", "[[0, 400], [0.002, 400], [0.01, 160]]");
