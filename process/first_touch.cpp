@@ -93,6 +93,7 @@ FirstTouch Process::poor_first_touch(double dt) const {
     }
   }
   const std::vector<int> touched = touching_tools();
+  FirstTouch touch;
   for (ContactZone zone : contact_zones(part_boundary(scene_, nodes, touching, {}))) {
     zone.longest = zone.longest && contact_->closed()[idx(zone.tool)].empty();
     if (touches_near(untouched, touched, scene_.contact_faces, zone) || !can_be_refined(zone) ||
@@ -107,14 +108,13 @@ FirstTouch Process::poor_first_touch(double dt) const {
     const double share =
         static_cast<double>(places.size()) / static_cast<double>(zone.n_sides * places_on_side);
     const double size = usual_sizes().zones.in(zone, share * zone.length);
-    FirstTouch touch{
-        fmt::format("{} comes to touch on {}", scene_.tools[idx(zone.tool)].name, sides_of(zone)),
-        {}};
+    if (touch.cause.empty())
+      touch.cause =
+          fmt::format("{} comes to touch on {}", scene_.tools[idx(zone.tool)].name, sides_of(zone));
     for (const Vec2& x : places)
       touch.sizes.push_back({x, size});
-    return touch;
   }
-  return {};
+  return touch;
 }
 
 } // namespace billet::process

@@ -33,11 +33,25 @@ constexpr double worn_share = 0.7;
 /// resolve little along them; quality, a matter of angles, does not see squares flattened.
 constexpr double most_aspect = 10.0, most_stretch = 2.0;
 
+/// Sides so many times longer than the surface of the tool that they touch lets them be, and twice
+/// as much as when the mesh was new, cut off the edge that they lie on.
+constexpr double most_excess = 2.0, most_growth_of_excess = 2.0;
+
 std::vector<Vec3> as_points(std::span<const double> x, int dim) {
   std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
   for (std::size_t i = 0; i < x.size(); ++i)
     points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
   return points;
+}
+
+/// Largest angle between normals, those of places that are out of reach left out [rad].
+double most_between_normals(std::span<const geometry::Projection> feet) {
+  double least_cosine = 1.0;
+  for (const geometry::Projection& a : feet)
+    for (const geometry::Projection& b : feet)
+      if (a.found() && b.found())
+        least_cosine = std::min(least_cosine, a.normal.dot(b.normal));
+  return std::acos(std::max(least_cosine, -1.0));
 }
 
 } // namespace
@@ -67,7 +81,34 @@ void Process::start_remeshing() {
   side_ = mean_side(scene_.mesh);
   mesh_quality_ = worst_quality(scene_.mesh, positions());
   mesh_aspect_ = aspect();
+  mesh_excess_ = most_outgrown_side().excess;
   mesh_strain_.assign(bulk_->states().size(), 0.0);
+}
+
+OutgrownSide Process::most_outgrown_side() const {
+  OutgrownSide most;
+  if (!scene_.remesh || !contact_ || scene_.mesh.dimension() != 2)
+    return most;
+  const double turn = remesh_sizes().turn, min = usual_sizes().min;
+  const std::vector<Vec3> points = as_points(positions(), 2);
+  const std::vector<int> touching = touching_tools();
+  for (std::size_t f = 0; f < touching.size(); ++f) {
+    if (touching[f] < 0 || leaves(idx(touching[f])))
+      continue;
+    const std::size_t tool = idx(touching[f]);
+    const geometry::Pose pose = contact_->pose(tool, time_, x_);
+    std::vector<Vec3> nodes;
+    for (const Index node : scene_.contact_faces[f].nodes)
+      nodes.push_back(pose.to_tool(points[idx(node)]));
+    std::vector<geometry::Projection> feet(nodes.size());
+    scene_.tools[tool].surface->project(nodes, side_, feet);
+    const double turned = most_between_normals(feet);
+    const double length = (nodes[1] - nodes[0]).norm();
+    const double excess = length / std::max(min, length * std::min(1.0, turn / turned));
+    if (excess > most.excess)
+      most = {excess, turned, tool};
+  }
+  return most;
 }
 
 double Process::aspect() const {
@@ -148,6 +189,10 @@ std::string Process::remeshing_due() const {
   const double longest = std::max(most_aspect, most_stretch * mesh_aspect_);
   if (const double now = aspect(); now > longest && !springs_back_)
     return fmt::format("element aspect {:.3g} > {:.3g}", now, longest);
+  if (const OutgrownSide side = most_outgrown_side();
+      side.excess > std::max(most_excess, most_growth_of_excess * mesh_excess_))
+    return fmt::format("{} turns by {:.0f} degrees along a side", scene_.tools[side.tool].name,
+                       side.turn * 180.0 / std::numbers::pi);
   constexpr double rounding = 1e-9;
   if (settings.interval && time_ - mesh_time_ >= *settings.interval * (1.0 - rounding))
     return "interval";

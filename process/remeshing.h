@@ -31,6 +31,13 @@ struct FirstTouch {
   std::vector<geometry::SizeAt> sizes; ///< that it needs there
 };
 
+/// A side in contact that is too long for how the tool's surface turns beneath it.
+struct OutgrownSide {
+  double excess = 0.0;  ///< its length over the longest that a new mesh would have there [-]
+  double turn = 0.0;    ///< of the tool's normal along it [rad]
+  std::size_t tool = 0; ///< that it touches
+};
+
 /// What a run goes on from at the end of an increment.
 struct RunState {
   double time = 0.0;     ///< [s]

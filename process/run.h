@@ -35,6 +35,7 @@ struct RemeshedPart;
 struct RunState;
 struct CarriedOver;
 struct FirstTouch;
+struct OutgrownSide;
 struct CarriedState;
 
 /// Energies of the run so far [N mm].
@@ -358,6 +359,9 @@ private:
   void start_remeshing();
   /// Longest over shortest edge of the most slender element [-].
   [[nodiscard]] double aspect() const;
+  /// The side in contact that is the most too long for the tool beneath it; excess 0: there is
+  /// none.
+  [[nodiscard]] OutgrownSide most_outgrown_side() const;
   /// Why the part should be meshed anew now; empty: it need not.
   [[nodiscard]] std::string remeshing_due() const;
   /// Whether a mesh can be exchanged now, and has been used since it was made.
@@ -481,6 +485,7 @@ private:
   std::vector<double> largest_forces_;   ///< likewise, the largest since they touched nothing [N]
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
   double mesh_aspect_ = 1.0;             ///< likewise, the largest of its elements [-]
+  double mesh_excess_ = 0.0;             ///< likewise, of the side most outgrown [-]
   double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;               ///< likewise
   std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]

@@ -120,6 +120,87 @@ TEST(Remeshing, ComesBeforeASecondToolTouchesOnAFewSides) {
   EXPECT_LT(first.force_jump(), 0.01) << "the table presses on";
 }
 
+TEST(Remeshing, ResolvesAllThatComesToTouchAtOnce) {
+  Scene scene = bar_on_block(8);
+  constexpr double radius = 12.0;
+  scene.tools.push_back(moving_tool(
+      "side", geometry::make_circle(Vec3(12.0 + radius, 12.0, 0), radius, false), -Vec3::UnitX()));
+  scene.stages[0].tools = {1, 1};
+  scene.stages[0].end = 0.02;
+  scene.landing_times.clear();
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  const auto& made = done.process->remeshings();
+  ASSERT_FALSE(made.empty());
+  EXPECT_EQ(made[0].increment, 0);
+  EXPECT_EQ(std::count_if(made.begin(), made.end(),
+                          [](const RemeshReport& r) {
+                            return r.cause.ends_with("touch on 1 side") ||
+                                   r.cause.ends_with("touches on 1 side");
+                          }),
+            1);
+  EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
+}
+
+/// A punch, half 5 wide, with edges of radius 1.5 is pressed 1 deep into half a block of n x n.
+Scene punch_in_block(int n) {
+  Scene scene = bar_on_block(n);
+  constexpr double radius = 1.5, half_width = 5.0, height = 8.0;
+  geometry::Profile profile;
+  profile.start = Vec2(-2.0, 0.0);
+  profile.segments = {{Vec2(half_width - radius, 0.0), 0.0},
+                      {Vec2(half_width, radius), radius},
+                      {Vec2(half_width, height), 0.0}};
+  geometry::SurfacePtr punch = geometry::make_profile(profile);
+  scene.tools[0] = moving_tool("punch", std::move(punch), -Vec3::UnitY());
+  scene.tools[0].motion.offset = Vec3(0, 12, 0);
+  scene.stages[0].end = 1.0;
+  scene.landing_times = {0.25, 0.5, 0.75};
+  return scene;
+}
+
+TEST(Remeshing, ComesWhereSidesCutOffTheEdgeOfATool) {
+  const FinishedRun kept = run(punch_in_block(8));
+  const FinishedRun fine = run(punch_in_block(32));
+  Scene scene = punch_in_block(8);
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  ASSERT_FALSE(done.process->remeshings().empty());
+  const RemeshReport& first = done.process->remeshings().front();
+  EXPECT_EQ(first.cause, "punch turns by 34 degrees along a side");
+  EXPECT_LT(first.time, 0.05);
+  double worst = 0.0, worst_kept = 0.0;
+  for (const double time : {0.25, 0.5, 0.75, 1.0}) {
+    const auto off = [&](const FinishedRun& other) {
+      return std::abs(other.at(time).loads[0].force[1] / fine.at(time).loads[0].force[1] - 1.0);
+    };
+    worst = std::max(worst, off(done));
+    worst_kept = std::max(worst_kept, off(kept));
+  }
+  std::printf("  %zu meshes, force off by %.2f %%, %.2f %% on the mesh that is kept\n",
+              done.process->remeshings().size(), 100.0 * worst, 100.0 * worst_kept);
+  EXPECT_LE(done.process->remeshings().size(), 4u) << "a sharp edge is no reason for ever";
+  EXPECT_LT(worst, 0.006);
+  EXPECT_GT(worst_kept, 0.009);
+}
+
+TEST(Remeshing, DoesNotFollowACornerForEver) {
+  Scene scene = punch_in_block(8);
+  geometry::Profile profile;
+  profile.start = Vec2(-2.0, 0.0);
+  profile.segments = {{Vec2(5.0, 0.0), 0.0}, {Vec2(5.0, 8.0), 0.0}};
+  scene.tools[0] = moving_tool("punch", geometry::make_profile(profile), -Vec3::UnitY());
+  scene.tools[0].motion.offset = Vec3(0, 12, 0);
+  scene.remesh = RemeshSettings{};
+  const FinishedRun done = run(std::move(scene));
+  EXPECT_EQ(done.status, RunStatus::done);
+  EXPECT_LE(std::count_if(done.process->remeshings().begin(), done.process->remeshings().end(),
+                          [](const RemeshReport& r) { return r.cause.ends_with("along a side"); }),
+            2);
+}
+
 /// A wedge with a tip of radius 0.05 enters half a block of 12 x 12 elements of 1 mm.
 Scene wedge_in_block(double half_angle) {
   Scene scene = bar_on_block(12);
