@@ -33,9 +33,9 @@ constexpr double worn_share = 0.7;
 /// resolve little along them; quality, a matter of angles, does not see squares flattened.
 constexpr double most_aspect = 10.0, most_stretch = 2.0;
 
-/// Sides so many times longer than the surface of the tool that they touch lets them be, and twice
-/// as much as when the mesh was new, cut off the edge that they lie on.
-constexpr double most_excess = 2.0, most_growth_of_excess = 2.0;
+/// Sides so many times longer than the surface of the tool that they touch lets new ones be, and
+/// than those of the mesh when it was new were, cut off the edge that they lie on.
+constexpr double most_excess = 1.6;
 
 std::vector<Vec3> as_points(std::span<const double> x, int dim) {
   std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
@@ -190,7 +190,7 @@ std::string Process::remeshing_due() const {
   if (const double now = aspect(); now > longest && !springs_back_)
     return fmt::format("element aspect {:.3g} > {:.3g}", now, longest);
   if (const OutgrownSide side = most_outgrown_side();
-      side.excess > std::max(most_excess, most_growth_of_excess * mesh_excess_))
+      side.excess > most_excess * std::max(1.0, mesh_excess_))
     return fmt::format("{} turns by {:.0f} degrees along a side", scene_.tools[side.tool].name,
                        side.turn * 180.0 / std::numbers::pi);
   constexpr double rounding = 1e-9;
