@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -67,6 +68,16 @@ Scene bar_on_block(int n) {
   return scene;
 }
 
+/// How far the force on the first tool is off at most at these times, relative to that of `fine`.
+double
+most_off(const FinishedRun& other, const FinishedRun& fine, std::initializer_list<double> times) {
+  double most = 0.0;
+  for (const double time : times)
+    most = std::max(
+        most, std::abs(other.at(time).loads[0].force[1] / fine.at(time).loads[0].force[1] - 1.0));
+  return most;
+}
+
 TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
   const FinishedRun kept = run(bar_on_block(8));
   const FinishedRun fine = run(bar_on_block(24));
@@ -85,14 +96,8 @@ TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
   EXPECT_TRUE(fine.process->poorly_resolved_tools().empty());
   ASSERT_EQ(kept.process->poorly_resolved_tools().size(), 1u);
   EXPECT_EQ(kept.process->poorly_resolved_tools()[0].tool, 0);
-  double worst = 0.0, worst_kept = 0.0;
-  for (const double time : {0.05, 0.075, 0.1}) {
-    const auto off = [&](const FinishedRun& other) {
-      return std::abs(other.at(time).loads[0].force[1] / fine.at(time).loads[0].force[1] - 1.0);
-    };
-    worst = std::max(worst, off(done));
-    worst_kept = std::max(worst_kept, off(kept));
-  }
+  const double worst = most_off(done, fine, {0.05, 0.075, 0.1});
+  const double worst_kept = most_off(kept, fine, {0.05, 0.075, 0.1});
   std::printf("  force off by %.1f %% with remeshing, %.1f %% on the mesh that is kept\n",
               100.0 * worst, 100.0 * worst_kept);
   EXPECT_LT(worst, 0.03);
@@ -171,14 +176,8 @@ TEST(Remeshing, ComesWhereSidesCutOffTheEdgeOfATool) {
   const RemeshReport& first = done.process->remeshings().front();
   EXPECT_EQ(first.cause, "punch turns by 34 degrees along a side");
   EXPECT_LT(first.time, 0.05);
-  double worst = 0.0, worst_kept = 0.0;
-  for (const double time : {0.25, 0.5, 0.75, 1.0}) {
-    const auto off = [&](const FinishedRun& other) {
-      return std::abs(other.at(time).loads[0].force[1] / fine.at(time).loads[0].force[1] - 1.0);
-    };
-    worst = std::max(worst, off(done));
-    worst_kept = std::max(worst_kept, off(kept));
-  }
+  const double worst = most_off(done, fine, {0.25, 0.5, 0.75, 1.0});
+  const double worst_kept = most_off(kept, fine, {0.25, 0.5, 0.75, 1.0});
   std::printf("  %zu meshes, force off by %.2f %%, %.2f %% on the mesh that is kept\n",
               done.process->remeshings().size(), 100.0 * worst, 100.0 * worst_kept);
   EXPECT_LE(done.process->remeshings().size(), 4u) << "a sharp edge is no reason for ever";
