@@ -195,9 +195,11 @@ TEST(Remeshing, DoesNotFollowACornerForEver) {
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
   EXPECT_EQ(done.status, RunStatus::done);
-  EXPECT_LE(std::count_if(done.process->remeshings().begin(), done.process->remeshings().end(),
-                          [](const RemeshReport& r) { return r.cause.ends_with("along a side"); }),
-            2);
+  const auto for_the_corner =
+      std::count_if(done.process->remeshings().begin(), done.process->remeshings().end(),
+                    [](const RemeshReport& r) { return r.cause.ends_with("along a side"); });
+  EXPECT_GE(for_the_corner, 1);
+  EXPECT_LE(for_the_corner, 2);
 }
 
 /// A wedge with a tip of radius 0.05 enters half a block of 12 x 12 elements of 1 mm.
