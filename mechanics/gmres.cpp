@@ -79,7 +79,8 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
                          std::span<const double> rhs,
                          std::span<double> x,
                          double tolerance,
-                         int most) {
+                         int most,
+                         std::span<const std::vector<double>> known) {
   const std::size_t n = rhs.size();
   const double scale = std::sqrt(dot(rhs, rhs));
   if (!(scale > 0.0) || !std::isfinite(scale))
@@ -96,8 +97,13 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
     value /= scale;
   GmresReport report;
   for (int k = 0; k < most; ++k) {
-    directions_[idx(k)] = basis_[idx(k)];
-    preconditioner.solve_roughly(directions_[idx(k)]);
+    if (idx(k) < known.size()) {
+      directions_[idx(k)] = known[idx(k)];
+    } else {
+      directions_[idx(k)] = basis_[idx(k)];
+      preconditioner.solve(directions_[idx(k)]);
+      ++report.solves;
+    }
     basis_[idx(k) + 1].resize(n);
     matrix.multiply(directions_[idx(k)], basis_[idx(k) + 1]);
     columns_[idx(k)].assign(idx(k) + 2, 0.0);

@@ -18,7 +18,8 @@ class Factorization;
 /// How an iteration ended.
 struct GmresReport {
   bool converged = false;
-  int iterations = 0;    ///< solves with the preconditioner
+  int iterations = 0;
+  int solves = 0;        ///< with the preconditioner
   double residual = 1.0; ///< relative [-]
 };
 
@@ -33,12 +34,14 @@ public:
   /// @param x               out: the solution; undefined unless the report says `converged`
   /// @param tolerance       relative residual to reach [-], > 0
   /// @param most            iterations
+  /// @param known           directions to begin with, in place of preconditioned residuals
   [[nodiscard]] GmresReport solve(const SparseMatrix& matrix,
                                   Factorization& preconditioner,
                                   std::span<const double> rhs,
                                   std::span<double> x,
                                   double tolerance,
-                                  int most);
+                                  int most,
+                                  std::span<const std::vector<double>> known = {});
 
 private:
   using Vector = std::vector<double>;

@@ -39,8 +39,8 @@ constexpr double exact = 1e-10;
 /// Iterations with a neighbour of the matrix: more cost more than an LU does.
 constexpr int most_iterations = 24;
 
-/// The symmetric part that fails is tried again with the next system, then after 2, 6, ... 30.
-constexpr int most_failures = 5;
+/// Relative difference of two solutions in single precision that says that they are to be trusted.
+constexpr double trusted = 1e-4;
 
 } // namespace
 
@@ -56,6 +56,12 @@ SolverWork SolverWork::after(const SolverWork& earlier) const {
   sum.nearly_symmetric += earlier.nearly_symmetric;
   sum.systems += earlier.systems;
   return sum;
+}
+
+void Patience::take(bool served) {
+  constexpr int most_failures = 5;
+  failures_ = served ? 0 : std::min(failures_ + 1, most_failures);
+  wait_ = served ? 0 : (1 << failures_) - 2;
 }
 
 std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
@@ -100,7 +106,8 @@ Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorizat
 
 void LinearSolver::release_all_but(const Factorization& factorization) {
   constexpr double few = 1e7; // entries: less memory than the matrices of a small problem take
-  for (const auto* other : {&cholmod_, &mumps_symmetric_, &mumps_single_, &mumps_, &umfpack_})
+  for (const auto* other :
+       {&single_, &cholmod_, &mumps_symmetric_, &mumps_single_, &mumps_, &umfpack_})
     if (*other && other->get() != &factorization && (*other)->cost().entries > few)
       (*other)->release();
 }
@@ -177,10 +184,11 @@ GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
                                   std::span<const double> rhs,
                                   std::span<double> x,
                                   double tolerance,
-                                  int most) {
+                                  int most,
+                                  Known known) {
   const Stopwatch watch(work_.substitution);
-  const GmresReport report = gmres_.solve(matrix, *last_, rhs, x, tolerance, most);
-  work_.substitutions += report.iterations;
+  const GmresReport report = gmres_.solve(matrix, *last_, rhs, x, tolerance, most, known);
+  work_.substitutions += report.solves;
   return report;
 }
 
@@ -198,7 +206,7 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
   const bool may_reuse = tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
   if (most > 0) {
-    const GmresReport report = iterate(matrix, rhs, x, tolerance, most);
+    const GmresReport report = iterate(matrix, rhs, x, tolerance, most, {});
     if (report.converged) {
       ++work_.reused;
       return SolveReport{"gmres", report.residual};
@@ -215,7 +223,8 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
   if (held_ == Held::current)
     return back_substitute(*last_, "again", matrix, rhs, x);
   if (held_ == Held::neighbour) {
-    const GmresReport report = iterate(matrix, rhs, x, std::max(tolerance, exact), most_iterations);
+    const GmresReport report =
+        iterate(matrix, rhs, x, std::max(tolerance, exact), most_iterations, {});
     if (report.converged)
       return SolveReport{"again", report.residual};
   }
@@ -238,19 +247,48 @@ void LinearSolver::take_symmetric_part(const SparseMatrix& matrix) {
   }
 }
 
-Outcome<SolveReport> LinearSolver::solve_with_neighbour(Factorization& factorization,
-                                                        std::string_view method,
-                                                        const SparseMatrix& neighbour,
+const std::shared_ptr<const Elimination>& LinearSolver::elimination() {
+  if (!elimination_) {
+    const Stopwatch watch(work_.analysis);
+    elimination_ = std::make_shared<const Elimination>(*pattern_, order_);
+  }
+  return elimination_;
+}
+
+bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<const double> rhs) {
+  const Stopwatch watch(work_.substitution);
+  first_[0].assign(rhs.begin(), rhs.end());
+  last_->solve(first_[0]);
+  first_[1].resize(rhs.size());
+  matrix.multiply(first_[0], first_[1]);
+  for (std::size_t i = 0; i < rhs.size(); ++i)
+    first_[1][i] = rhs[i] - first_[1][i];
+  last_->solve(first_[1]);
+  work_.substitutions += 2;
+  return norm(first_[1]) <= trusted * norm(first_[0]); // false for NaN
+}
+
+bool LinearSolver::factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs) {
+  if (settings_.choice != SolverChoice::automatic || !single_patience_.over())
+    return false;
+  const auto& fronts = elimination();
+  Factorization& single = prepared(single_, [&] { return make_single(fronts); });
+  const bool serves = factorize(single, "ldlt-single", matrix) && agrees_with_itself(matrix, rhs);
+  if (!serves)
+    last_ = nullptr;
+  single_patience_.take(serves);
+  return serves;
+}
+
+Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         const SparseMatrix& matrix,
                                                         std::span<const double> rhs,
                                                         std::span<double> x,
-                                                        double tolerance) {
-  if (!factorize(factorization, method, neighbour))
-    return Failure{"no factorization (" + std::string(method) + ")"};
-  const bool small =
-      most_solves(factorization.cost()) == 0; // a correction less than exact saves nothing
+                                                        double tolerance,
+                                                        Known known) {
+  const bool small = most_solves(last_->cost()) == 0; // a correction less than exact saves nothing
   const GmresReport report =
-      iterate(matrix, rhs, x, small ? exact : std::max(tolerance, exact), most_iterations);
+      iterate(matrix, rhs, x, small ? exact : std::max(tolerance, exact), most_iterations, known);
   if (!report.converged) {
     last_ = nullptr;
     return Failure{"no convergence (" + std::string(method) + ")"};
@@ -264,16 +302,39 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
                                                              std::span<double> x,
                                                              double tolerance) {
   take_symmetric_part(matrix);
-  Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(*pattern_, order_); });
-  auto outcome =
-      solve_with_neighbour(cholesky, "cholmod-gmres", symmetric_part_, matrix, rhs, x, tolerance);
+  const auto attempt = [&]() -> Outcome<SolveReport> {
+    if (factorize_in_single(symmetric_part_, rhs))
+      return solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance, Known(first_).first(1));
+    const auto& fronts = elimination();
+    Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(fronts); });
+    if (!factorize(cholesky, "cholmod-gmres", symmetric_part_))
+      return Failure{"the symmetric part is not positive definite"};
+    return solve_with_neighbour("cholmod-gmres", matrix, rhs, x, tolerance, {});
+  };
+  auto outcome = attempt();
   if (outcome)
     ++work_.nearly_symmetric;
   else
     symmetric_part_.values = {}; // LU needs the memory
-  failures_ = outcome ? 0 : std::min(failures_ + 1, most_failures);
-  wait_ = outcome ? 0 : (1 << failures_) - 2;
+  symmetric_patience_.take(bool(outcome));
   return outcome;
+}
+
+Outcome<SolveReport> LinearSolver::solve_symmetric(const SparseMatrix& matrix,
+                                                   std::span<const double> rhs,
+                                                   std::span<double> x,
+                                                   double tolerance) {
+  if (factorize_in_single(matrix, rhs)) {
+    // What is left of a solution that is exact but for rounding is the second direction.
+    const std::size_t known = norm(first_[1]) > 0.0 ? 2 : 1;
+    auto outcome =
+        solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance, Known(first_).first(known));
+    if (outcome)
+      return outcome;
+  }
+  const auto& fronts = elimination();
+  return solve_with(prepared(cholmod_, [&] { return make_cholmod(fronts); }), "cholmod", matrix,
+                    rhs, x);
 }
 
 Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,
@@ -284,23 +345,25 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
   const bool fast =
       settings_.choice == SolverChoice::automatic || settings_.choice == SolverChoice::cholmod;
   if (symmetric && fast) {
-    Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(*pattern_, order_); });
-    auto outcome = solve_with(cholesky, "cholmod", matrix, rhs, x);
+    auto outcome = solve_symmetric(matrix, rhs, x, tolerance);
     if (outcome)
       return outcome;
   }
-  if (!symmetric && fast && wait_-- <= 0) {
+  if (!symmetric && fast && symmetric_patience_.over()) {
     auto outcome = solve_with_symmetric_part(matrix, rhs, x, tolerance);
     if (outcome)
       return outcome;
   }
-  if (!symmetric && fast && single_serves_ && most_solves(cholmod_->cost()) > 0) {
+  if (!symmetric && fast && single_lu_serves_ &&
+      most_solves({elimination()->flops(), elimination()->entries()}) > 0) {
     Factorization& lu =
         prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
-    auto outcome = solve_with_neighbour(lu, "mumps-lu-gmres", matrix, matrix, rhs, x, exact);
-    if (outcome)
-      return outcome;
-    single_serves_ = false;
+    if (factorize(lu, "mumps-lu-gmres", matrix)) {
+      auto outcome = solve_with_neighbour("mumps-lu-gmres", matrix, rhs, x, exact, {});
+      if (outcome)
+        return outcome;
+    }
+    single_lu_serves_ = false;
   }
   if (settings_.choice != SolverChoice::umfpack) {
     Factorization& mumps = prepared(symmetric ? mumps_symmetric_ : mumps_,

@@ -1,19 +1,23 @@
 // Solution of the linear systems of Newton's method by direct factorization.
 //
-// The unknowns are ordered once per mesh (METIS on the node graph). A symmetric matrix goes to
-// CHOLMOD's supernodal Cholesky factorization and, when a pivot is not positive, to MUMPS' LDL^T.
-// An unsymmetric one is solved by GMRES with the Cholesky factorization of a symmetric neighbour
-// (SparseMatrix::unsymmetric), and by MUMPS' LU where that does not converge: in large problems the
-// LU is one in single precision, with GMRES around it. UMFPACK stands in when MUMPS fails. Every
-// solution's residual is checked and refined once where it is too large.
-// docs/decisions/0010-symmetric-neighbour.md, 0013-memory-of-factorizations.md
+// The unknowns are ordered once per mesh (METIS on the node graph). A symmetric matrix, or the
+// symmetric neighbour of an unsymmetric one (SparseMatrix::unsymmetric), is factorized as L S L^T
+// in single precision, with GMRES on the matrix itself around it. Where single precision loses a
+// solution, CHOLMOD's supernodal Cholesky factorization in double precision stands in; where that
+// meets a pivot that is not positive, or the neighbour is too far, MUMPS' LDL^T or LU: in large
+// problems an LU in single precision, with GMRES around it. UMFPACK stands in when MUMPS fails.
+// Every solution's residual is checked, and refined once where it is too large.
+// docs/decisions/0010-symmetric-neighbour.md, 0013-memory-of-factorizations.md,
+// 0018-factorization-in-single-precision.md
 
 #pragma once
 
 #include "geometry/base/outcome.h"
+#include "mechanics/elimination.h"
 #include "mechanics/gmres.h"
 #include "mechanics/sparse_matrix.h"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -32,9 +36,9 @@ struct SolverSettings {
 
 /// What the last solution did, for the log and the summary.
 struct SolveReport {
-  std::string_view method;      ///< "cholmod", "cholmod-gmres", "mumps-ldlt", "mumps-lu-gmres" (in
-                                ///< single precision), "mumps-lu", "umfpack"; "gmres": with an
-                                ///< earlier factorization
+  std::string_view method; ///< "ldlt-single", "cholmod", "cholmod-gmres", "mumps-ldlt",
+                           ///< "mumps-lu-gmres" (in single precision), "mumps-lu", "umfpack";
+                           ///< "gmres": with an earlier factorization
   double relative_residual = 0; ///< of the linear system
 };
 
@@ -73,8 +77,6 @@ public:
   [[nodiscard]] virtual bool factorize(const SparseMatrix& matrix) = 0;
   /// Overwrites the right-hand side with the solution.
   virtual void solve(std::span<double> rhs) = 0;
-  /// Likewise to some digits at least, where that is faster: for solutions that are iterated upon.
-  virtual void solve_roughly(std::span<double> rhs) { solve(rhs); }
   /// Gives the factors' memory back. The next factorization takes it anew.
   virtual void release() = 0;
   /// Work of the last factorization, as counted by the method; before it what analysis expects.
@@ -84,8 +86,11 @@ public:
 /// Fill-reducing order of the unknowns: new position i holds unknown order[i].
 [[nodiscard]] std::vector<Index> fill_reducing_order(const BlockPattern& pattern);
 
-[[nodiscard]] std::unique_ptr<Factorization> make_cholmod(const BlockPattern& pattern,
-                                                          std::span<const Index> order);
+[[nodiscard]] std::unique_ptr<Factorization>
+make_cholmod(std::shared_ptr<const Elimination> elimination);
+/// L S L^T in single precision, S a diagonal of signs: for solutions that are iterated upon.
+[[nodiscard]] std::unique_ptr<Factorization>
+make_single(std::shared_ptr<const Elimination> elimination);
 /// @param symmetric  LDL^T of the lower triangle instead of LU
 [[nodiscard]] std::unique_ptr<Factorization>
 make_mumps(const BlockPattern& pattern, std::span<const Index> order, bool symmetric);
@@ -94,6 +99,18 @@ make_mumps(const BlockPattern& pattern, std::span<const Index> order, bool symme
                                                                std::span<const Index> order);
 [[nodiscard]] std::unique_ptr<Factorization> make_umfpack(const BlockPattern& pattern,
                                                           std::span<const Index> order);
+
+/// When something that has failed is tried again: with the next system, then after 2, 6, ... 30.
+class Patience {
+public:
+  /// Counts a system. @return whether it is tried with this one
+  [[nodiscard]] bool over() { return wait_-- <= 0; }
+  void take(bool served);
+
+private:
+  int wait_ = 0;     ///< systems to go
+  int failures_ = 0; ///< one after another
+};
 
 /// Chooses among the factorizations and keeps their analyses for the life of the pattern.
 class LinearSolver {
@@ -122,9 +139,12 @@ public:
   [[nodiscard]] const SolverWork& work() const { return work_; }
 
 private:
+  using Known = std::span<const std::vector<double>>; ///< directions to begin with
+
   /// Makes a factorization of the pattern where there is none so far.
   template <class Make>
   Factorization& prepared(std::unique_ptr<Factorization>& factorization, Make make);
+  [[nodiscard]] const std::shared_ptr<const Elimination>& elimination();
   /// Large factors are held one at a time: Cholesky's and an LU's together are too much.
   void release_all_but(const Factorization& factorization);
   [[nodiscard]] bool
@@ -139,25 +159,34 @@ private:
                                                      const SparseMatrix& matrix,
                                                      std::span<const double> rhs,
                                                      std::span<double> x);
-  /// By GMRES with the factorization of a matrix close by, or one in single precision.
-  [[nodiscard]] Outcome<SolveReport> solve_with_neighbour(Factorization& factorization,
-                                                          std::string_view method,
-                                                          const SparseMatrix& neighbour,
+  /// By GMRES with the factorization at hand, of a matrix close by or in single precision.
+  [[nodiscard]] Outcome<SolveReport> solve_with_neighbour(std::string_view method,
                                                           const SparseMatrix& matrix,
                                                           std::span<const double> rhs,
                                                           std::span<double> x,
-                                                          double tolerance);
+                                                          double tolerance,
+                                                          Known known);
+  /// L S L^T in single precision, where that is enough and has been lately.
+  [[nodiscard]] bool factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs);
+  /// Whether the factorization at hand gives a solution back that it is given the product of. A
+  /// slender body's soft motions are lost in single precision, and a residual does not show it.
+  [[nodiscard]] bool agrees_with_itself(const SparseMatrix& matrix, std::span<const double> rhs);
   /// By the Cholesky factorization of the symmetric neighbour. (C.40)
   [[nodiscard]] Outcome<SolveReport> solve_with_symmetric_part(const SparseMatrix& matrix,
                                                                std::span<const double> rhs,
                                                                std::span<double> x,
                                                                double tolerance);
+  [[nodiscard]] Outcome<SolveReport> solve_symmetric(const SparseMatrix& matrix,
+                                                     std::span<const double> rhs,
+                                                     std::span<double> x,
+                                                     double tolerance);
   /// GMRES with the factorization at hand.
   [[nodiscard]] GmresReport iterate(const SparseMatrix& matrix,
                                     std::span<const double> rhs,
                                     std::span<double> x,
                                     double tolerance,
-                                    int most);
+                                    int most,
+                                    Known known);
   void take_symmetric_part(const SparseMatrix& matrix);
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
                                                          bool symmetric,
@@ -168,6 +197,8 @@ private:
   const BlockPattern* pattern_;
   SolverSettings settings_;
   std::vector<Index> order_;
+  std::shared_ptr<const Elimination> elimination_;
+  std::unique_ptr<Factorization> single_;
   std::unique_ptr<Factorization> cholmod_;
   std::unique_ptr<Factorization> mumps_symmetric_;
   std::unique_ptr<Factorization> mumps_single_;
@@ -178,9 +209,10 @@ private:
   enum class Held { earlier, neighbour, current } held_ = Held::earlier;
   Gmres gmres_;
   SparseMatrix symmetric_part_;
-  int wait_ = 0;              ///< systems to go before the symmetric part is tried again
-  int failures_ = 0;          ///< of the symmetric part, one after another
-  bool single_serves_ = true; ///< whether LU in single precision is worth a try
+  Patience symmetric_patience_;              ///< with the symmetric part
+  Patience single_patience_;                 ///< with L S L^T in single precision
+  bool single_lu_serves_ = true;             ///< whether LU in single precision is worth a try
+  std::array<std::vector<double>, 2> first_; ///< a rough solution and a correction of it
   std::vector<double> residual_;
   SolverWork work_;
 };

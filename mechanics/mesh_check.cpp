@@ -150,29 +150,45 @@ void check_shapes(const Mesh& mesh, Complaints& complaints) {
   complaints.close("such elements");
 }
 
+/// A node's part in the tangent of an edge.
+struct TangentPart {
+  std::size_t node;
+  double weight; ///< [-]
+};
+
 /// What a corner of the reference cell needs for the quality there.
 struct ReferenceCorner {
-  std::vector<Vec3> gradients;        ///< of the shape functions [-]
-  Mat3 directions = Mat3::Identity(); ///< of the edges that leave it; right-handed [-]
-  std::vector<std::size_t> others;    ///< corner at the far end of each
+  /// Of the edges that leave it, right-handed. Only nodes of the edge take part.
+  std::vector<std::vector<TangentPart>> tangents;
+  std::vector<std::size_t> others; ///< corner at the far end of each
 };
 
 ReferenceCorner reference_corner(ElementKind kind, int corner) {
   const std::span<const Vec3> corners = reference_corners(kind);
   const Vec3& at = corners[static_cast<std::size_t>(corner)];
   ReferenceCorner result;
-  result.gradients = shape_gradients(kind, at);
   for (const auto& [a, b] : element_edges(kind))
     if (a == corner || b == corner)
       result.others.push_back(static_cast<std::size_t>(a == corner ? b : a));
+  Mat3 directions = Mat3::Identity();
   const auto set_directions = [&] {
     for (std::size_t k = 0; k < result.others.size(); ++k)
-      result.directions.col(static_cast<Eigen::Index>(k)) = corners[result.others[k]] - at;
+      directions.col(static_cast<Eigen::Index>(k)) = corners[result.others[k]] - at;
   };
   set_directions();
-  if (result.directions.determinant() < 0.0) {
+  if (directions.determinant() < 0.0) {
     std::swap(result.others[0], result.others[1]);
     set_directions();
+  }
+  const std::vector<Vec3> gradients = shape_gradients(kind, at);
+  constexpr double none = 1e-12;
+  for (std::size_t k = 0; k < result.others.size(); ++k) {
+    std::vector<TangentPart>& tangent = result.tangents.emplace_back();
+    for (std::size_t i = 0; i < gradients.size(); ++i) {
+      const double weight = gradients[i].dot(directions.col(static_cast<Eigen::Index>(k)));
+      if (std::abs(weight) > none)
+        tangent.push_back({i, weight});
+    }
   }
   return result;
 }
@@ -199,16 +215,15 @@ struct CornerFrame {
 
 CornerFrame
 corner_frame(const ReferenceCorner& reference, std::span<const Vec3> points, std::size_t corner) {
-  Mat3 J = Mat3::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i)
-    J += points[i] * reference.gradients[i].transpose();
-  if (reference.others.size() == 2) // in the plane
-    J.col(2) = Vec3::UnitZ();
-  CornerFrame frame{J * reference.directions, Vec3::Ones()};
+  CornerFrame frame{Mat3::Identity(), Vec3::Ones()}; // in the plane the third edge is z
   for (std::size_t k = 0; k < reference.others.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    frame.references[column] = std::max(frame.tangents.col(column).norm(),
-                                        (points[reference.others[k]] - points[corner]).norm());
+    Vec3 tangent = Vec3::Zero();
+    for (const auto& [node, weight] : reference.tangents[k])
+      tangent += weight * points[node];
+    frame.tangents.col(column) = tangent;
+    frame.references[column] =
+        std::max(tangent.norm(), (points[reference.others[k]] - points[corner]).norm());
   }
   return frame;
 }
@@ -246,8 +261,13 @@ double element_quality(ElementKind kind, std::span<const Vec3> points) {
 std::vector<double> element_qualities(const Mesh& mesh, std::span<const Vec3> points) {
   std::vector<double> qualities;
   qualities.reserve(static_cast<std::size_t>(mesh.n_elements()));
-  for (Index element = 0; element < mesh.n_elements(); ++element)
-    qualities.push_back(element_quality(mesh.kind, places(mesh, points, element)));
+  std::vector<Vec3> nodes;
+  for (Index element = 0; element < mesh.n_elements(); ++element) {
+    nodes.clear();
+    for (const Index node : mesh.cell(element))
+      nodes.push_back(points[idx(node)]);
+    qualities.push_back(element_quality(mesh.kind, nodes));
+  }
   return qualities;
 }
 

@@ -178,6 +178,24 @@ Notes notes_of(const FrameSettings& settings) {
           {"unit_system", settings.units.name}};
 }
 
+/// Gives a surface the points of its sides and polygons alone, numbered anew.
+void keep_points_in_use(std::span<const Vec3> points, SurfaceFrame& frame) {
+  std::vector<Index> number(points.size(), -1);
+  for (const auto* cells : {&frame.lines, &frame.polygons})
+    for (const std::vector<Index>& cell : *cells)
+      for (const Index node : cell)
+        number[idx(node)] = 0;
+  for (std::size_t a = 0; a < points.size(); ++a)
+    if (number[a] == 0) {
+      number[a] = static_cast<Index>(frame.points.size());
+      frame.points.push_back(points[a]);
+    }
+  for (auto* cells : {&frame.lines, &frame.polygons})
+    for (std::vector<Index>& cell : *cells)
+      for (Index& node : cell)
+        node = number[idx(node)];
+}
+
 } // namespace
 
 const std::vector<std::string>& known_fields() {
@@ -273,7 +291,6 @@ SurfaceFrame contact_frame(const process::Process& process,
                            const FrameSettings& settings) {
   SurfaceFrame frame;
   frame.time = process.time();
-  frame.points.assign(points.begin(), points.end());
   frame.notes = notes_of(settings);
   const contact::ContactSurface& surface = *process.surface();
   const std::vector<contact::PointResult> results = process.contact()->results();
@@ -301,6 +318,7 @@ SurfaceFrame contact_frame(const process::Process& process,
   frame.cell_fields.push_back({"friction_stress", 3, std::move(shear), settings.units.stress});
   frame.cell_fields.push_back({"gap", 1, std::move(gap), settings.units.length});
   frame.cell_fields.push_back({"contact_status", 1, std::move(status), "0 open 1 stick 2 slip"});
+  keep_points_in_use(points, frame);
   return frame;
 }
 

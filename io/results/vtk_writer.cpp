@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/results/atomic_file.h"
+#include "io/results/frame_compressor.h"
 #include "io/results/vtk_threads.h"
 
 #include <fmt/format.h>
@@ -101,8 +102,10 @@ void write(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::pat
   writer.SetInputData(&data);
   writer.SetHeaderTypeToUInt64();
   writer.SetDataModeToBinary();
-  writer.SetCompressorTypeToZLib();
-  writer.SetCompressionLevel(1); // half the time of the default, files a twentieth larger
+  constexpr unsigned long large = 256; // [KiB]
+  const bool small = data.GetActualMemorySize() < large;
+  writer.SetCompressor(
+      &frame_compressor(small ? CompressorSearch::runs : CompressorSearch::repeats));
   writer.WriteToOutputStringOn();
   if (writer.Write() == 0 || writer.GetErrorCode() != 0)
     throw Error(Fault::input_output, path.string(), "VTK could not write the frame",

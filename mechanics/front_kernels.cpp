@@ -1,0 +1,276 @@
+#include "mechanics/front_kernels.h"
+
+#include <cblas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace billet::mechanics {
+
+namespace {
+
+using Vector [[gnu::vector_size(front_lanes * sizeof(float))]] = float;
+
+Vector load(const float* from) {
+  Vector v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+
+void store(const Vector& v, float* to) { std::memcpy(to, &v, sizeof v); }
+
+/// First row of the vector that holds a row.
+constexpr std::size_t aligned(std::size_t row) { return row / front_lanes * front_lanes; }
+
+/// Columns by columns, `step` apart.
+struct Columns {
+  float* values;
+  std::size_t step;
+  [[nodiscard]] float* at(std::size_t row, std::size_t column) const {
+    return values + column * step + row;
+  }
+};
+
+/// What is done with the columns a product is taken from.
+enum class Into { zero, present };
+
+/// c(i, q) -= sum over p < depth of l(i, p) w(p, q) for some vectors of rows and some columns.
+template <Into into, std::size_t vectors, std::size_t columns>
+void subtract_block(const float* l,
+                    std::size_t l_step,
+                    const float* w,
+                    std::size_t depth,
+                    Columns c) {
+  Vector sum[vectors][columns] = {};
+  if constexpr (into == Into::present)
+    for (std::size_t v = 0; v < vectors; ++v)
+      for (std::size_t q = 0; q < columns; ++q)
+        sum[v][q] = load(c.at(v * front_lanes, q));
+  for (std::size_t p = 0; p < depth; ++p)
+    for (std::size_t v = 0; v < vectors; ++v) {
+      const Vector rows = load(l + p * l_step + v * front_lanes);
+      for (std::size_t q = 0; q < columns; ++q)
+        sum[v][q] -= rows * w[p * columns + q];
+    }
+  for (std::size_t v = 0; v < vectors; ++v)
+    for (std::size_t q = 0; q < columns; ++q)
+      store(sum[v][q], c.at(v * front_lanes, q));
+}
+
+/// The same for rows `from` to `to`, whole vectors.
+template <Into into, std::size_t columns>
+void subtract_rows(Columns l,
+                   const float* w,
+                   std::size_t depth,
+                   Columns c,
+                   std::size_t from,
+                   std::size_t to) {
+  std::size_t i = from;
+  for (; i + 2 * front_lanes <= to; i += 2 * front_lanes)
+    subtract_block<into, 2, columns>(l.at(i, 0), l.step, w, depth, {c.at(i, 0), c.step});
+  for (; i < to; i += front_lanes)
+    subtract_block<into, 1, columns>(l.at(i, 0), l.step, w, depth, {c.at(i, 0), c.step});
+}
+
+/// C -= L S R^T below the diagonal, R the rows of L from `first` on, one for each column of C.
+///
+/// @param c  its row and column 0 are row `first` of L
+template <Into into>
+void subtract_small(Columns l,
+                    std::size_t rows,
+                    const float* signs,
+                    std::size_t depth,
+                    std::size_t first,
+                    std::size_t columns,
+                    Columns c,
+                    FrontWork& work) {
+  constexpr std::size_t together = 4;
+  work.factors.resize(std::max(work.factors.size(), depth * together));
+  float* w = work.factors.data();
+  std::size_t q = 0;
+  const auto factors = [&](std::size_t count) {
+    for (std::size_t p = 0; p < depth; ++p)
+      for (std::size_t i = 0; i < count; ++i)
+        w[p * count + i] = signs[p] * *l.at(first + q + i, p);
+  };
+  const Columns shifted{l.at(first, 0), l.step};
+  for (; q + together <= columns; q += together) {
+    factors(together);
+    subtract_rows<into, together>(shifted, w, depth, {c.at(0, q), c.step}, aligned(q),
+                                  padded(rows - first));
+  }
+  for (; q < columns; ++q) {
+    factors(1);
+    subtract_rows<into, 1>(shifted, w, depth, {c.at(0, q), c.step}, aligned(q),
+                           padded(rows - first));
+  }
+}
+
+/// The same by BLAS, some columns at a time.
+template <Into into>
+void subtract_large(Columns l,
+                    std::size_t rows,
+                    const float* signs,
+                    std::size_t depth,
+                    std::size_t first,
+                    std::size_t columns,
+                    Columns c,
+                    FrontWork& work) {
+  constexpr std::size_t together = 128;
+  work.factors.resize(std::max(work.factors.size(), depth * together));
+  for (std::size_t q = 0; q < columns; q += together) {
+    const std::size_t count = std::min(together, columns - q);
+    for (std::size_t p = 0; p < depth; ++p)
+      for (std::size_t i = 0; i < count; ++i)
+        work.factors[p * count + i] = signs[p] * *l.at(first + q + i, p);
+    cblas_sgemm(CblasColMajor, CblasNoTrans, CblasTrans, static_cast<int>(rows - first - q),
+                static_cast<int>(count), static_cast<int>(depth), -1.0F, l.at(first + q, 0),
+                static_cast<int>(l.step), work.factors.data(), static_cast<int>(count),
+                into == Into::zero ? 0.0F : 1.0F, c.at(q, q), static_cast<int>(c.step));
+  }
+}
+
+template <Into into>
+void subtract(Columns l,
+              std::size_t rows,
+              const float* signs,
+              std::size_t depth,
+              std::size_t first,
+              std::size_t columns,
+              Columns c,
+              FrontWork& work) {
+  constexpr std::size_t many_rows = 96, deep = 32; // from which on BLAS is faster
+  if (rows - first >= many_rows && depth >= deep && columns >= deep)
+    subtract_large<into>(l, rows, signs, depth, first, columns, c, work);
+  else
+    subtract_small<into>(l, rows, signs, depth, first, columns, c, work);
+}
+
+/// Eliminates columns that the columns before have been taken from, one after another.
+bool eliminate_few(Columns a,
+                   std::size_t rows,
+                   std::size_t count,
+                   const float* least,
+                   float* inverses,
+                   float* signs) {
+  for (std::size_t j = 0; j < count; ++j) {
+    const float pivot = *a.at(j, j);
+    if (!(std::abs(pivot) > least[j]))
+      return false;
+    signs[j] = pivot > 0.0F ? 1.0F : -1.0F;
+    inverses[j] = 1.0F / std::sqrt(std::abs(pivot));
+    const float scale = signs[j] * inverses[j];
+    for (std::size_t i = j + 1; i < rows; ++i)
+      *a.at(i, j) *= scale;
+    for (std::size_t q = j + 1; q < count; ++q) {
+      const float factor = signs[j] * *a.at(q, j);
+      const float* from = a.at(0, j);
+      float* to = a.at(0, q);
+      for (std::size_t i = q; i < rows; ++i)
+        to[i] -= factor * from[i];
+    }
+  }
+  return true;
+}
+
+/// sums(q) = sum of column(i, q) x(i) over the rows from `first` on, whole vectors.
+template <std::size_t columns>
+void add_columns(const float* column,
+                 std::size_t step,
+                 std::size_t first,
+                 const float* x,
+                 float* sums) {
+  Vector sum[columns] = {};
+  for (std::size_t i = first; i < step; i += front_lanes) {
+    const Vector known = load(x + i);
+    for (std::size_t q = 0; q < columns; ++q)
+      sum[q] += load(column + q * step + i) * known;
+  }
+  for (std::size_t q = 0; q < columns; ++q) {
+    sums[q] = 0.0F;
+    for (std::size_t v = 0; v < front_lanes; ++v)
+      sums[q] += sum[q][v];
+  }
+}
+
+} // namespace
+
+bool eliminate(const Panel& panel,
+               const float* least,
+               float* inverses,
+               float* signs,
+               FrontWork& work) {
+  constexpr std::size_t few = front_lanes, many = 8 * front_lanes;
+  const Columns a{panel.values, padded(panel.rows)};
+  for (std::size_t outer = 0; outer < panel.columns; outer += many) {
+    const std::size_t outer_end = std::min(outer + many, panel.columns);
+    for (std::size_t inner = outer; inner < outer_end; inner += few) {
+      const std::size_t inner_end = std::min(inner + few, outer_end);
+      const std::size_t count = inner_end - inner;
+      const Columns block{a.at(inner, inner), a.step};
+      if (!eliminate_few(block, panel.rows - inner, count, least + inner, inverses + inner,
+                         signs + inner))
+        return false;
+      subtract<Into::present>(block, panel.rows - inner, signs + inner, count, count,
+                              outer_end - inner_end, {a.at(inner_end, inner_end), a.step}, work);
+    }
+    subtract<Into::present>({a.at(outer, outer), a.step}, panel.rows - outer, signs + outer,
+                            outer_end - outer, outer_end - outer, panel.columns - outer_end,
+                            {a.at(outer_end, outer_end), a.step}, work);
+  }
+  return true;
+}
+
+void form_complement(const Panel& panel, const float* signs, float* complement, FrontWork& work) {
+  const std::size_t rows = panel.rows - panel.columns;
+  subtract<Into::zero>({panel.values, padded(panel.rows)}, panel.rows, signs, panel.columns,
+                       panel.columns, rows, {complement, padded(rows)}, work);
+}
+
+void substitute_forward(const Panel& panel, const float* inverses, float* x) {
+  const std::size_t step = padded(panel.rows);
+  for (std::size_t first = 0; first < panel.columns; first += front_lanes) {
+    const std::size_t columns = std::min(front_lanes, panel.columns - first);
+    const std::size_t rest = first + front_lanes;
+    const float* values = panel.values + first * step;
+    for (std::size_t j = 0; j < columns; ++j) {
+      const float* column = values + j * step;
+      const std::size_t row = first + j;
+      x[row] *= inverses[row];
+      for (std::size_t i = row + 1; i < rest; ++i)
+        x[i] -= x[row] * column[i];
+    }
+    for (std::size_t i = rest; i < step; i += front_lanes) {
+      Vector sum = load(x + i);
+      for (std::size_t j = 0; j < columns; ++j)
+        sum -= x[first + j] * load(values + j * step + i);
+      store(sum, x + i);
+    }
+  }
+}
+
+void substitute_backward(const Panel& panel, const float* inverses, float* x) {
+  constexpr std::size_t together = 4;
+  const std::size_t step = padded(panel.rows);
+  for (std::size_t end = padded(panel.columns); end > 0; end -= front_lanes) {
+    const std::size_t first = end - front_lanes;
+    const std::size_t columns = std::min(front_lanes, panel.columns - first);
+    const float* values = panel.values + first * step;
+    float sums[front_lanes];
+    std::size_t j = 0;
+    for (; j + together <= columns; j += together)
+      add_columns<together>(values + j * step, step, end, x, sums + j);
+    for (; j < columns; ++j)
+      add_columns<1>(values + j * step, step, end, x, sums + j);
+    for (j = columns; j-- > 0;) {
+      const float* column = values + j * step;
+      const std::size_t row = first + j;
+      for (std::size_t i = row + 1; i < end; ++i)
+        sums[j] += column[i] * x[i];
+      x[row] = (x[row] - sums[j]) * inverses[row];
+    }
+  }
+}
+
+} // namespace billet::mechanics
