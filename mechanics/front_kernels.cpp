@@ -12,11 +12,8 @@ namespace {
 
 using Vector [[gnu::vector_size(front_lanes * sizeof(float))]] = float;
 
-Vector load(const float* from) {
-  Vector v;
-  std::memcpy(&v, from, sizeof v);
-  return v;
-}
+// By reference: what returns a vector is called otherwise where the processor has none so long.
+void load(const float* from, Vector& v) { std::memcpy(&v, from, sizeof v); }
 
 void store(const Vector& v, float* to) { std::memcpy(to, &v, sizeof v); }
 
@@ -46,10 +43,11 @@ void subtract_block(const float* l,
   if constexpr (into == Into::present)
     for (std::size_t v = 0; v < vectors; ++v)
       for (std::size_t q = 0; q < columns; ++q)
-        sum[v][q] = load(c.at(v * front_lanes, q));
+        load(c.at(v * front_lanes, q), sum[v][q]);
   for (std::size_t p = 0; p < depth; ++p)
     for (std::size_t v = 0; v < vectors; ++v) {
-      const Vector rows = load(l + p * l_step + v * front_lanes);
+      Vector rows;
+      load(l + p * l_step + v * front_lanes, rows);
       for (std::size_t q = 0; q < columns; ++q)
         sum[v][q] -= rows * w[p * columns + q];
     }
@@ -85,7 +83,7 @@ void subtract_small(Columns l,
                     std::size_t columns,
                     Columns c,
                     FrontWork& work) {
-  constexpr std::size_t together = 4;
+  constexpr std::size_t together = 6; // sums of two vectors each: what registers hold
   work.factors.resize(std::max(work.factors.size(), depth * together));
   float* w = work.factors.data();
   std::size_t q = 0;
@@ -140,7 +138,7 @@ void subtract(Columns l,
               std::size_t columns,
               Columns c,
               FrontWork& work) {
-  constexpr std::size_t many_rows = 96, deep = 32; // from which on BLAS is faster
+  constexpr std::size_t many_rows = 384, deep = 48; // from which on BLAS is as fast
   if (rows - first >= many_rows && depth >= deep && columns >= deep)
     subtract_large<into>(l, rows, signs, depth, first, columns, c, work);
   else
@@ -183,9 +181,13 @@ void add_columns(const float* column,
                  float* sums) {
   Vector sum[columns] = {};
   for (std::size_t i = first; i < step; i += front_lanes) {
-    const Vector known = load(x + i);
-    for (std::size_t q = 0; q < columns; ++q)
-      sum[q] += load(column + q * step + i) * known;
+    Vector known;
+    load(x + i, known);
+    for (std::size_t q = 0; q < columns; ++q) {
+      Vector values;
+      load(column + q * step + i, values);
+      sum[q] += values * known;
+    }
   }
   for (std::size_t q = 0; q < columns; ++q) {
     sums[q] = 0.0F;
@@ -242,9 +244,13 @@ void substitute_forward(const Panel& panel, const float* inverses, float* x) {
         x[i] -= x[row] * column[i];
     }
     for (std::size_t i = rest; i < step; i += front_lanes) {
-      Vector sum = load(x + i);
-      for (std::size_t j = 0; j < columns; ++j)
-        sum -= x[first + j] * load(values + j * step + i);
+      Vector sum;
+      load(x + i, sum);
+      for (std::size_t j = 0; j < columns; ++j) {
+        Vector column;
+        load(values + j * step + i, column);
+        sum -= x[first + j] * column;
+      }
       store(sum, x + i);
     }
   }

@@ -36,9 +36,9 @@ struct SolverSettings {
 
 /// What the last solution did, for the log and the summary.
 struct SolveReport {
-  std::string_view method; ///< "ldlt-single", "cholmod", "cholmod-gmres", "mumps-ldlt",
-                           ///< "mumps-lu-gmres" (in single precision), "mumps-lu", "umfpack";
-                           ///< "gmres": with an earlier factorization
+  std::string_view method;      ///< "ldlt-single", "cholmod", "cholmod-gmres", "mumps-ldlt",
+                                ///< "mumps-lu-gmres" (in single precision), "mumps-lu", "umfpack";
+                                ///< "gmres": with an earlier factorization
   double relative_residual = 0; ///< of the linear system
 };
 
@@ -170,6 +170,7 @@ private:
   [[nodiscard]] bool factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs);
   /// Whether the factorization at hand gives a solution back that it is given the product of. A
   /// slender body's soft motions are lost in single precision, and a residual does not show it.
+  /// (N.11)
   [[nodiscard]] bool agrees_with_itself(const SparseMatrix& matrix, std::span<const double> rhs);
   /// By the Cholesky factorization of the symmetric neighbour. (C.40)
   [[nodiscard]] Outcome<SolveReport> solve_with_symmetric_part(const SparseMatrix& matrix,

@@ -22,6 +22,19 @@ namespace {
 /// Faces that touch a tool are off it by up to this share of their length.
 constexpr double off = 0.05;
 
+/// How far a place belongs to what touches: 1 among old points that do, falling to 0 halfway to one
+/// that does not. A place that is in or out by a hair would go onto the tool in one system of units
+/// and stay where it is in another.
+double touching_share(const contact::ContactTerm& contact,
+                      std::size_t tool,
+                      const contact::PointSource& source) {
+  double closed = 0.0;
+  for (std::size_t k = 0; k < source.points.size(); ++k)
+    if (source.weights[k] > 0.0 && contact.closed_on(tool, source.points[k]))
+      closed += source.weights[k];
+  return std::clamp(2.0 * closed - 1.0, 0.0, 1.0);
+}
+
 /// Length of the old side that holds a place [mm].
 double chord_at(const PartBoundary& boundary, const geometry::BoundaryPlace& place) {
   const std::vector<Vec2>& corners = boundary.loops[idx(place.loop)].corners;
@@ -157,10 +170,9 @@ Vec3 Process::settled(const contact::PointSource& source,
     if (!contact_->acts(t, time_))
       continue;
     // What touches with nothing near it stays, but not inside the tool.
-    const bool closed = tool.value_or(static_cast<int>(t)) == static_cast<int>(t) &&
-                        contact_->closed_on(t, source.nearest());
-    if (const std::optional<Vec3> there =
-            onto_tool(t, result, {closed ? way.most_gap : 0.0, way.fixed}))
+    const bool touches = tool.value_or(static_cast<int>(t)) == static_cast<int>(t);
+    const double gap = touches ? way.most_gap * touching_share(*contact_, t, source) : 0.0;
+    if (const std::optional<Vec3> there = onto_tool(t, result, {gap, way.fixed}))
       result = *there;
   }
   return result;

@@ -77,6 +77,8 @@ TEST(FrontKernels, leave_the_complement_that_a_dense_elimination_leaves) {
       ASSERT_TRUE(eliminate(problem.panel(), problem.least.data(), problem.inverses.data(),
                             problem.signs.data(), problem.work));
       const std::size_t rest = rows - columns;
+      if (rest == 0)
+        continue;
       std::vector<float> complement(padded(rest) * rest,
                                     std::numeric_limits<float>::quiet_NaN()); // is overwritten
       form_complement(problem.panel(), problem.signs.data(), complement.data(), problem.work);
@@ -111,18 +113,21 @@ TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
       const auto solve = [&](const VectorXd& of) -> VectorXd {
         return problem.block(false, false).partialPivLu().solve(of);
       };
-      const VectorXd below = b.tail(n - k) - problem.block(true, false) * solve(b.head(k));
+      const VectorXd below =
+          n == k ? VectorXd()
+                 : VectorXd(b.tail(n - k) - problem.block(true, false) * solve(b.head(k)));
       constexpr double digits = 1e-5;
       for (Eigen::Index i = k; i < n; ++i)
         ASSERT_NEAR(x[static_cast<std::size_t>(i)], below[i - k], digits) << rows << " " << columns;
       // With the rest known: x1 = A11^-1 (b1 - A12 x2).
-      const VectorXd known = VectorXd::LinSpaced(n - k, 1.0, -0.5);
+      const VectorXd known = n == k ? VectorXd() : VectorXd::LinSpaced(n - k, 1.0, -0.5);
       for (Eigen::Index i = 0; i < k; ++i)
         x[static_cast<std::size_t>(i)] *= problem.signs[static_cast<std::size_t>(i)];
       for (Eigen::Index i = k; i < n; ++i)
         x[static_cast<std::size_t>(i)] = static_cast<float>(known[i - k]);
       substitute_backward(problem.panel(), problem.inverses.data(), x.data());
-      const VectorXd reference = solve(b.head(k) - problem.block(false, true) * known);
+      const VectorXd reference =
+          solve(n == k ? VectorXd(b) : VectorXd(b.head(k) - problem.block(false, true) * known));
       for (Eigen::Index i = 0; i < k; ++i)
         ASSERT_NEAR(x[static_cast<std::size_t>(i)], reference[i], digits) << rows << " " << columns;
     }

@@ -50,17 +50,19 @@ TEST(Remeshing, ComesForWhateverItIsToldTo) {
   }
 }
 
-/// A bar of radius 12 is pressed 0.1 deep into half a block of n x n elements.
-Scene bar_on_block(int n) {
+/// A bar of radius 12 mm is pressed 0.1 mm deep into half a block of n x n elements.
+Scene bar_on_block(int n, ElementKind kind = ElementKind::quad8, double mm = 1.0) {
   Scene scene;
   scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh(
-      {ElementKind::quad8, Vec3::Zero(), Vec3(12, 12, 0), {n, n, 1}, {1, 1, 1}});
+  scene.mesh =
+      mechanics::box_mesh({kind, Vec3::Zero(), mm * Vec3(12, 12, 0), {n, n, 1}, {1, 1, 1}});
   scene.material = billet_steel();
   scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
-  constexpr double radius = 12.0, depth = 0.1;
-  scene.tools.push_back(moving_tool(
-      "bar", geometry::make_circle(Vec3(0, 12.0 + radius, 0), radius, false), -Vec3::UnitY()));
+  const double radius = 12.0 * mm;
+  constexpr double depth = 0.1;
+  scene.tools.push_back(
+      moving_tool("bar", geometry::make_circle(Vec3(0, 12.0 * mm + radius, 0), radius, false),
+                  -mm * Vec3::UnitY()));
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
   scene.contact.form = contact::Form::compatible;
   scene.stages.push_back({"press", depth, {1}, false});
@@ -148,18 +150,19 @@ TEST(Remeshing, ResolvesAllThatComesToTouchAtOnce) {
   EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
 }
 
-/// A punch, half 5 wide, with edges of radius 1.5 is pressed 1 deep into half a block of n x n.
-Scene punch_in_block(int n) {
-  Scene scene = bar_on_block(n);
-  constexpr double radius = 1.5, half_width = 5.0, height = 8.0;
+/// A punch, half 5 mm wide, with edges of radius 1.5 mm is pressed 1 mm deep into half a block of
+/// n x n elements.
+Scene punch_in_block(int n, ElementKind kind = ElementKind::quad8, double mm = 1.0) {
+  Scene scene = bar_on_block(n, kind, mm);
+  const double radius = 1.5 * mm, half_width = 5.0 * mm, height = 8.0 * mm;
   geometry::Profile profile;
-  profile.start = Vec2(-2.0, 0.0);
+  profile.start = Vec2(-2.0 * mm, 0.0);
   profile.segments = {{Vec2(half_width - radius, 0.0), 0.0},
                       {Vec2(half_width, radius), radius},
                       {Vec2(half_width, height), 0.0}};
   geometry::SurfacePtr punch = geometry::make_profile(profile);
-  scene.tools[0] = moving_tool("punch", std::move(punch), -Vec3::UnitY());
-  scene.tools[0].motion.offset = Vec3(0, 12, 0);
+  scene.tools[0] = moving_tool("punch", std::move(punch), -mm * Vec3::UnitY());
+  scene.tools[0].motion.offset = Vec3(0, 12.0 * mm, 0);
   scene.stages[0].end = 1.0;
   scene.landing_times = {0.25, 0.5, 0.75};
   return scene;
@@ -183,6 +186,35 @@ TEST(Remeshing, ComesWhereSidesCutOffTheEdgeOfATool) {
   EXPECT_LE(done.process->remeshings().size(), 4u) << "a sharp edge is no reason for ever";
   EXPECT_LT(worst, 0.006);
   EXPECT_GT(worst_kept, 0.009);
+}
+
+/// Nodes of a new mesh that lay halfway between a point that touches and one that does not went
+/// onto the tool or stayed by a hair: 341 elements in metres, 349 in millimetres.
+TEST(Remeshing, AtTheEdgeOfAToolDoesNotDependOnTheUnits) {
+  const auto pressed = [](double mm) {
+    Scene scene = punch_in_block(8, ElementKind::quad4, mm);
+    scene.remesh = RemeshSettings{};
+    const FinishedRun done = run(std::move(scene));
+    EXPECT_EQ(done.status, RunStatus::done);
+    std::vector<double> all;
+    for (const RemeshReport& r : done.process->remeshings())
+      all.insert(all.end(),
+                 {static_cast<double>(r.elements[1]), r.time, r.forces[0].after / (mm * 5e3)});
+    for (const Entry& entry : done.recorder.entries)
+      all.push_back(entry.loads[0].force[1] / (mm * 5e3));
+    return all;
+  };
+  const std::vector<double> reference = pressed(1.0);
+  for (const double mm : {1e-3, 0.7}) {
+    const std::vector<double> other = pressed(mm);
+    ASSERT_EQ(other.size(), reference.size()) << mm;
+    double most = 0.0;
+    for (std::size_t i = 0; i < other.size(); ++i)
+      most = std::max(most, std::abs(other[i] - reference[i]));
+    std::printf("mm = %g: %.1e off\n", mm, most);
+    constexpr double tolerance = 1e-8; // rounding, seen through Newton's tolerance
+    EXPECT_LT(most, tolerance) << mm;
+  }
 }
 
 TEST(Remeshing, DoesNotFollowACornerForEver) {
