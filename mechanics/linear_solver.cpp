@@ -40,7 +40,7 @@ constexpr double exact = 1e-10;
 constexpr int most_iterations = 24;
 
 /// Relative difference of two solutions in single precision that says that they are to be trusted.
-constexpr double trusted = 1e-4;
+constexpr double trusted = 1e-3;
 
 } // namespace
 
