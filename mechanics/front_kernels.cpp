@@ -72,77 +72,61 @@ void subtract_rows(Columns l,
 }
 
 /// C -= L S R^T below the diagonal, R the rows of L from `first` on, one for each column of C.
-///
-/// @param c  its row and column 0 are row `first` of L
-template <Into into>
-void subtract_small(Columns l,
-                    std::size_t rows,
-                    const float* signs,
-                    std::size_t depth,
-                    std::size_t first,
-                    std::size_t columns,
-                    Columns c,
-                    FrontWork& work) {
-  constexpr std::size_t together = 6; // sums of two vectors each: what registers hold
-  work.factors.resize(std::max(work.factors.size(), depth * together));
-  float* w = work.factors.data();
-  std::size_t q = 0;
-  const auto factors = [&](std::size_t count) {
+struct Product {
+  Columns l;
+  std::size_t rows; ///< of L
+  const float* signs;
+  std::size_t depth; ///< columns of L
+  std::size_t first;
+  std::size_t columns; ///< of C
+  Columns c;           ///< its row and column 0 are row `first` of L
+
+  /// S R^T for columns `q` to `q + count` of C, each row's numbers side by side.
+  void factors(std::size_t q, std::size_t count, float* w) const {
     for (std::size_t p = 0; p < depth; ++p)
       for (std::size_t i = 0; i < count; ++i)
         w[p * count + i] = signs[p] * *l.at(first + q + i, p);
-  };
-  const Columns shifted{l.at(first, 0), l.step};
-  for (; q + together <= columns; q += together) {
-    factors(together);
-    subtract_rows<into, together>(shifted, w, depth, {c.at(0, q), c.step}, aligned(q),
-                                  padded(rows - first));
   }
-  for (; q < columns; ++q) {
-    factors(1);
-    subtract_rows<into, 1>(shifted, w, depth, {c.at(0, q), c.step}, aligned(q),
-                           padded(rows - first));
+};
+
+template <Into into> void subtract_small(const Product& of, FrontWork& work) {
+  constexpr std::size_t together = 6; // sums of two vectors each: what registers hold
+  work.factors.resize(std::max(work.factors.size(), of.depth * together));
+  float* w = work.factors.data();
+  const Columns l{of.l.at(of.first, 0), of.l.step};
+  const std::size_t end = padded(of.rows - of.first);
+  std::size_t q = 0;
+  for (; q + together <= of.columns; q += together) {
+    of.factors(q, together, w);
+    subtract_rows<into, together>(l, w, of.depth, {of.c.at(0, q), of.c.step}, aligned(q), end);
+  }
+  for (; q < of.columns; ++q) {
+    of.factors(q, 1, w);
+    subtract_rows<into, 1>(l, w, of.depth, {of.c.at(0, q), of.c.step}, aligned(q), end);
   }
 }
 
-/// The same by BLAS, some columns at a time.
-template <Into into>
-void subtract_large(Columns l,
-                    std::size_t rows,
-                    const float* signs,
-                    std::size_t depth,
-                    std::size_t first,
-                    std::size_t columns,
-                    Columns c,
-                    FrontWork& work) {
+/// By BLAS, some columns at a time.
+template <Into into> void subtract_large(const Product& of, FrontWork& work) {
   constexpr std::size_t together = 128;
-  work.factors.resize(std::max(work.factors.size(), depth * together));
-  for (std::size_t q = 0; q < columns; q += together) {
-    const std::size_t count = std::min(together, columns - q);
-    for (std::size_t p = 0; p < depth; ++p)
-      for (std::size_t i = 0; i < count; ++i)
-        work.factors[p * count + i] = signs[p] * *l.at(first + q + i, p);
-    cblas_sgemm(CblasColMajor, CblasNoTrans, CblasTrans, static_cast<int>(rows - first - q),
-                static_cast<int>(count), static_cast<int>(depth), -1.0F, l.at(first + q, 0),
-                static_cast<int>(l.step), work.factors.data(), static_cast<int>(count),
-                into == Into::zero ? 0.0F : 1.0F, c.at(q, q), static_cast<int>(c.step));
+  work.factors.resize(std::max(work.factors.size(), of.depth * together));
+  for (std::size_t q = 0; q < of.columns; q += together) {
+    const std::size_t count = std::min(together, of.columns - q);
+    of.factors(q, count, work.factors.data());
+    cblas_sgemm(CblasColMajor, CblasNoTrans, CblasTrans, static_cast<int>(of.rows - of.first - q),
+                static_cast<int>(count), static_cast<int>(of.depth), -1.0F,
+                of.l.at(of.first + q, 0), static_cast<int>(of.l.step), work.factors.data(),
+                static_cast<int>(count), into == Into::zero ? 0.0F : 1.0F, of.c.at(q, q),
+                static_cast<int>(of.c.step));
   }
 }
 
-template <Into into>
-void subtract(Columns l,
-              std::size_t rows,
-              const float* signs,
-              std::size_t depth,
-              std::size_t first,
-              std::size_t columns,
-              Columns c,
-              FrontWork& work) {
+template <Into into> void subtract(const Product& of, FrontWork& work) {
   constexpr std::size_t many_rows = 384, deep = 48; // from which on BLAS is as fast
-  if (rows - first >= many_rows && depth >= deep && columns >= deep)
-    subtract_large<into>(l, rows, signs, depth, first, columns, c, work);
+  if (of.rows - of.first >= many_rows && of.depth >= deep && of.columns >= deep)
+    subtract_large<into>(of, work);
   else
-    subtract_small<into>(l, rows, signs, depth, first, columns, c, work);
+    subtract_small<into>(of, work);
 }
 
 /// Eliminates columns that the columns before have been taken from, one after another.
@@ -214,20 +198,37 @@ bool eliminate(const Panel& panel,
       if (!eliminate_few(block, panel.rows - inner, count, least + inner, inverses + inner,
                          signs + inner))
         return false;
-      subtract<Into::present>(block, panel.rows - inner, signs + inner, count, count,
-                              outer_end - inner_end, {a.at(inner_end, inner_end), a.step}, work);
+      subtract<Into::present>({block,
+                               panel.rows - inner,
+                               signs + inner,
+                               count,
+                               count,
+                               outer_end - inner_end,
+                               {a.at(inner_end, inner_end), a.step}},
+                              work);
     }
-    subtract<Into::present>({a.at(outer, outer), a.step}, panel.rows - outer, signs + outer,
-                            outer_end - outer, outer_end - outer, panel.columns - outer_end,
-                            {a.at(outer_end, outer_end), a.step}, work);
+    subtract<Into::present>({{a.at(outer, outer), a.step},
+                             panel.rows - outer,
+                             signs + outer,
+                             outer_end - outer,
+                             outer_end - outer,
+                             panel.columns - outer_end,
+                             {a.at(outer_end, outer_end), a.step}},
+                            work);
   }
   return true;
 }
 
 void form_complement(const Panel& panel, const float* signs, float* complement, FrontWork& work) {
   const std::size_t rows = panel.rows - panel.columns;
-  subtract<Into::zero>({panel.values, padded(panel.rows)}, panel.rows, signs, panel.columns,
-                       panel.columns, rows, {complement, padded(rows)}, work);
+  subtract<Into::zero>({{panel.values, padded(panel.rows)},
+                        panel.rows,
+                        signs,
+                        panel.columns,
+                        panel.columns,
+                        rows,
+                        {complement, padded(rows)}},
+                       work);
 }
 
 void substitute_forward(const Panel& panel, const float* inverses, float* x) {

@@ -179,6 +179,24 @@ TEST_F(Results, the_resolved_case_in_space_runs_again_beside_its_dies) {
             read_table(second / "history.csv").without_wall_time());
 }
 
+TEST_F(Results, contact_frames_hold_the_points_of_contact_faces_alone) {
+  const auto count = [](const std::string& file, const std::string& of) {
+    const std::string key = "NumberOf" + of + "=\"";
+    return std::stoi(file.substr(file.find(key) + key.size()));
+  };
+  const auto frames = run("press", upsetting) / "frames";
+  const std::string contact = whole_file(frames / "contact_0001.vtp");
+  const int lines = count(contact, "Lines");
+  const int points = count(contact, "Points");
+  EXPECT_GT(lines, 0);
+  EXPECT_TRUE(points == lines + 1 || points == 2 * lines + 1)
+      << points << " of " << lines; // a chain
+  EXPECT_LT(points, count(whole_file(frames / "workpiece_0001.vtu"), "Points"));
+  const auto solid = run_3d() / "frames";
+  EXPECT_LT(count(whole_file(solid / "contact_0001.vtp"), "Points"),
+            count(whole_file(solid / "workpiece_0001.vtu"), "Points"));
+}
+
 TEST_F(Results, frames_are_written_at_the_times_asked_for) {
   const auto folder = run("tiny", unloading);
   const std::vector<double> expected{0.0, 0.013, 0.03, 0.06, 0.09, 0.12, 0.15, 0.18, 0.2};

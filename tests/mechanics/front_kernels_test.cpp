@@ -55,7 +55,7 @@ struct Problem {
 };
 
 /// Below, at and above the sizes at which the products change their way.
-constexpr std::array<std::pair<std::size_t, std::size_t>, 14> sizes{{{1, 1},
+constexpr std::array<std::pair<std::size_t, std::size_t>, 16> sizes{{{1, 1},
                                                                      {2, 1},
                                                                      {7, 3},
                                                                      {8, 8},
@@ -68,7 +68,9 @@ constexpr std::array<std::pair<std::size_t, std::size_t>, 14> sizes{{{1, 1},
                                                                      {150, 70},
                                                                      {203, 131},
                                                                      {257, 40},
-                                                                     {300, 300}}};
+                                                                     {300, 300},
+                                                                     {520, 60},
+                                                                     {700, 450}}};
 
 TEST(FrontKernels, leave_the_complement_that_a_dense_elimination_leaves) {
   for (const auto& [rows, columns] : sizes)

@@ -56,34 +56,44 @@ void expect_same(const Field& field, vtkDataArray* array) {
   }
 }
 
+/// Writes a frame over a mesh; VTK reads the same from it.
+void expect_read_back(const Mesh& mesh, int type) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "w.vtu";
+  const WorkpieceFrame frame = sample(mesh);
+  write_vtu(path, frame);
+  const vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  ASSERT_EQ(grid->GetNumberOfCells(), mesh.n_elements());
+  ASSERT_EQ(grid->GetNumberOfPoints(), mesh.n_points());
+  EXPECT_EQ(grid->GetCellType(0), type);
+  for (Index i = 0; i < mesh.n_points(); ++i) {
+    Vec3 point;
+    grid->GetPoint(i, point.data());
+    EXPECT_EQ(point, mesh.points[static_cast<std::size_t>(i)]);
+  }
+  for (const Field& field : frame.point_fields)
+    expect_same(field, grid->GetPointData()->GetArray(field.name.c_str()));
+  expect_same(frame.cell_fields[0], grid->GetCellData()->GetArray("element_quality"));
+}
+
 TEST(VtkWriter, vtk_reads_back_cells_points_and_fields_to_the_bit) {
   for (const auto& [kind, type] : {std::pair{ElementKind::quad4, 9},
                                    {ElementKind::quad8, 23},
                                    {ElementKind::tri6, 22},
                                    {ElementKind::hex8, 12},
                                    {ElementKind::hex20, 25},
-                                   {ElementKind::tet10, 24}}) {
-    const TemporaryFolder folder;
-    const auto path = folder.path() / "w.vtu";
-    const Mesh mesh = mechanics::box_mesh({.kind = kind, .cells = {2, 2, 1}, .grading = {3, 1, 1}});
-    const WorkpieceFrame frame = sample(mesh);
-    write_vtu(path, frame);
-    const vtkNew<vtkXMLUnstructuredGridReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    vtkUnstructuredGrid* grid = reader->GetOutput();
-    ASSERT_EQ(grid->GetNumberOfCells(), mesh.n_elements());
-    ASSERT_EQ(grid->GetNumberOfPoints(), mesh.n_points());
-    EXPECT_EQ(grid->GetCellType(0), type);
-    for (Index i = 0; i < mesh.n_points(); ++i) {
-      Vec3 point;
-      grid->GetPoint(i, point.data());
-      EXPECT_EQ(point, mesh.points[static_cast<std::size_t>(i)]);
-    }
-    for (const Field& field : frame.point_fields)
-      expect_same(field, grid->GetPointData()->GetArray(field.name.c_str()));
-    expect_same(frame.cell_fields[0], grid->GetCellData()->GetArray("element_quality"));
-  }
+                                   {ElementKind::tet10, 24}})
+    expect_read_back(mechanics::box_mesh({.kind = kind, .cells = {2, 2, 1}, .grading = {3, 1, 1}}),
+                     type);
+}
+
+TEST(VtkWriter, packs_large_frames_and_small_ones_in_turn) {
+  for (const int cells : {90, 2, 90, 2}) // 1 MB in blocks of 32 kB each, a kilobyte
+    expect_read_back(mechanics::box_mesh({.kind = ElementKind::quad4, .cells = {cells, cells, 1}}),
+                     9);
 }
 
 TEST(VtkWriter, time_notes_and_units_are_in_the_field_data) {
