@@ -86,7 +86,7 @@ public:
   }
 
   void release() override {
-    values_ = {};
+    free_memory(values_);
     if (factor_->xtype != CHOLMOD_PATTERN)
       cholmod_change_factor(CHOLMOD_PATTERN, 1, 1, 1, 1, factor_, &common_);
   }

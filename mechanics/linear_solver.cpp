@@ -320,7 +320,7 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
   if (outcome)
     ++work_.nearly_symmetric;
   else
-    symmetric_part_.values = {}; // LU needs the memory
+    free_memory(symmetric_part_.values); // LU needs the memory
   symmetric_patience_.take(bool(outcome));
   return outcome;
 }

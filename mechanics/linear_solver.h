@@ -83,6 +83,9 @@ public:
   [[nodiscard]] virtual FactorCost cost() const = 0;
 };
 
+/// Gives a vector's memory back, which assigning {} would keep.
+template <class T> void free_memory(std::vector<T>& values) { std::vector<T>().swap(values); }
+
 /// Fill-reducing order of the unknowns: new position i holds unknown order[i].
 [[nodiscard]] std::vector<Index> fill_reducing_order(const BlockPattern& pattern);
 

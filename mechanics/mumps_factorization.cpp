@@ -153,9 +153,9 @@ private:
   }
 
   void forget_entries() {
-    rows_ = {};
-    columns_ = {};
-    values_ = {};
+    free_memory(rows_);
+    free_memory(columns_);
+    free_memory(values_);
     mumps_.irn = nullptr;
     mumps_.jcn = nullptr;
     mumps_.a = nullptr;

@@ -32,8 +32,8 @@ public:
   [[nodiscard]] bool factorize(const SparseMatrix& matrix) override;
   void solve(std::span<double> rhs) override;
   void release() override {
-    values_ = {};
-    stack_ = {};
+    free_memory(values_);
+    free_memory(stack_);
   }
   [[nodiscard]] FactorCost cost() const override {
     return {elimination_->flops(), elimination_->entries(), sizeof(float)};

@@ -48,7 +48,7 @@ public:
 
   void release() override {
     umfpack_di_free_numeric(&numeric_);
-    values_ = {};
+    free_memory(values_);
   }
 
   [[nodiscard]] FactorCost cost() const override {
