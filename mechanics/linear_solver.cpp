@@ -39,9 +39,9 @@ constexpr double exact = 1e-10;
 /// Iterations with a neighbour of the matrix: more cost more than an LU does.
 constexpr int most_iterations = 24;
 
-/// Relative correction of a solution in single precision up to which it is trusted. Each iteration
+/// Relative correction of a solution in single precision that leaves it trusted. Each iteration
 /// lessens what is wrong in it by that factor. (N.11)
-double trusted(const FactorCost& cost) {
+double largest_correction(const FactorCost& cost) {
   constexpr double few = 1e7; // entries: a factor in double precision costs little
   constexpr double strict = 1e-4, enough = 1e-3;
   return cost.entries > few ? enough : strict;
@@ -270,7 +270,7 @@ bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<cons
     first_[1][i] = rhs[i] - first_[1][i];
   last_->solve(first_[1]);
   work_.substitutions += 2;
-  return norm(first_[1]) <= trusted(last_->cost()) * norm(first_[0]); // false for NaN
+  return norm(first_[1]) <= largest_correction(last_->cost()) * norm(first_[0]); // false for NaN
 }
 
 bool LinearSolver::factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs) {
