@@ -19,6 +19,9 @@ using mechanics::FacePoint;
 /// decide which springs press.
 constexpr double dead_zone = 1e-9;
 
+/// Of the springs, over the largest contact pressure of their face.
+constexpr double most_pressures = 10.0;
+
 template <class Shape> using Mixed = typename mechanics::FaceRules<Shape>::Lower;
 template <class Shape> using Full = typename mechanics::FaceRules<Shape>::Full;
 
@@ -107,6 +110,11 @@ void FaceStabilization::set(const ContactSurface& surface,
         if (std::none_of(own.begin(), own.end(),
                          [](const PointHistory& point) { return point.closed(); }))
           continue;
+        double pressure = 0.0;
+        for (const PointHistory& point : own)
+          if (point.closed())
+            pressure = std::max(pressure, point.pressure);
+        const double deepest = most_pressures * pressure / stiffness;
         mechanics::gather(x, surface.scatter().nodes(f), dim, local.data());
         std::array<Vec3, n_points + n_places> places;
         std::array<double, n_places> areas{};
@@ -130,7 +138,7 @@ void FaceStabilization::set(const ContactSurface& surface,
           for (std::size_t m = 0; m < n_points; ++m)
             rest -= rest_of<Shape>().points(place, static_cast<int>(m)) * feet[m].gap;
           springs_.push_back({f, place, normal, stiffness * areas[q],
-                              std::max(rest, foot.gap) + dead_zone * surface.depth(f),
+                              std::max({rest, foot.gap, -deepest}) + dead_zone * surface.depth(f),
                               along<Shape>(place, normal, local)});
         }
       }

@@ -29,7 +29,9 @@ public:
 
   /// Sets springs on the faces of which a point touches the tool. They press where a place is both
   /// inside the tool and deeper than its face's points make it, by the lesser of the two: what
-  /// bridges a groove is not pulled down, and a force begins and ends with nothing.
+  /// bridges a groove is not pulled down, and a force begins and ends with nothing. Nor do they
+  /// press more than ten times what the face's points do: a slender part's corner can be deep
+  /// inside before a point beside it closes.
   ///
   /// @param history    of the contact points, shape (n_points)
   /// @param x          shape (n_dofs) [mm]

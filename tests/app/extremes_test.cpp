@@ -169,5 +169,39 @@ TEST(Extremes, a_strip_through_a_roll_ends_by_name) {
     }
 }
 
+TEST(Extremes, a_slender_strip_bends_and_no_more) {
+  // Clamped, 400 times as long as thick; the nose slides over sides that hardly press on it.
+  constexpr double length = 380, thickness = 1, deflection = 36, young = 200e3, poisson = 0.3;
+  const TemporaryFolder folder;
+  write_text(folder.path() / "case.toml", R"(analysis = "plane-strain"
+workpiece = { element = "quad8", material = "steel", mesh = { box = [[0, 0], [400, 1]], cells = [200, 2] } }
+[material.steel]
+elastic = { young = 200e3, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 1000 }
+[[support]]
+where = "x = 0"
+fix = ["x", "y"]
+[[tool]]
+name = "nose"
+surface = { circle = { centre = [380, 6], radius = 5 } }
+motion = { velocity = [0, -60] }
+friction = { law = "coulomb", mu = 0.2 }
+[time]
+end = 0.6
+)");
+  const Outcome outcome = billet({"run", "case.toml", "--quiet", "-o", "out"}, folder.path());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto summary = nlohmann::json::parse(whole_file(folder.path() / "out/summary.json"));
+  const auto& energy = summary["energy"];
+  const double stiffness = 3 * young / (1 - poisson * poisson) * std::pow(thickness, 3) / 12 /
+                           std::pow(length, 3); // Bernoulli
+  const double work = 0.5 * stiffness * deflection * deflection;
+  fmt::print("[extremes] slender strip: work {:.4f} N mm, of a beam {:.4f}, plastic {:.4f}\n",
+             energy["external_work"].get<double>(), work, energy["plastic_work"].get<double>());
+  EXPECT_NEAR(energy["external_work"].get<double>(), work, 0.01 * work);
+  EXPECT_EQ(energy["plastic_work"].get<double>(), 0.0);
+  EXPECT_LE(energy["relative_error"].get<double>(), 5e-3);
+}
+
 } // namespace
 } // namespace billet::test::extremes_test
