@@ -201,8 +201,8 @@ template <class Element, Analysis analysis> struct Kernel {
     SquareLanes<3, points> b;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        for (int g = 0; g < points; ++g)
-          b[i][j].set(g, old[idx(g)].b_e(static_cast<int>(i), static_cast<int>(j)));
+        b[i][j] = AtPoints::of(
+            [&](int g) { return old[idx(g)].b_e(static_cast<int>(i), static_cast<int>(j)); });
     const SquareLanes<3, points> fb = product(f, b, false);
     const SquareLanes<3, points> fbf = product(fb, f, true);
     for (std::size_t i = 0; i < 3; ++i)
@@ -232,11 +232,10 @@ template <class Element, Analysis analysis> struct Kernel {
         {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
     std::array<Lanes<n_strains>, 3> first; // of each axis, the components that the strains take
     std::array<Lanes<n_strains>, 3> second;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int s = 0; s < n_strains; ++s) {
-        first[idx(axis)].set(s, n(pair[idx(s)][0], axis));
-        second[idx(axis)].set(s, n(pair[idx(s)][1], axis));
-      }
+    for (int axis = 0; axis < 3; ++axis) {
+      first[idx(axis)] = Lanes<n_strains>::of([&](int s) { return n(pair[idx(s)][0], axis); });
+      second[idx(axis)] = Lanes<n_strains>::of([&](int s) { return n(pair[idx(s)][1], axis); });
+    }
     Moduli T;
     for (int row = 0; row < n_strains; ++row) {
       const std::size_t p = idx(pair[idx(row)][0]);
@@ -265,11 +264,11 @@ template <class Element, Analysis analysis> struct Kernel {
   /// Adds `scale` * (I (x) I * trace_part - 2 * unit_part * II) to moduli.
   static void add_pressure(Moduli& D, double trace_part, double unit_part) {
     for (int i = 0; i < n_strains; ++i)
-      for (int j = 0; j < n_strains; ++j) {
+      D[idx(i)] += Lanes<n_strains>::of([&](int j) {
         const double trace = i < 3 && j < 3 ? trace_part : 0.0;
         const double unit = i != j ? 0.0 : i < 3 ? 2.0 * unit_part : unit_part;
-        D[idx(i)].set(j, D[idx(i)][j] + (trace - unit));
-      }
+        return trace - unit;
+      });
   }
 
   /// Strain component of the gradient of displacement i in direction l; none: it has none.
@@ -375,6 +374,7 @@ template <class Element, Analysis analysis> struct Kernel {
     for (int g = 0; g < points; ++g)
       v += volume[g];
     const double theta = v / V0;
+    const double log_theta = std::log(theta);
     for (int g = 0; g < points; ++g) {
       const DeviatoricResponse& response_at = response[idx(g)];
       out.trial[idx(g)] = response_at.state;
@@ -384,12 +384,10 @@ template <class Element, Analysis analysis> struct Kernel {
           std::max(out.largest_plastic_increment, response_at.plastic_increment);
       const double dV = in.volumes[idx(g)];
       // Pressure times J: of the element's mean dilatation, or of the point's own.
-      const double p = Element::mean_dilatation ? kappa * std::log(theta) / theta * volume[g] / dV
+      const double p = Element::mean_dilatation ? kappa * log_theta / theta * volume[g] / dV
                                                 : kappa * response_at.log_J;
-      const Mat3& n = response_at.predictor.vectors;
-      Mat3 tau = n * response_at.s.asDiagonal() * n.transpose();
-      tau.diagonal().array() += p;
-      tau *= dV;
+      Mat3 tau = dV * response_at.deviator;
+      tau.diagonal().array() += dV * p;
       add_force(force, slope[idx(g)], tau);
       if (out.tangent == nullptr)
         continue;
@@ -404,7 +402,7 @@ template <class Element, Analysis analysis> struct Kernel {
         out.force[a * dim + i] = force[idx(i)][a];
     if (out.tangent != nullptr) {
       if constexpr (Element::mean_dilatation)
-        add_dyad(K, kappa * (1.0 - std::log(theta)) / (theta * theta * V0), dilatation);
+        add_dyad(K, kappa * (1.0 - log_theta) / (theta * theta * V0), dilatation);
       spread(K, out.tangent);
     }
     return ElementStatus::good;

@@ -6,19 +6,29 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace billet::mechanics {
 
-/// `n` numbers; sums, products and quotients go number by number. What a vector has behind the last
-/// one takes part, be it as 0 / 0, and is never read.
+/// `n` numbers; sums, products, quotients and roots go number by number. What a vector has behind
+/// the last one takes part, be it as 0 / 0, and is never read.
 template <int n> class Lanes {
 public:
   Lanes() = default; ///< zeros
   static Lanes constant(double value) {
     Lanes all;
     for (Part& part : all.parts_)
-      part.values = part.values + value;
+      part.values = value - Vector{}; // of x + 0 the compiler must not make x, for x may be -0
+    return all;
+  }
+  /// `value_of(i)` at i. Numbers set one by one would be waited for by what reads them together.
+  template <class Function> static Lanes of(Function&& value_of) {
+    Lanes all;
+    for (std::size_t k = 0; k < n_parts; ++k)
+      all.parts_[k] =
+          gathered(value_of, static_cast<int>(k) * width, std::make_integer_sequence<int, width>());
     return all;
   }
 
@@ -58,6 +68,10 @@ public:
     return result;
   }
 
+  friend Lanes sqrt(const Lanes& a) {
+    return of([&](int i) { return std::sqrt(a[i]); });
+  }
+
 private:
   static constexpr int width = n <= 2 ? 2 : n <= 4 ? 4 : 8;
   static constexpr std::size_t n_parts = static_cast<std::size_t>((n + width - 1) / width);
@@ -66,6 +80,11 @@ private:
   struct Part {
     Vector values;
   };
+
+  template <class Function, int... i>
+  static Part gathered(Function& value_of, int first, std::integer_sequence<int, i...>) {
+    return {Vector{(first + i < n ? value_of(first + i) : 0.0)...}};
+  }
 
   std::array<Part, n_parts> parts_{};
 };

@@ -6,6 +6,7 @@
 
 #include "geometry/base/vector.h"
 
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -26,18 +27,26 @@ struct Spectral {
 /// give small eigenvalues to the same relative accuracy as large ones.
 void spectral(std::span<const Mat3> A, std::span<Spectral> out);
 
+/// Coefficients of artanh(z) / z in powers of z^2, the last first.
+inline constexpr std::array<double, 11> artanh_series{
+    1.0 / 21.0, 1.0 / 19.0, 1.0 / 17.0, 1.0 / 15.0, 1.0 / 13.0, 1.0 / 11.0,
+    1.0 / 9.0,  1.0 / 7.0,  1.0 / 5.0,  1.0 / 3.0,  1.0};
+
+/// Whether that series is exact to rounding: where ln((1 + z) / (1 - z)) is half of ln 2 or less.
+[[nodiscard]] inline bool artanh_series_serves(double z) { return std::abs(z) <= 0.1715; }
+
 /// (ln a - ln b) / (a - b) * b for a, b > 0: exact to rounding for equal and nearly equal
 /// arguments, which need no perturbation. (M.8)
 [[nodiscard]] inline double log_difference(double a, double b) {
-  const double x = (a - b) / b;
-  constexpr double small = 1.0 / 64.0; // as elastic strains of metals are: nine terms do
-  if (std::abs(x) < small) {
-    double sum = 0.0;
-    for (int n = 9; n >= 1; --n)
-      sum = 1.0 / n - x * sum;
-    return sum;
+  const double z = (a - b) / (a + b);
+  if (!artanh_series_serves(z)) {
+    const double x = (a - b) / b;
+    return std::log1p(x) / x;
   }
-  return std::log1p(x) / x;
+  double sum = 0.0;
+  for (const double coefficient : artanh_series)
+    sum = coefficient + z * z * sum;
+  return 2.0 * b / (a + b) * sum;
 }
 
 } // namespace billet::mechanics

@@ -1,6 +1,8 @@
 #include "mechanics/materials/j2_hencky.h"
 
+#include "geometry/base/index.h"
 #include "mechanics/elements/quadrature.h"
+#include "mechanics/lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -120,58 +122,201 @@ solve_return(const Law& law, double mu, double q, double old, const PointConditi
   return flows() ? std::nullopt : std::optional(Return{0.0, 1.0, 0.0});
 }
 
-/// Moduli in principal axes from the scaled elastic ones; `share` is (M.7)'s gamma-bar.
-void set_moduli(DeviatoricResponse& out,
-                double mu,
-                double beta,
-                double share,
-                const Vec3& direction) {
-  out.normal_moduli = 2.0 * mu * beta * (Mat3::Identity() - Mat3::Constant(1.0 / 3.0)) -
-                      2.0 * mu * share * direction * direction.transpose();
-  out.normal_moduli.diagonal() -= 2.0 * out.s;
-  const Vec3& b = out.predictor.values;
-  for (int k = 0; k < 3; ++k) {
-    const int i = k == 2 ? 0 : k;
-    const int j = k == 2 ? 2 : k + 1;
-    out.shear_moduli[k] = mu * beta * log_difference(b[i], b[j]) - out.s[j];
+/// Points that are updated side by side: as many as a vector of the processor holds numbers.
+constexpr int at_once = 4;
+using Row = Lanes<at_once>;           ///< a number of each point
+using Principal = std::array<Row, 3>; ///< of each principal axis
+
+/// What a series gives, or the function itself for points that it does not serve; what a point gets
+/// does not depend on the others.
+template <class Serves, class Function>
+Row mended(const Row& values, Serves serves, Function function) {
+  bool all = true;
+  for (int l = 0; l < at_once; ++l)
+    all = all && serves(l);
+  return all ? values : Row::of([&](int l) { return serves(l) ? values[l] : function(l); });
+}
+
+/// artanh(z) / z.
+Row artanh_per_z(const Row& z) {
+  const Row squares = z * z;
+  Row sum;
+  for (const double coefficient : artanh_series)
+    sum = Row::constant(coefficient) + squares * sum;
+  return sum;
+}
+
+Row log_of(const Row& b) {
+  const Row one = Row::constant(1.0);
+  const Row z = (b - one) / (b + one);
+  return mended(
+      2.0 * (z * artanh_per_z(z)), [&](int l) { return artanh_series_serves(z[l]); },
+      [&](int l) { return std::log(b[l]); });
+}
+
+Row exp_of(const Row& x) {
+  constexpr double near = 1.0 / 32.0; // likewise
+  const Row one = Row::constant(1.0);
+  Row result = one;
+  for (const double n : {9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0})
+    result = one + ((1.0 / n) * x) * result;
+  return mended(
+      result, [&](int l) { return std::abs(x[l]) <= near; }, [&](int l) { return std::exp(x[l]); });
+}
+
+/// `log_difference` of a and b.
+Row log_differences(const Row& a, const Row& b) {
+  const Row per_sum = Row::constant(1.0) / (a + b);
+  const Row z = (a - b) * per_sum;
+  return mended(
+      2.0 * (b * per_sum) * artanh_per_z(z), [&](int l) { return artanh_series_serves(z[l]); },
+      [&](int l) { return log_difference(a[l], b[l]); });
+}
+
+/// A batch of points on its way from the predictors to the responses.
+struct Batch {
+  std::array<DeviatoricResponse*, at_once> out; ///< with the predictors' decompositions
+  Principal b;                                  ///< squared principal stretches of the predictors
+  Row log_J;                                    ///< ln J
+  Principal eps;                                ///< deviatoric principal strains of the predictors
+  Row norm;                                     ///< of the predictors' deviatoric stress [MPa]
+  Row beta;                                     ///< share of the stress that is left; 1: elastic
+  Row share;                                    ///< (M.7)'s gamma-bar; 0: elastic
+  Row per_norm;                                 ///< 1 / norm; 0: elastic
+  std::array<Principal, 3> axes;                ///< component by component, of the principal axes
+
+  Batch(double mu, const std::array<DeviatoricResponse*, at_once>& responses) : out(responses) {
+    for (int a = 0; a < 3; ++a) {
+      b[idx(a)] = Row::of([&](int l) { return out[idx(l)]->predictor.values[a]; });
+      eps[idx(a)] = 0.5 * log_of(b[idx(a)]);
+    }
+    log_J = eps[0] + eps[1] + eps[2];
+    const Row mean = (1.0 / 3.0) * log_J;
+    for (Row& strain : eps)
+      strain = strain - mean;
+    norm = (2.0 * mu) * sqrt(eps[0] * eps[0] + eps[1] * eps[1] + eps[2] * eps[2]);
+    for (int i = 0; i < 3; ++i)
+      for (int a = 0; a < 3; ++a)
+        axes[idx(i)][idx(a)] = Row::of([&](int l) { return out[idx(l)]->predictor.vectors(i, a); });
+  }
+
+  [[nodiscard]] bool has_logarithms() const {
+    bool all = true;
+    for (int l = 0; l < at_once; ++l)
+      for (const Row& values : b)
+        all = all && values[l] > 0.0 && std::isfinite(values[l]);
+    return all;
+  }
+
+  /// Writes a number of each point.
+  template <class Entry> void put(const Row& values, Entry entry) const {
+    for (int l = 0; l < at_once; ++l)
+      entry(*out[idx(l)]) = values[l];
+  }
+
+  /// Writes a symmetric tensor of each point, given in its principal axes, in space.
+  template <class Tensor> void put_in_space(const Principal& values, Tensor tensor) const {
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        Row sum;
+        for (std::size_t a = 0; a < 3; ++a)
+          sum += values[a] * (axes[idx(i)][a] * axes[idx(j)][a]);
+        put(sum, [=](DeviatoricResponse& point) -> double& { return tensor(point)(i, j); });
+        if (i != j)
+          put(sum, [=](DeviatoricResponse& point) -> double& { return tensor(point)(j, i); });
+      }
+  }
+};
+
+/// Stresses and moduli in principal axes. (M.7), (M.8)
+void put_moduli(const Batch& at, double mu) {
+  const Row scaled = (2.0 * mu) * at.beta;
+  const Row less = (2.0 * mu) * at.share;
+  Principal s;
+  Principal direction;
+  for (std::size_t a = 0; a < 3; ++a) {
+    s[a] = scaled * at.eps[a];
+    direction[a] = (2.0 * mu) * (at.eps[a] * at.per_norm);
+  }
+  at.put_in_space(s, [](DeviatoricResponse& point) -> Mat3& { return point.deviator; });
+  for (int a = 0; a < 3; ++a) {
+    for (int c = a; c < 3; ++c) {
+      const Row dyad = less * (direction[idx(a)] * direction[idx(c)]);
+      const Row value =
+          a == c ? (2.0 / 3.0) * scaled - dyad - 2.0 * s[idx(a)] : (-1.0 / 3.0) * scaled - dyad;
+      at.put(value,
+             [=](DeviatoricResponse& point) -> double& { return point.normal_moduli(a, c); });
+      at.put(value,
+             [=](DeviatoricResponse& point) -> double& { return point.normal_moduli(c, a); });
+    }
+    const std::size_t i = a == 2 ? 0 : idx(a);
+    const std::size_t j = a == 2 ? 2 : idx(a) + 1;
+    at.put(s[idx(a)], [=](DeviatoricResponse& point) -> double& { return point.s[a]; });
+    at.put((0.5 * scaled) * log_differences(at.b[i], at.b[j]) - s[j],
+           [=](DeviatoricResponse& point) -> double& { return point.shear_moduli[a]; });
   }
 }
 
-template <class Law>
-bool update_point(const Law& law,
+/// b_e in space from the strains that are left. (M.9)
+void put_states(const Batch& at) {
+  Principal b;
+  for (std::size_t a = 0; a < 3; ++a)
+    b[a] = exp_of(2.0 * (at.beta * at.eps[a]) + (2.0 / 3.0) * at.log_J);
+  at.put_in_space(b, [](DeviatoricResponse& point) -> Mat3& { return point.state.b_e; });
+}
+
+/// Updates a batch, whose predictors are decomposed.
+///
+/// @param conditions_of  a function of a point's number
+template <class Law, class ConditionsOf>
+bool update_batch(const Law& law,
                   double mu,
-                  const Mat3& b_pred,
-                  const PointState& old,
-                  const PointConditions& at,
-                  DeviatoricResponse& out) {
-  const Vec3& b = out.predictor.values;
-  if (!(b.minCoeff() > 0.0) || !std::isfinite(b.sum()))
+                  std::span<const Mat3> b_pred,
+                  std::span<const PointState> old,
+                  ConditionsOf&& conditions_of,
+                  std::span<DeviatoricResponse> out) {
+  DeviatoricResponse spare;
+  spare.predictor = out[0].predictor;
+  std::array<DeviatoricResponse*, at_once> responses;
+  for (std::size_t l = 0; l < responses.size(); ++l)
+    responses[l] = l < out.size() ? &out[l] : &spare;
+  Batch now(mu, responses);
+  if (!now.has_logarithms())
     return false;
-  Vec3 eps = 0.5 * b.array().log();
-  out.log_J = eps.sum();
-  eps.array() -= out.log_J / 3.0;
-  const Vec3 s_pred = 2.0 * mu * eps;
-  const double norm = s_pred.norm();
-  const double q = std::sqrt(1.5) * norm;
-  out.state.plastic_strain = old.plastic_strain;
-  out.plastic_increment = 0.0;
-  if (q <= stress_at_rest(law, old.plastic_strain, at)) {
-    out.s = s_pred;
-    out.state.b_e = b_pred;
-    set_moduli(out, mu, 1.0, 0.0, Vec3::Zero());
-    return true;
+  std::array<double, at_once> beta;
+  std::array<double, at_once> share{};
+  std::array<double, at_once> per_norm{};
+  beta.fill(1.0);
+  bool flows = false;
+  for (std::size_t l = 0; l < out.size(); ++l) {
+    const PointConditions at = conditions_of(l);
+    const double strain = old[l].plastic_strain;
+    const double norm = now.norm[static_cast<int>(l)];
+    const double q = std::sqrt(1.5) * norm;
+    out[l].log_J = now.log_J[static_cast<int>(l)];
+    out[l].state.plastic_strain = strain;
+    out[l].plastic_increment = 0.0;
+    if (q <= stress_at_rest(law, strain, at))
+      continue;
+    const std::optional<Return> flow = solve_return(law, mu, q, strain, at);
+    if (!flow)
+      return false;
+    flows = true;
+    beta[l] = flow->beta;
+    share[l] = flow->share;
+    per_norm[l] = 1.0 / norm;
+    out[l].plastic_increment = flow->increment;
+    out[l].state.plastic_strain += flow->increment;
   }
-  const std::optional<Return> plastic = solve_return(law, mu, q, old.plastic_strain, at);
-  if (!plastic)
-    return false;
-  const double beta = plastic->beta;
-  out.s = beta * s_pred;
-  out.plastic_increment = plastic->increment;
-  out.state.plastic_strain += plastic->increment;
-  const Vec3 b_new = (2.0 * (beta * eps.array() + out.log_J / 3.0)).exp();
-  const Mat3& n = out.predictor.vectors;
-  out.state.b_e = n * b_new.asDiagonal() * n.transpose();
-  set_moduli(out, mu, beta, plastic->share, s_pred / norm);
+  now.beta = Row::of([&](int l) { return beta[idx(l)]; });
+  now.share = Row::of([&](int l) { return share[idx(l)]; });
+  now.per_norm = Row::of([&](int l) { return per_norm[idx(l)]; });
+  put_moduli(now, mu);
+  if (flows)
+    put_states(now);
+  for (std::size_t l = 0; l < out.size(); ++l)
+    if (per_norm[l] == 0.0)
+      out[l].state.b_e = b_pred[l]; // to the bit
   return true;
 }
 
@@ -228,12 +373,17 @@ bool update(const Material& material,
   set_predictors(b_pred, planar, out);
   return std::visit(
       [&](const auto& law) {
-        for (std::size_t i = 0; i < b_pred.size(); ++i)
-          if (!update_point(
-                  law, mu, b_pred[i], old[i],
-                  {at.dt, at.temperatures.empty() ? material.temperature : at.temperatures[i]},
-                  out[i]))
+        constexpr auto most = idx(at_once);
+        for (std::size_t first = 0; first < b_pred.size(); first += most) {
+          const std::size_t n = std::min(most, b_pred.size() - first);
+          const auto conditions_of = [&](std::size_t i) -> PointConditions {
+            return {at.dt,
+                    at.temperatures.empty() ? material.temperature : at.temperatures[first + i]};
+          };
+          if (!update_batch(law, mu, b_pred.subspan(first, n), old.subspan(first, n), conditions_of,
+                            out.subspan(first, n)))
             return false;
+        }
         return true;
       },
       material.flow);

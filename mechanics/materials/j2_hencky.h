@@ -49,11 +49,12 @@ struct PointState {
   double plastic_strain = 0.0; ///< accumulated [-]
 };
 
-/// Deviatoric response of one point, in the principal axes of the predictor.
+/// Deviatoric response of one point, mostly in the principal axes of the predictor.
 struct DeviatoricResponse {
   Spectral predictor;             ///< principal values of b_e,pred and their directions
   double log_J;                   ///< ln J, J the total (elastic) volume ratio [-]
   Vec3 s;                         ///< principal deviatoric Kirchhoff stresses [MPa]
+  Mat3 deviator;                  ///< the same in space [MPa]
   Mat3 normal_moduli;             ///< d s_a / d eps_b - 2 s_a delta_ab [MPa], symmetric
   Vec3 shear_moduli;              ///< spatial moduli of the shears 01, 12, 02 [MPa]
   PointState state;               ///< trial state
