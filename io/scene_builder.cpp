@@ -445,10 +445,11 @@ std::vector<double> frame_times(const Case& content) {
   return times;
 }
 
-/// Dead centres and kinks of a press.
-void add_press_times(const geometry::Motion& motion, double end, std::vector<double>& times) {
-  if (motion.force && motion.force->blow)
-    add_times(motion.force->load, times);
+/// Kinks of the loads that drive a tool, dead centres and kinks of a press.
+void add_drive_times(const geometry::Motion& motion, double end, std::vector<double>& times) {
+  for (const auto* drive : {&motion.force, &motion.torque})
+    if (*drive)
+      add_times((*drive)->load, times);
   if (!motion.crank)
     return;
   add_times(motion.crank->speed, times);
@@ -473,7 +474,7 @@ std::vector<double> landing_times(const Case& content, const process::Scene& sce
         add_times(component, times);
     if (tool.motion.rotation)
       add_times(tool.motion.rotation->speed, times);
-    add_press_times(tool.motion, content.time.end, times);
+    add_drive_times(tool.motion, content.time.end, times);
     for (const double t : {tool.active_from, tool.active_to})
       if (std::isfinite(t))
         times.push_back(t);
@@ -491,6 +492,21 @@ void note_molten(const mechanics::Material& material, std::vector<std::string>& 
         "warning: at {} degC the metal is molten (T_melt = {}): what is left of its flow stress, a "
         "millionth, only keeps the equations solvable",
         material.temperature, law->T_melt));
+}
+
+/// Bricks that the reduced rule leaves a motion.
+void note_single_file(const process::Scene& scene, std::vector<std::string>& notes) {
+  std::vector<char> held(scene.mesh.points.size(), 0);
+  for (const process::Support& support : scene.supports)
+    for (const Index node : support.nodes)
+      held[static_cast<std::size_t>(node)] = 1;
+  const auto cells = mechanics::cells_in_single_file(scene.mesh, held);
+  if (!cells.empty())
+    notes.push_back(fmt::format(
+        "warning: {} element(s) of hex20, the first is {}, lie in single file with all other faces "
+        "free: nothing holds their middle nodes in one of their motions, and the shape can be "
+        "wrong or an increment fail; take two elements in one direction across, or tet10",
+        cells.size(), cells.front()));
 }
 
 /// Keys that are read and kept but change nothing here: said, not passed over.
@@ -530,6 +546,7 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
   const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
   const Selector select(scene.mesh, boundary, place);
   add_supports(content, select, scene);
+  note_single_file(scene, built.notes);
   add_loads(content, select, scene);
   add_tools(content, built, place);
   scene.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)

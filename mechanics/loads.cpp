@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace billet::mechanics {
@@ -133,35 +135,12 @@ private:
   TimeFunction amplitude_;
 };
 
-class Grounding final : public Load {
-public:
-  Grounding(double stiffness, const BlockPattern& pattern)
-      : stiffness_(stiffness), pattern_(&pattern) {}
-
-  [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override {
-    for (Index i = 0; i < pattern_->n_dofs(); ++i) {
-      system.residual[idx(i)] += stiffness_ * (trial.x[idx(i)] - trial.x_old[idx(i)]);
-      const auto first = pattern_->columns.begin() + pattern_->row_start[idx(i)];
-      const auto last = pattern_->columns.begin() + pattern_->row_start[idx(i) + 1];
-      const auto diagonal = std::lower_bound(first, last, i) - pattern_->columns.begin();
-      system.tangent.values[static_cast<std::size_t>(diagonal)] += stiffness_;
-    }
-    return Assembled{};
-  }
-
-private:
-  /// Its force at the end of an increment is gone at the start of the next: no state to integrate.
-  void add_force(double, std::span<const double>, std::span<double>) const override {}
-
-  double stiffness_;
-  const BlockPattern* pattern_;
-};
-
 } // namespace
 
 double Load::work_in(const Trial& trial) const {
   std::vector<double> force(trial.x.size(), 0.0);
-  add_force(trial.time_old, trial.x_old, force);
+  if (!from_nothing_)
+    add_force(trial.time_old, trial.x_old, force);
   add_force(trial.time, trial.x, force);
   double work = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i)
@@ -169,7 +148,16 @@ double Load::work_in(const Trial& trial) const {
   return work;
 }
 
-void Load::commit(const Trial& trial) { work_ += work_in(trial); }
+double Load::norm(double time, std::span<const double> x) const {
+  std::vector<double> force(x.size(), 0.0);
+  add_force(time, x, force);
+  return std::sqrt(std::inner_product(force.begin(), force.end(), force.begin(), 0.0));
+}
+
+void Load::commit(const Trial& trial) {
+  work_ += work_in(trial);
+  from_nothing_ = false;
+}
 
 std::unique_ptr<Load> make_pressure(const Mesh& mesh,
                                     Analysis analysis,
@@ -181,10 +169,6 @@ std::unique_ptr<Load> make_pressure(const Mesh& mesh,
 
 std::unique_ptr<Load> make_dead_load(std::vector<double> forces, TimeFunction amplitude) {
   return std::make_unique<DeadLoad>(std::move(forces), std::move(amplitude));
-}
-
-std::unique_ptr<Load> make_grounding(double stiffness, const BlockPattern& pattern) {
-  return std::make_unique<Grounding>(stiffness, pattern);
 }
 
 std::vector<double> traction_forces(const Mesh& mesh,

@@ -22,14 +22,21 @@ public:
   [[nodiscard]] double work() const { return work_; }
   /// Work done in an increment, by the trapezoidal rule [N mm].
   [[nodiscard]] double work_in(const Trial& trial) const;
+  /// Norm of its nodal forces [N].
+  [[nodiscard]] double norm(double time, std::span<const double> x) const;
 
   void commit(const Trial& trial) final;
+
+  /// Says that the body has not borne it yet: over the first increment its work is that of a force
+  /// that grows from nothing, as the body does it, be it there at once.
+  void begin_from_nothing() { from_nothing_ = true; }
 
 private:
   /// Force of the load on the nodes in a configuration, shape (n_dofs), added to `out` [N].
   virtual void add_force(double time, std::span<const double> x, std::span<double> out) const = 0;
 
   double work_ = 0.0;
+  bool from_nothing_ = false;
 };
 
 /// Pressure on faces, normal to their current position; positive inward [MPa].
@@ -52,9 +59,5 @@ private:
 /// Nodal forces of a body force per initial volume [N]; shape (n_dofs).
 [[nodiscard]] std::vector<double>
 body_forces(const Mesh& mesh, Analysis analysis, const Vec3& force);
-
-/// Resistance `stiffness` against the motion of every unknown within an increment: it holds the
-/// rigid motions of a free body and vanishes at rest. (M.17) [N/mm]
-[[nodiscard]] std::unique_ptr<Load> make_grounding(double stiffness, const BlockPattern& pattern);
 
 } // namespace billet::mechanics

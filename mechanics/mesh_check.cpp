@@ -329,6 +329,32 @@ void require_sound_mesh(const Mesh& mesh, const std::string& place, bool axisymm
     throw Error(Fault::geometry, std::move(complaints));
 }
 
+std::vector<Index> cells_in_single_file(const Mesh& mesh, std::span<const char> held) {
+  if (mesh.kind != ElementKind::hex20)
+    return {};
+  std::map<Index, std::vector<Face>> free_faces; // of a cell
+  for (Face& face : boundary_faces(mesh)) {
+    const bool is_held = std::all_of(face.nodes.begin(), face.nodes.end(),
+                                     [&](Index node) { return held[idx(node)] != 0; });
+    if (!is_held)
+      free_faces[face.element].push_back(std::move(face));
+  }
+  const auto are_opposite = [](const Face& a, const Face& b) {
+    return std::find_first_of(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end()) ==
+           a.nodes.end();
+  };
+  std::vector<Index> cells;
+  for (const auto& [cell, faces] : free_faces) {
+    int opposite = 0;
+    for (std::size_t a = 0; a < faces.size(); ++a)
+      for (std::size_t b = a + 1; b < faces.size(); ++b)
+        opposite += are_opposite(faces[a], faces[b]) ? 1 : 0;
+    if (opposite >= 2)
+      cells.push_back(cell);
+  }
+  return cells;
+}
+
 Index drop_unused_points(Mesh& mesh) {
   std::vector<Index> number(mesh.points.size(), -1);
   for (const Index node : mesh.cells)

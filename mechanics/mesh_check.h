@@ -54,6 +54,14 @@ check_mesh(const Mesh& mesh, const std::string& place, bool axisymmetric);
 /// Throws `Error` (Fault::geometry) with the complaints of `check_mesh`, if there are any.
 void require_sound_mesh(const Mesh& mesh, const std::string& place, bool axisymmetric);
 
+/// Cells of hex20 that lie against others with two opposite faces at most, as in a bar one element
+/// across: with the reduced rule each keeps a motion that strains nothing and that only its other
+/// four faces show.
+///
+/// @param held  shape (n_points), of nodes that a support holds: a face of such nodes alone is not
+///              free
+[[nodiscard]] std::vector<Index> cells_in_single_file(const Mesh& mesh, std::span<const char> held);
+
 /// Removes the nodes no cell uses, from the sets too; returns how many.
 Index drop_unused_points(Mesh& mesh);
 

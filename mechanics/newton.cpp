@@ -123,6 +123,21 @@ Outcome<Newton::Norms> Newton::evaluate(std::span<ForceTerm* const> terms, const
   return Norms{std::sqrt(sum), scale};
 }
 
+/// What the rounding of positions of this size makes of the forces of stiff elements. [N]
+double Newton::rounding_of_forces(double position) const {
+  double squares = 0.0;
+  for (Index i = 0; i < pattern_->n_dofs(); ++i) {
+    if (fixed_[idx(i)] != 0)
+      continue;
+    const auto first = pattern_->columns.begin() + pattern_->row_start[idx(i)];
+    const auto last = pattern_->columns.begin() + pattern_->row_start[idx(i) + 1];
+    const auto diagonal = std::lower_bound(first, last, i) - pattern_->columns.begin();
+    const double stiffness = system_.tangent.values[static_cast<std::size_t>(diagonal)];
+    squares += stiffness * stiffness;
+  }
+  return std::numeric_limits<double>::epsilon() * position * std::sqrt(squares);
+}
+
 double Newton::slope() const {
   double sum = 0.0;
   for (std::size_t i = 0; i < fixed_.size(); ++i)
@@ -341,13 +356,15 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   records_.push_back({0, norms->residual / norms->scale, 0.0, 0.0, "", system_.contact_changes});
   // Stiff penalties and near incompressibility turn the rounding of coordinates into forces above
   // the tolerance; when the correction is no more than that rounding, no better x can be written.
+  // Nor when the residual is: a slender body turns such forces into corrections of any length.
   int shortened = 0;
   constexpr int most_shortened = 8;
   double taken = HUGE_VAL;
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * largest(x_old);
   const auto at_rounding = [&](double relative) {
     constexpr double plausible = 1e-2;
-    return taken <= rounding && relative <= plausible;
+    return relative <= plausible &&
+           (taken <= rounding || norms->residual <= rounding_of_forces(largest(x_old)));
   };
   double before = norms->residual / norms->scale;
   double correction = 0.0;

@@ -76,6 +76,9 @@ public:
          NewtonSettings settings,
          std::size_t n_extra = 0);
 
+  /// Forces below it count as zero from here on [N].
+  void set_force_floor(double force) { settings_.force_floor = force; }
+
   /// Solves for `x`.
   ///
   /// @param terms    every contribution; the first is the bulk
@@ -132,6 +135,7 @@ private:
                                              const Evaluation& far,
                                              double& step);
   [[nodiscard]] double slope() const;
+  [[nodiscard]] double rounding_of_forces(double position) const;
   /// Cuts the correction to a share of what the increment has moved so far. (N.8)
   void limit_correction(std::span<const double> x_old, std::span<const double> x);
   /// Whether the correction was longer than any can be, and has been cut.

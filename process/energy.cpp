@@ -10,12 +10,16 @@
 
 namespace billet::process {
 
-double EnergyBalance::error() const { return error_since({}); }
+double EnergyBalance::error() const { return scale() > 0.0 ? std::abs(missing()) / scale() : 0.0; }
+
+double EnergyBalance::largest_since(const EnergyBalance& before) const {
+  return std::max({std::abs(external - before.external), std::abs(elastic - before.elastic),
+                   plastic - before.plastic, friction - before.friction,
+                   std::abs(contact - before.contact)});
+}
 
 double EnergyBalance::error_since(const EnergyBalance& before) const {
-  const double largest = std::max({std::abs(external - before.external),
-                                   std::abs(elastic - before.elastic), plastic - before.plastic,
-                                   friction - before.friction, std::abs(contact - before.contact)});
+  const double largest = largest_since(before);
   return largest > 0.0 ? std::abs(missing() - before.missing()) / largest : 0.0;
 }
 
@@ -39,6 +43,7 @@ EnergyBalance Process::balance_of(const mechanics::Bulk& bulk,
       energy.external += load->work();
   if (contact != nullptr) {
     energy.external += contact->work().external + contact->work().enforcement;
+    energy.enforcement = contact->work().enforcement;
     energy.friction = contact->work().friction;
     energy.contact = contact->work().stored;
   }
@@ -47,6 +52,7 @@ EnergyBalance Process::balance_of(const mechanics::Bulk& bulk,
 
 void Process::update_energy() {
   energy_ = balance_of(*bulk_, contact_.get(), x_);
+  energy_.most = energy_.scale();
   most_energy_ =
       std::max({most_energy_, std::abs(energy_.external), energy_.plastic, energy_.elastic});
 }
@@ -66,15 +72,8 @@ EnergyBalance Process::energy_after(double dt) const {
     for (const auto& load : *loads)
       energy.external += load->work_in(trial);
   if (grounding_)
-    energy.grounding += work_of_grounding();
+    energy.grounding += grounding_->work_in(trial);
   return energy;
-}
-
-double Process::work_of_grounding() const {
-  double squares = 0.0;
-  for (std::size_t i = 0; i < x0_.size(); ++i)
-    squares += (trial_x_[i] - x_[i]) * (trial_x_[i] - x_[i]);
-  return grounding_stiffness_ * squares;
 }
 
 std::string Process::misses_too_much(double dt, double length) const {

@@ -116,7 +116,76 @@ std::vector<double> Process::foretold(double dt) const {
 bool Process::try_increment(double dt, mechanics::Approach approach, std::string& why) {
   if (contact_)
     contact_->restart();
-  return solve_increment(dt, approach, why);
+  if (solve_increment(dt, approach, why))
+    return true;
+  if (grounding_)
+    grounding_->set_share(1.0);
+  return false;
+}
+
+/// Forces that count as none beside the body's own stiffness, or beside those that have acted so
+/// far on a slender body. (N.2)
+double Process::force_floor(double time) const {
+  constexpr double none = 1e-7, least = 1e-10; // of the stiffness times the size
+  constexpr double times_acting = 1e3;
+  double acting = largest_force_;
+  for (const auto& load : loads_)
+    acting = std::max(acting, load->norm(time, x_));
+  const double body = body_stiffness() * body_size(scene_.mesh);
+  return acting > 0.0 ? std::clamp(times_acting * acting, least * body, none * body) : none * body;
+}
+
+void Process::note_largest_force() {
+  for (const Index i : prescribed(time_).unknowns)
+    largest_force_ = std::max(largest_force_, std::abs(reactions_[idx(i)]));
+  if (contact_)
+    for (const contact::ToolLoad& load : contact_->loads())
+      largest_force_ = std::max(largest_force_, load.force.norm());
+}
+
+bool Process::grounding_weighs(double dt) const {
+  constexpr double nothing = 1e-6; // of all work so far
+  constexpr double little = 1e-3;  // of the work of the increment
+  const double lost = grounding_->work_in({time_, time_ + dt, x_, trial_x_});
+  if (lost <= nothing * most_energy_)
+    return false;
+  return lost > little * energy_after(dt).largest_since(energy_);
+}
+
+/// A slender part is softer than the grounding, which would carry the load of its tools: where it
+/// does it is made lighter, as far as the part is held by something else. (M.17)
+Outcome<mechanics::NewtonReport>
+Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) {
+  constexpr double lightest = 1e-6; // equations are solved in double precision
+  constexpr int longest_wait = 3;
+  const auto solve_on = [&] {
+    return newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_,
+                          mechanics::Approach::from_solution);
+  };
+  Outcome<mechanics::NewtonReport> now = solved;
+  if (grounding_wait_ > 0 && grounding_wait_-- > 0)
+    return now;
+  // What was held by the grounding so far may have a long way to go at once.
+  for (const double lighter : {1e-2, 0.3})
+    while (grounding_->share() > lightest && grounding_weighs(dt)) {
+      const std::vector<double> x = trial_x_;
+      const double share = grounding_->share();
+      grounding_->set_share(std::max(lightest, lighter * share));
+      const auto again = solve_on();
+      if (again) {
+        now = again;
+        grounding_failures_ = 0;
+        continue;
+      }
+      grounding_->set_share(share);
+      trial_x_ = x;
+      now = solve_on();
+      if (!now)
+        return now;
+      grounding_wait_ = std::min(++grounding_failures_ / 2, longest_wait);
+      break;
+    }
+  return now;
 }
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
@@ -130,13 +199,16 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
     return false;
   if (contact_)
     contact_->foretell(foretold(dt));
-  const auto outcome =
+  newton_->set_force_floor(force_floor(time_ + dt));
+  auto outcome =
       newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);
+  if (outcome && grounding_)
+    outcome = with_light_grounding(dt, *outcome);
   if (!outcome)
     why = outcome.error().reason + restless_points();
   else
     last_residual_ = outcome->residual;
-  bool solved = outcome && plausible(outcome->force_scale, why) && !passes_through(dt, why) &&
+  bool solved = outcome && plausible(dt, outcome->force_scale, why) && !passes_through(dt, why) &&
                 limit_penetration(dt, why);
   refused_inside_out_ = solved && turns_inside_out(why);
   solved = solved && !refused_inside_out_;
@@ -176,7 +248,7 @@ std::string Process::restless_points() const {
                      worst.position[1], worst.position[2], worst.changes);
 }
 
-bool Process::plausible(double force_scale, std::string& why) const {
+bool Process::plausible(double dt, double force_scale, std::string& why) const {
   if (bulk_->largest_plastic_increment() > most_plastic_increment) {
     why = fmt::format("plastic strain increment {:.3g} is too large",
                       bulk_->largest_plastic_increment());
@@ -188,12 +260,13 @@ bool Process::plausible(double force_scale, std::string& why) const {
       return false;
     }
   if (grounding_) {
-    // The grounding may carry rounding, never a load.
+    // The grounding may carry rounding, never a load: in steps of a share of the body it may go
+    // with a tool that pushes it.
     constexpr double most_share = 1e-3;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < x0_.size(); ++i)
-      sum += (trial_x_[i] - x_[i]) * (trial_x_[i] - x_[i]);
-    if (grounding_stiffness_ * std::sqrt(sum) > most_share * force_scale) {
+    constexpr double floor = 1e-7;
+    const double scale = std::max(force_scale, floor * body_stiffness() * body_size(scene_.mesh));
+    if (grounding_->force_in({time_, time_ + dt, x_, trial_x_}) >
+        most_share * grounding_->share() * scale) {
       why = "the workpiece moves away freely: neither supports nor contact hold it";
       return false;
     }
@@ -236,6 +309,7 @@ void Process::accept(double dt) {
     remember();
     note_forces();
   }
+  const bool fades = time_ < fading_until_;
   commit(dt);
   if (!refusal_event_.empty())
     events_.push_back(std::exchange(refusal_event_, {}));
@@ -246,7 +320,10 @@ void Process::accept(double dt) {
   if (increment_ == mesh_increment_ + 1)
     mesh_share_ = penetration_.share;
   const double external = energy_.external;
+  const double plastic = energy_.plastic;
   update_energy();
+  if (fades && contact_->area() == 0.0)
+    flow_in_fading_ += energy_.plastic - plastic;
   springs_back_ = energy_.external < external;
   account_contact(dt);
 }
@@ -263,7 +340,7 @@ void Process::commit(double dt) {
     plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
   support_work_ += work_of_supports(dt);
   if (grounding_)
-    energy_.grounding += work_of_grounding();
+    energy_.grounding += grounding_->work_in(trial);
   for (const Index i : prescribed(time_ + dt).unknowns)
     reactions_[idx(i)] = newton_->residual()[idx(i)];
   last_step_.resize(x_.size());
@@ -275,6 +352,7 @@ void Process::commit(double dt) {
   last_dt_ = dt;
   x_ = trial_x_;
   time_ += dt;
+  note_largest_force();
 }
 
 void Process::account_contact(double dt) {

@@ -10,6 +10,7 @@
 #include "contact/process_window.h"
 #include "contact/wear.h"
 #include "geometry/domain_remesher.h"
+#include "mechanics/grounding.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
@@ -40,19 +41,25 @@ struct CarriedState;
 
 /// Energies of the run so far [N mm].
 struct EnergyBalance {
-  double external = 0.0;  ///< work of tools, supports and loads, and of enforcement (C.23)
-  double elastic = 0.0;   ///< stored in the workpiece
-  double plastic = 0.0;   ///< dissipated in it
-  double friction = 0.0;  ///< dissipated on its surface
-  double contact = 0.0;   ///< stored in the penalties
-  double grounding = 0.0; ///< lost to the grounding of free motions
-  double remeshing = 0.0; ///< lost where a state was carried to a new mesh
+  double external = 0.0;    ///< work of tools, supports and loads, and of enforcement (C.23)
+  double elastic = 0.0;     ///< stored in the workpiece
+  double plastic = 0.0;     ///< dissipated in it
+  double friction = 0.0;    ///< dissipated on its surface
+  double contact = 0.0;     ///< stored in the penalties
+  double grounding = 0.0;   ///< lost to the grounding of free motions
+  double remeshing = 0.0;   ///< lost where a state was carried to a new mesh
+  double enforcement = 0.0; ///< of external, what no tool's motion did (C.23)
+  double most = 0.0;        ///< that any of the first five has been: springback gives it all back
 
   /// external less the sum of the rest [N mm].
   [[nodiscard]] double missing() const {
     return external - (elastic + plastic + friction + contact + grounding + remeshing);
   }
-  /// |external - sum of the rest| over the largest of them [-].
+  /// The largest of what has been done, stored and dissipated since `before` [N mm].
+  [[nodiscard]] double largest_since(const EnergyBalance& before) const;
+  /// The largest of the first five so far [N mm].
+  [[nodiscard]] double scale() const { return std::max(most, largest_since({})); }
+  /// |external - sum of the rest| over that [-].
   [[nodiscard]] double error() const;
   /// That of what has been done since `before` [-].
   [[nodiscard]] double error_since(const EnergyBalance& before) const;
@@ -247,6 +254,8 @@ public:
   [[nodiscard]] int cutbacks() const { return cutbacks_; }
   /// Iterations that went into tries that failed.
   [[nodiscard]] int wasted_iterations() const { return wasted_iterations_; }
+  /// Plastic work done while forces of tools that had left faded and no tool touched [N mm].
+  [[nodiscard]] double flow_in_fading() const { return flow_in_fading_; }
   /// Rigid motions held by grounding alone.
   [[nodiscard]] int grounded_motions() const { return grounded_; }
 
@@ -294,7 +303,13 @@ private:
   /// By way of softer contact, after an increment has failed. (N.10)
   [[nodiscard]] bool try_softened(double dt, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
-  [[nodiscard]] bool plausible(double force_scale, std::string& why) const;
+  [[nodiscard]] bool plausible(double dt, double force_scale, std::string& why) const;
+  [[nodiscard]] double force_floor(double time) const;
+  void note_largest_force();
+  /// Whether the grounding takes more of the increment just tried than it may.
+  [[nodiscard]] bool grounding_weighs(double dt) const;
+  [[nodiscard]] Outcome<mechanics::NewtonReport>
+  with_light_grounding(double dt, const mechanics::NewtonReport& solved);
   /// Whether increments are accepted only as deep as a limit allows.
   [[nodiscard]] bool bounds_penetration() const;
   /// Presses harder until the limit of penetration holds. (P.7)
@@ -337,7 +352,6 @@ private:
   [[nodiscard]] EnergyBalance energy_after(double dt) const;
   /// In the increment just tried [N mm].
   [[nodiscard]] double work_of_supports(double dt) const;
-  [[nodiscard]] double work_of_grounding() const;
   /// Takes the increment just accepted into the sums over contact.
   void account_contact(double dt);
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
@@ -446,9 +460,11 @@ private:
   std::unique_ptr<contact::ContactTerm> contact_;
   std::unique_ptr<Blows> blows_; ///< none: no press strikes
   std::vector<std::unique_ptr<mechanics::Load>> loads_;
-  std::unique_ptr<mechanics::Load> grounding_;
+  std::unique_ptr<mechanics::Grounding> grounding_;
   std::vector<std::unique_ptr<mechanics::Load>> fading_; ///< forces of tools that have left
   double fading_until_ = 0.0;                            ///< [s]
+  double flow_in_fading_ = 0.0; ///< plastic work while nothing but forces of tools that have left
+                                ///< acted [N mm]
   std::vector<mechanics::ForceTerm*> terms_;
   std::unique_ptr<mechanics::Newton> newton_;
   std::vector<double> x0_;
@@ -471,9 +487,11 @@ private:
   EnergyBalance energy_;
   double most_energy_ = 0.0; ///< that any of its larger terms has been [N mm]
   double support_work_ = 0.0;
-  double load_work_ = 0.0;   ///< of loads on earlier meshes
-  double tool_energy_ = 0.0; ///< of penalties, gone with tools that left
-  double grounding_stiffness_ = 0.0;
+  double load_work_ = 0.0;     ///< of loads on earlier meshes
+  double tool_energy_ = 0.0;   ///< of penalties, gone with tools that left
+  double largest_force_ = 0.0; ///< of a tool or at an unknown of a support so far [N]
+  int grounding_failures_ = 0; ///< to do with a lighter one, in a row
+  int grounding_wait_ = 0;     ///< increments until that is tried again
   double time_ = 0.0;
   bool energy_used_up_ = false;
   std::vector<std::string> events_; ///< of the last increment

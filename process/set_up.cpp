@@ -48,12 +48,9 @@ void Process::make_terms() {
   bulk_ =
       std::make_unique<mechanics::Bulk>(scene_.mesh, scene_.analysis, scene_.material, pattern_);
   plastic_rate_.assign(bulk_->states().size(), 0.0);
-  constexpr double strain_floor = 1e-7; // stresses below that share of E count as none
   newton_ = std::make_unique<mechanics::Newton>(
       pattern_, scene_.solver,
       mechanics::NewtonSettings{.tolerance = scene_.tolerance,
-                                .force_floor =
-                                    strain_floor * body_stiffness() * body_size(scene_.mesh),
                                 .largest_correction = body_size(scene_.mesh)},
       contact::drive_unknowns(scene_.tools).size());
   terms_ = {bulk_.get()};
@@ -83,10 +80,11 @@ void Process::make_terms() {
   if (grounded_ > 0) {
     // Spread over all nodes it is a hundred-millionth of the body's own stiffness.
     constexpr double share = 1e-8;
-    grounding_stiffness_ = share * body_stiffness() / scene_.mesh.n_points();
-    grounding_ = mechanics::make_grounding(grounding_stiffness_, pattern_);
+    grounding_ = std::make_unique<mechanics::Grounding>(
+        share * body_stiffness() / scene_.mesh.n_points(), pattern_);
     terms_.push_back(grounding_.get());
   }
+  newton_->set_force_floor(force_floor(time_));
 }
 
 double Process::body_stiffness() const {
@@ -104,6 +102,8 @@ void Process::make_loads() {
     else
       loads_.push_back(mechanics::make_dead_load(std::get<DeadForces>(spec).forces,
                                                  std::get<DeadForces>(spec).amplitude));
+    if (increment_ == 0)
+      loads_.back()->begin_from_nothing();
     terms_.push_back(loads_.back().get());
   }
 }
@@ -143,8 +143,9 @@ std::string Process::overlap(std::size_t tool) const {
 }
 
 contact::DriveScale Process::drive_scale() const {
-  // A hundred-millionth of the body's own stiffness: it carries rounding, never a load.
-  constexpr double share = 1e-8;
+  // So little beside the body's own stiffness that it carries rounding, never a load, be the body
+  // as slender as can be.
+  constexpr double share = 1e-12;
   return {body_size(scene_.mesh), share * body_stiffness()};
 }
 

@@ -92,10 +92,11 @@ bool driven_by_load(const process::Scene& scene) {
 }
 
 ordered_json energy_json(const process::EnergyBalance& e) {
-  return {{"external_work", e.external},      {"elastic_energy", e.elastic},
-          {"plastic_work", e.plastic},        {"friction_work", e.friction},
-          {"contact_energy", e.contact},      {"grounding_work", e.grounding},
-          {"lost_in_remeshing", e.remeshing}, {"relative_error", e.error()}};
+  return {{"external_work", e.external},       {"elastic_energy", e.elastic},
+          {"plastic_work", e.plastic},         {"friction_work", e.friction},
+          {"contact_energy", e.contact},       {"grounding_work", e.grounding},
+          {"enforcement_work", e.enforcement}, {"lost_in_remeshing", e.remeshing},
+          {"relative_error", e.error()}};
 }
 
 ordered_json wear_json(const process::Process& process, std::size_t tool) {
@@ -273,6 +274,8 @@ bool is_frame(const std::filesystem::path& file) {
          (suffix == ".vtu" || suffix == ".vtp");
 }
 
+constexpr double tolerated_penetration = 0.02; // of the element beneath
+
 /// Removes what an earlier run left, so that nothing of it passes for a result of this one; files
 /// that are not ours stay.
 void remove_earlier_run(const std::filesystem::path& folder, const std::string& name) {
@@ -344,6 +347,7 @@ void RunWriter::incremented(const process::Process& process,
                                            static_cast<double>(record.contact_changes)});
   largest_penetration_ = std::max(largest_penetration_, report.max_penetration);
   largest_share_ = std::max(largest_share_, report.penetration_share);
+  note_unmet_tools(process, report);
   constexpr double bad = 0.1; // below it elements hardly deform as they should
   if (!worn_ && report.min_quality < bad)
     worn_ = report;
@@ -437,22 +441,48 @@ void RunWriter::finished(const process::Process& process) {
     write_frame(process);
 }
 
+void RunWriter::note_unmet_tools(const process::Process& process,
+                                 const process::IncrementReport& report) {
+  if (process.contact() == nullptr)
+    return;
+  unmet_.resize(process.scene().tools.size());
+  for (std::size_t t = 0; t < unmet_.size(); ++t)
+    unmet_[t].met = unmet_[t].met || process.contact()->lies_on(t);
+  Unmet& deepest = unmet_[report.penetration.tool];
+  if (report.penetration_share > tolerated_penetration) {
+    if (deepest.depth == 0.0)
+      deepest.time = report.time;
+    deepest.depth = std::max(deepest.depth, report.penetration.sampled);
+  }
+}
+
 std::vector<std::string> RunWriter::warnings(const process::Process& process) const {
   std::vector<std::string> lines;
+  for (std::size_t t = 0; t < unmet_.size(); ++t)
+    if (!unmet_[t].met && unmet_[t].depth > 0.0)
+      lines.push_back(fmt::format(
+          "warning: from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} deep, and no "
+          "contact point meets it: it is narrower than they are apart, and has no force; take "
+          "smaller elements there",
+          unmet_[t].time, content_->units.time, process.scene().tools[t].name, unmet_[t].depth,
+          content_->units.length));
   if (const auto refused = process.refusals(); !refused.empty())
     lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
                                 "first at t = {:.6g} {}: {}",
                                 refused.size(), refused.front().time, content_->units.time,
                                 refused.front().why));
-  constexpr double tolerated = 0.02; // of the element beneath
-  if (largest_share_ > tolerated)
+  if (largest_share_ > tolerated_penetration)
     lines.push_back(fmt::format(
         "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
         "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
         "contact.form = \"compatible\") lessens it",
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
   constexpr double budget = 0.005;
-  if (const process::EnergyBalance& energy = process.energy(); energy.error() > budget)
+  constexpr double rounding = 1e-16; // of E times the volume
+  const double nothing = rounding * process.bulk().material().elasticity.young *
+                         process.bulk().reference_volume();
+  if (const process::EnergyBalance& energy = process.energy();
+      energy.error() > budget && std::abs(energy.missing()) > nothing)
     lines.push_back(fmt::format(
         "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
         "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "
@@ -460,6 +490,32 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "time.increments.max shows which",
         100.0 * energy.error(), energy.missing(), content_->units.force, content_->units.length,
         most_missed_at_, content_->units.time, most_missed_));
+  if (const process::EnergyBalance& energy = process.energy();
+      energy.grounding > budget * energy.scale())
+    lines.push_back(fmt::format(
+        "warning: {:.1f} % of the work ({:.3g} {} {}) went into the grounding, which holds the "
+        "part "
+        "where neither supports nor tools do: forces and shape are off by as much and more; a "
+        "[[support]] for its free motions mends that",
+        100.0 * energy.grounding / energy.scale(), energy.grounding, content_->units.force,
+        content_->units.length));
+  constexpr double unpaid = 0.02;
+  if (const process::EnergyBalance& energy = process.energy();
+      std::abs(energy.enforcement) > unpaid * energy.scale())
+    lines.push_back(fmt::format(
+        "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
+        "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
+        "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
+        "quadratic ones also contact.form = \"compatible\") mend that",
+        100.0 * energy.enforcement / energy.scale(), energy.enforcement, content_->units.force,
+        content_->units.length));
+  constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
+  if (const double flow = process.flow_in_fading(); flow > springback * process.energy().plastic)
+    lines.push_back(fmt::format(
+        "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "
+        "they keep their direction, and a thin part pressed from both sides folds under them as no "
+        "part does whose tools move back; let the tools move back in that stage in place of unload",
+        100.0 * flow / process.energy().plastic));
   for (const process::ContactZone& zone : process.poorly_resolved_tools())
     lines.push_back(fmt::format(
         "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "

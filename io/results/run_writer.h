@@ -55,6 +55,7 @@ public:
   [[nodiscard]] std::vector<std::string> warnings(const process::Process& process) const;
 
 private:
+  void note_unmet_tools(const process::Process& process, const process::IncrementReport& report);
   void write_frame(const process::Process& process);
   [[nodiscard]] bool frame_due(double time) const;
 
@@ -75,6 +76,13 @@ private:
   std::vector<std::string> complaints_; ///< about remeshings
   double largest_penetration_ = 0.0;
   double largest_share_ = 0.0;
+  /// Of a tool that no contact point has met so far.
+  struct Unmet {
+    bool met = false;
+    double depth = 0.0; ///< of the deepest point of a face found in it [mm]
+    double time = 0.0;  ///< when one was found first [s]
+  };
+  std::vector<Unmet> unmet_;    ///< shape (n_tools)
   double most_missed_ = 0.0;    ///< by the balance of energy in one increment [N mm]
   double most_missed_at_ = 0.0; ///< end of that increment [s]
   std::optional<process::IncrementReport>

@@ -1,5 +1,6 @@
 // Loads besides contact: VALIDATION ELT-05, ELT-04 (iv), tangents of follower pressure.
 
+#include "mechanics/grounding.h"
 #include "mechanics/loads.h"
 #include "mechanics/mesh_edges.h"
 #include "mechanics/mesh_generators.h"
@@ -244,12 +245,13 @@ TEST(Loads, body_forces_sum_to_force_times_volume) {
   }
 }
 
-TEST(Loads, grounding_resists_motion_within_the_increment_only) {
+TEST(Grounding, resists_motion_within_the_increment_only) {
   Bench bench(box_mesh({.kind = ElementKind::hex8}), Analysis::solid);
-  const auto load = make_grounding(2.0, bench.pattern);
+  Grounding grounding(8.0, bench.pattern);
+  grounding.set_share(0.25);
   std::vector<double> x = bench.X;
   x[4] += 0.5;
-  ASSERT_TRUE(bench.assemble(*load, x));
+  ASSERT_TRUE(bench.assemble(grounding, x));
   std::vector<double> y(x.size());
   std::vector<double> unit(x.size(), 0.0);
   unit[4] = 1.0;
@@ -258,7 +260,10 @@ TEST(Loads, grounding_resists_motion_within_the_increment_only) {
     EXPECT_EQ(bench.system.residual[i], i == 4 ? 1.0 : 0.0);
     EXPECT_EQ(y[i], i == 4 ? 2.0 : 0.0);
   }
-  ASSERT_TRUE(bench.assemble(*load, bench.X));
+  const Trial trial{0.0, 1.0, bench.X, x};
+  EXPECT_EQ(grounding.force_in(trial), 1.0);
+  EXPECT_EQ(grounding.work_in(trial), 0.5);
+  ASSERT_TRUE(bench.assemble(grounding, bench.X));
   EXPECT_EQ(bench.system.residual[4], 0.0);
 }
 
