@@ -150,6 +150,25 @@ TEST(ElementMeasure, is_exact_for_curved_sides) {
               1.0 / (6.0 * std::sqrt(2.0)), 1e-15);
 }
 
+TEST(CellsInSingleFile, are_bricks_of_hex20_with_all_other_faces_free) {
+  const auto found = [](int ny, int nz, auto is_held) {
+    const Mesh mesh = box_mesh(
+        {.kind = ElementKind::hex20, .low = {0, 0, 0}, .high = {4, 1, 1}, .cells = {4, ny, nz}});
+    std::vector<char> held;
+    for (const Vec3& p : mesh.points)
+      held.push_back(is_held(p) ? 1 : 0);
+    return cells_in_single_file(mesh, held).size();
+  };
+  const auto nowhere = [](const Vec3&) { return false; };
+  EXPECT_EQ(found(1, 1, nowhere), 4U);
+  EXPECT_EQ(found(1, 1, [](const Vec3& p) { return p.x() == 0.0; }), 4U) << "a clamp at the end";
+  EXPECT_EQ(found(1, 1, [](const Vec3& p) { return p.y() == 0.0; }), 0U) << "a plane of symmetry";
+  EXPECT_EQ(found(2, 1, nowhere), 0U);
+  EXPECT_EQ(found(1, 2, nowhere), 0U);
+  const Mesh linear = box_mesh({.kind = ElementKind::hex8, .high = {4, 1, 1}, .cells = {4, 1, 1}});
+  EXPECT_TRUE(cells_in_single_file(linear, std::vector<char>(linear.points.size())).empty());
+}
+
 TEST(CheckMesh, finds_nothing_wrong_with_a_good_mesh) {
   for (const ElementKind kind : all_kinds)
     EXPECT_EQ(complaints(one_cell(kind, ideal(kind)), true), "") << name(kind);
