@@ -24,7 +24,7 @@ constexpr Option all_options[] = {
     {"-o", "DIR", "results go to DIR (default: results/<case name>)"},
     {"--set", "KEY=VALUE", "overrides a key of the case, e.g. tool.punch.friction.m=0.2"},
     {"--threads", "N", "threads for assembly and contact search (default: all)"},
-    {"--quiet", "", "no progress on standard error"},
+    {"--quiet", "", "no progress on standard error, warnings alone"},
     {"--profile", "", "print where the time went"},
     {"--allow-outside", "", "the case may name files outside its folder"},
     {"--resume", "", "goes on from a checkpoint (not available in this version)"},

@@ -509,6 +509,17 @@ void note_single_file(const process::Scene& scene, std::vector<std::string>& not
         cells.size(), cells.front()));
 }
 
+/// Linear elements that are much longer than thick.
+void note_flat_elements(const mechanics::Mesh& mesh, std::vector<std::string>& notes) {
+  constexpr double flat = 8.0;
+  const double aspect = mechanics::largest_aspect(mesh, mesh.points);
+  if (!mechanics::is_quadratic(mesh.kind) && aspect > flat)
+    notes.push_back(
+        fmt::format("warning: elements of {} are up to {:.3g} times as long as thick: "
+                    "they resist bending many times too much; quadratic elements do not",
+                    mechanics::name(mesh.kind), aspect));
+}
+
 /// Keys that are read and kept but change nothing here: said, not passed over.
 void note_keys_without_effect(const Case& content, std::vector<std::string>& notes) {
   constexpr double default_feature_angle = 30.0;
@@ -547,6 +558,7 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
   const Selector select(scene.mesh, boundary, place);
   add_supports(content, select, scene);
   note_single_file(scene, built.notes);
+  note_flat_elements(scene.mesh, built.notes);
   add_loads(content, select, scene);
   add_tools(content, built, place);
   scene.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)

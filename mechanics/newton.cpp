@@ -385,8 +385,13 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     // What the next correction would be, from the way the residual shrank.
     const double next = before > 0.0 ? correction * std::min(1.0, relative / before) : 0.0;
     constexpr double small_correction = 1e-5;
+    // Of a guess it is not known how long its correction would be: a slender body bends far under
+    // forces that are little beside those within it.
+    constexpr double of_a_guess = 1e-3;
+    const bool is_guess = guessed && iteration == 1;
+    const double allowed = (is_guess ? of_a_guess : 1.0) * settings_.tolerance;
     const bool solved_well =
-        softening.slip == 1.0 && relative <= settings_.tolerance && next <= small_correction;
+        softening.slip == 1.0 && relative <= allowed && next <= small_correction;
     if ((solved_well || (softening.slip == 1.0 && at_rounding(relative))) && missing() == 0.0)
       return NewtonReport{iteration - 1, relative, norms->scale};
     if (hopeless(iteration - 1 - hardened, relative))

@@ -96,12 +96,16 @@ void Process::adapt_penalty(Progress progress) {
   constexpr double needlessly_small = 1e-6, small = 1e-5, large = 1e-4;
   // Softer lets points sink a little; stiffer throws them out, so it comes in small steps.
   constexpr double softer = 0.1, stiffer = 2.0;
-  constexpr double least = 1e-3; // of the stiffness of the element beneath over its depth
+  // Of the stiffness of the element beneath over its depth; while nothing says what presses, no
+  // softer than the element.
+  const bool presses = penetration_.share_pressed > 0.0;
+  const double least = presses ? 1e-3 : 1.0;
   const double next = contact_->next_stiffening();
   const double share = penetration_.share_pressed * contact_->stiffening() / next;
   const double enough = progress == Progress::none ? small : needlessly_small;
-  if (progress != Progress::easy && share > 0.0 && share < enough &&
-      next * settings.penalty > least)
+  // At the first touch nothing is pressed yet: only tries that keep failing tell.
+  const bool tells = progress == Progress::none || (progress == Progress::laboured && presses);
+  if (tells && share < enough && next * settings.penalty > least)
     begin_with_stiffness(softer);
   else if (share > large && next < 1.0)
     begin_with_stiffness(std::min(stiffer, 1.0 / next));

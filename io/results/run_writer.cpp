@@ -449,7 +449,8 @@ void RunWriter::note_unmet_tools(const process::Process& process,
   for (std::size_t t = 0; t < unmet_.size(); ++t)
     unmet_[t].met = unmet_[t].met || process.contact()->lies_on(t);
   Unmet& deepest = unmet_[report.penetration.tool];
-  if (report.penetration_share > tolerated_penetration) {
+  constexpr double noticed = 2e-3; // of the element beneath
+  if (report.penetration_share > noticed) {
     if (deepest.depth == 0.0)
       deepest.time = report.time;
     deepest.depth = std::max(deepest.depth, report.penetration.sampled);
@@ -462,8 +463,8 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
     if (!unmet_[t].met && unmet_[t].depth > 0.0)
       lines.push_back(fmt::format(
           "warning: from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} deep, and no "
-          "contact point meets it: it is narrower than they are apart, and has no force; take "
-          "smaller elements there",
+          "contact point meets it, so it has no force: it is narrower than they are apart, or a "
+          "hollow that sides are too long for; take smaller elements there",
           unmet_[t].time, content_->units.time, process.scene().tools[t].name, unmet_[t].depth,
           content_->units.length));
   if (const auto refused = process.refusals(); !refused.empty())
@@ -479,8 +480,8 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
   constexpr double budget = 0.005;
   constexpr double rounding = 1e-16; // of E times the volume
-  const double nothing = rounding * process.bulk().material().elasticity.young *
-                         process.bulk().reference_volume();
+  const double nothing =
+      rounding * process.bulk().material().elasticity.young * process.bulk().reference_volume();
   if (const process::EnergyBalance& energy = process.energy();
       energy.error() > budget && std::abs(energy.missing()) > nothing)
     lines.push_back(fmt::format(

@@ -148,6 +148,35 @@ TEST_F(HardStarts, ARollTakesAStripThatIsPushedMoreSlowly) {
     EXPECT_LE(table.value(row, "pusher.force_x"), 0.0) << "it pushes or stays behind";
 }
 
+TEST_F(HardStarts, ALooseStripIsTippedByATiltedDieAndPressedFlat) {
+  // It lies on the lower die; the upper one, turned by 0.3 degrees, meets one end.
+  const Outcome outcome = run(R"(
+analysis = "plane-strain"
+workpiece = { element = "quad8", material = "steel", mesh = { box = [[-10, 0], [10, 1]], cells = [40, 2] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "swift", K = 550, eps0 = 0.005, n = 0.2 }
+[[tool]]
+name = "upper"
+surface = { plane = { point = [0, 1.05336], normal = [0.005236, -0.9999863] } }
+motion = { velocity = [0, -0.1] }
+friction = { law = "coulomb", mu = 0.1 }
+[[tool]]
+name = "lower"
+surface = { plane = { point = [0, 0], normal = [0, 1] } }
+friction = { law = "coulomb", mu = 0.1 }
+[time]
+end = 1
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  const std::size_t last = table.rows.size() - 1;
+  std::printf("%zu increments, %.0f N/mm\n", table.rows.size(), table.value(last, "upper.force_y"));
+  EXPECT_NEAR(table.value(last, "upper.force_y"), -table.value(last, "lower.force_y"),
+              1e-3 * table.value(last, "upper.force_y"));
+  EXPECT_GT(table.value(last, "max_plastic_strain"), 0.05) << "both ends have been pressed";
+}
+
 TEST_F(HardStarts, ARunThatMissesEnergySaysWhere) {
   // The pusher leaves while the roll presses the strip back, far too fast for increments that the
   // case says itself.

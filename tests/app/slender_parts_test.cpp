@@ -110,6 +110,36 @@ TEST_F(SlenderParts, AForceBendsAStripAsFarAsItDoesAStiffOne) {
   EXPECT_NEAR(travel, beam, 0.03 * beam);
 }
 
+TEST_F(SlenderParts, AFoilThatIsClampedComesBackWhenItIsLetGo) {
+  const Outcome outcome = run(R"(
+analysis = "3d"
+workpiece = { element = "hex20", material = "steel", mesh = { box = [[0, 0, 0], [100, 4, 0.1]], cells = [20, 1, 1] } }
+[material.steel]
+elastic = { young = 210000, poisson = 0.3 }
+[[support]]
+where = "x = 0"
+fix = ["x", "z"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "punch"
+surface = { cylinder = { point = [90, 0, 5.1], axis = [0, 1, 0], radius = 5 } }
+motion = { displacement = [[0, 0, 0, 0], [1, 0, 0, -10]] }
+[[stage]]
+name = "bend"
+end = 1
+[[stage]]
+name = "let go"
+end = 2
+unload = true
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  const std::vector<double> elastic = table.values("elastic_energy");
+  EXPECT_LT(elastic.back(), 1e-9 * *std::max_element(elastic.begin(), elastic.end()));
+}
+
 TEST_F(SlenderParts, ALittleLoadIsALoad) {
   const Outcome outcome = run(R"(
 analysis = "3d"
