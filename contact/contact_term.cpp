@@ -482,6 +482,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const Vec3 force = areas_[k] * (pose.rotation * now.traction);
     work_.external += 0.5 * (force.dot(way.of(positions_[k])) +
                              state.force[k].dot(way_old.of(pose_old.to_space(history.position))));
+    work_.external -= 0.5 * state.retreat * areas_[k] * (history.pressure + now.pressure);
     state.force[k] = force;
     const double sliding = history.sliding + now.slip.norm();
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
@@ -566,6 +567,11 @@ std::vector<PointResult> ContactTerm::results() const {
     }
   }
   return results;
+}
+
+void ContactTerm::retreat(std::size_t tool, double distance) {
+  states_[tool].retreat = distance;
+  std::fill(states_[tool].known_gap.begin(), states_[tool].known_gap.end(), 0.0);
 }
 
 bool ContactTerm::lies_on(std::size_t tool) const {

@@ -213,6 +213,9 @@ public:
   [[nodiscard]] bool lies_on(std::size_t tool) const;
   /// Whether a tool touches in the committed state but will not act at `time`.
   [[nodiscard]] bool leaves(std::size_t tool, double time) const;
+  /// Tells how far a tool's surface has drawn back at the end of this try, along its normals,
+  /// beside what its motion does; it may be less than in the try before.
+  void retreat(std::size_t tool, double distance);
   /// Takes a tool's contact away: returns its committed nodal forces on the workpiece, shape
   /// (n_dofs) [N], and forgets its history. The penalties' energy goes with it.
   [[nodiscard]] std::vector<double> release(std::size_t tool);
@@ -248,6 +251,7 @@ private:
     std::vector<EvenFace> even; ///< in the order of faces; set at the end of an increment
     std::vector<Index> even_at; ///< of a face in `even`, -1: it is not there; shape (n_faces)
     bool touches = false;       ///< in the committed state
+    double retreat = 0.0;       ///< of its surface in the increment, along its normals [mm]
   };
 
   [[nodiscard]] Penalty penalty() const;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace billet::geometry {
 
 Pose rotation_about(const Vec3& point, const Vec3& axis, double angle) {
@@ -9,7 +11,8 @@ Pose rotation_about(const Vec3& point, const Vec3& axis, double angle) {
   return {R, point - R * point};
 }
 
-Vec3 Motion::translation(double time, const Driven& driven) const {
+Vec3 Motion::translation(double at, const Driven& driven) const {
+  const double time = std::min(at, rests_from);
   if (velocity)
     return *velocity * time;
   if (displacement)
@@ -21,7 +24,7 @@ Vec3 Motion::translation(double time, const Driven& driven) const {
 
 double Motion::angle(double time, const Driven& driven) const {
   if (rotation)
-    return rotation->speed.integral(time);
+    return rotation->speed.integral(std::min(time, rests_from));
   return torque ? driven.turn : 0.0;
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/crank.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 
 namespace billet::geometry {
@@ -75,6 +76,7 @@ struct Motion {
   std::optional<Drive> force;  ///< instead of a translation
   std::optional<Drive> torque; ///< instead of rotation
   Vec3 offset = Vec3::Zero();
+  double rests_from = std::numeric_limits<double>::infinity(); ///< it stays where it is then [s]
 
   [[nodiscard]] Pose pose(double time, const Driven& driven = {}) const;
   /// Where the tool is when it has been shifted and turned by that much.

@@ -50,8 +50,72 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 void Process::start_stage(const Stage& stage) {
   last_step_.clear();
   remembered_.clear();
-  if (contact_)
-    contact_->enable(stage.unload ? std::vector<char>(scene_.tools.size(), 0) : stage.tools);
+  if (contact_ && stage.unload)
+    draw_tools_back(stage.end);
+  else if (contact_)
+    contact_->enable(stage.tools);
+}
+
+/// Whether tools press so that metal could flow under their forces: what they only bend springs back
+/// under forces that fade.
+bool Process::is_squeezed() const {
+  constexpr double little = 1e-2; // of the stress at which it begins to flow
+  double force = 0.0;
+  for (const contact::ToolLoad& load : contact_->loads())
+    force += load.force.norm();
+  const mechanics::Material& material = scene_.material;
+  return force > little * contact_->area() *
+                     mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
+}
+
+/// Tools that touch and go where they are told stay, and their surfaces draw back until nothing
+/// touches them; tools that a load drives leave their forces behind. (P.5)
+void Process::draw_tools_back(double until) {
+  std::vector<char> stay(scene_.tools.size(), 0);
+  if (!is_squeezed()) {
+    contact_->enable(std::move(stay));
+    return;
+  }
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    contact::Tool& tool = scene_.tools[t];
+    if (!contact_->lies_on(t) || !contact_->acts(t, time_) || tool.motion.force ||
+        tool.motion.torque)
+      continue;
+    auto surface = std::make_unique<geometry::RetreatingSurface>(std::move(tool.surface));
+    retreating_.push_back({t, surface.get()});
+    tool.surface = std::move(surface);
+    tool.motion.rests_from = time_;
+    stay[t] = 1;
+  }
+  contact_->enable(std::move(stay));
+  retreat_begins_ = time_;
+  retreat_ends_ = until;
+  fading_until_ = until;
+}
+
+/// At first by less than what contact is pressed in by, at last by the size of the body: as the
+/// logarithm grows, so that a thousandth of a millimetre and a tenth of the body take as long.
+void Process::draw_back_to(double time) {
+  const double size = body_size(scene_.mesh);
+  constexpr double least = 1e-7; // of the body
+  const auto distance = [&](double t) {
+    const double share = (t - retreat_begins_) / (retreat_ends_ - retreat_begins_);
+    return least * size * std::expm1(share * std::log1p(1.0 / least));
+  };
+  for (const Retreating& each : retreating_) {
+    each.surface->set_distance(distance(time));
+    contact_->retreat(each.tool, distance(time) - distance(time_));
+  }
+}
+
+void Process::put_tools_back() {
+  for (const Retreating& each : retreating_) {
+    contact::Tool& tool = scene_.tools[each.tool];
+    tool.surface = each.surface->give_back();
+    tool.motion.rests_from = std::numeric_limits<double>::infinity();
+    contact_->retreat(each.tool, 0.0);
+  }
+  retreating_.clear();
 }
 
 std::string Process::overlaps_at_start(const Stage& stage) const {
@@ -200,6 +264,7 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
   if (contact_)
     contact_->foretell(foretold(dt));
   newton_->set_force_floor(force_floor(time_ + dt));
+  draw_back_to(time_ + dt);
   auto outcome =
       newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);
   if (outcome && grounding_)
@@ -525,6 +590,16 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         continue;
       }
     }
+    if (control.exhausted() && !retreating_.empty()) {
+      // What keeps them from drawing back is left to their forces, which fade.
+      events_.push_back("  tools leave their forces behind: drawn back they held the part no more");
+      put_tools_back();
+      contact_->enable(std::vector<char>(scene_.tools.size(), 0));
+      fading_until_ = time_;
+      control = IncrementControl({*limit.first, *limit.min, *limit.max});
+      failures = refusals = 0;
+      continue;
+    }
     if (control.exhausted() || refusals == most_refusals || turned_inside_out_ >= most_turned) {
       if (time_ == start)
         why += overlapping;
@@ -536,6 +611,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       return RunStatus::not_converged;
     }
   }
+  put_tools_back();
   return RunStatus::done;
 }
 

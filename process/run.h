@@ -10,6 +10,7 @@
 #include "contact/process_window.h"
 #include "contact/wear.h"
 #include "geometry/domain_remesher.h"
+#include "geometry/retreating_surface.h"
 #include "mechanics/grounding.h"
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
@@ -304,6 +305,10 @@ private:
   [[nodiscard]] bool try_softened(double dt, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
   [[nodiscard]] bool plausible(double dt, double force_scale, std::string& why) const;
+  [[nodiscard]] bool is_squeezed() const;
+  void draw_tools_back(double until);
+  void draw_back_to(double time);
+  void put_tools_back();
   [[nodiscard]] double force_floor(double time) const;
   void note_largest_force();
   /// Whether the grounding takes more of the increment just tried than it may.
@@ -463,6 +468,14 @@ private:
   std::unique_ptr<mechanics::Grounding> grounding_;
   std::vector<std::unique_ptr<mechanics::Load>> fading_; ///< forces of tools that have left
   double fading_until_ = 0.0;                            ///< [s]
+  /// A tool that touched when an unload stage began, its surface in another that draws back.
+  struct Retreating {
+    std::size_t tool;
+    geometry::RetreatingSurface* surface;
+  };
+  std::vector<Retreating> retreating_;
+  double retreat_begins_ = 0.0; ///< [s]
+  double retreat_ends_ = 0.0;   ///< [s]
   double flow_in_fading_ = 0.0; ///< plastic work while nothing but forces of tools that have left
                                 ///< acted [N mm]
   std::vector<mechanics::ForceTerm*> terms_;

@@ -515,7 +515,8 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
     lines.push_back(fmt::format(
         "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "
         "they keep their direction, and a thin part pressed from both sides folds under them as no "
-        "part does whose tools move back; let the tools move back in that stage in place of unload",
+        "part does whose tools move back; end the stage before with unload, or let the tools move "
+        "back",
         100.0 * flow / process.energy().plastic));
   for (const process::ContactZone& zone : process.poorly_resolved_tools())
     lines.push_back(fmt::format(

@@ -23,6 +23,18 @@ TEST(Motion, PointsOnTheAxisStayWhereTheyAre) {
   EXPECT_NEAR((pose.to_space({2, 2, 0}) - Vec3(1, 3, 0)).norm(), 0.0, rounding);
 }
 
+TEST(Motion, RestsFromATimeOn) {
+  Motion motion;
+  motion.velocity = Vec3(1, 0, 0);
+  motion.rotation = Rotation{Vec3::Zero(), Vec3::UnitZ(), TimeFunction(2.0)};
+  motion.rests_from = 3.0;
+  for (const double time : {3.0, 4.0, 1e6}) {
+    EXPECT_EQ(motion.translation(time), Vec3(3, 0, 0));
+    EXPECT_EQ(motion.angle(time), 6.0);
+  }
+  EXPECT_EQ(motion.translation(2.0), Vec3(2, 0, 0));
+}
+
 TEST(Motion, VelocityDisplacementOffsetAndRotationAddUp) {
   Motion fixed;
   EXPECT_EQ(fixed.pose(3.0).translation, Vec3::Zero());

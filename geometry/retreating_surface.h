@@ -1,0 +1,42 @@
+// A tool's surface that draws back from the workpiece along its normals: a tool opened in every
+// direction at once. (P.5)
+
+#pragma once
+
+#include "geometry/rigid_surface.h"
+
+#include <utility>
+
+namespace billet::geometry {
+
+/// Another surface, `distance` further off everywhere; it is drawn where it was.
+class RetreatingSurface final : public RigidSurface {
+public:
+  explicit RetreatingSurface(SurfacePtr surface) : surface_(std::move(surface)) {}
+
+  [[nodiscard]] double distance() const { return distance_; }
+  void set_distance(double distance) { distance_ = distance; }
+  /// The surface itself; this one is of no use any more.
+  [[nodiscard]] SurfacePtr give_back() { return std::move(surface_); }
+
+  [[nodiscard]] Box bounds() const override { return surface_->bounds(); }
+  [[nodiscard]] DisplayMesh display(const Box& window, bool planar) const override {
+    return surface_->display(window, planar);
+  }
+
+private:
+  void
+  do_project(std::span<const Vec3> points, double reach, std::span<Projection> out) const override {
+    surface_->project(points, reach, out);
+    for (Projection& projection : out)
+      if (projection.found()) {
+        projection.gap += distance_;
+        projection.foot -= distance_ * projection.normal;
+      }
+  }
+
+  SurfacePtr surface_;
+  double distance_ = 0.0;
+};
+
+} // namespace billet::geometry
