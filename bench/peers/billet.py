@@ -84,9 +84,12 @@ def read_history(path):
 
 
 def count_iterations(results, history):
-    """Every Newton iteration, those of abandoned attempts included where they are recorded."""
-    recorded = read_history(results / "iterations.csv")
-    return len(recorded) or sum(int(float(row["iterations"])) for row in history)
+    """Every Newton iteration, those of abandoned attempts included: linear systems solved."""
+    path = results / "summary.json"
+    if path.exists():
+        summary = json.loads(path.read_text(encoding="utf-8"))
+        return summary["iterations"] + summary["iterations_of_failed_tries"]
+    return sum(int(float(row["iterations"])) for row in history)
 
 
 def version(summary):
