@@ -56,8 +56,8 @@ void Process::start_stage(const Stage& stage) {
     contact_->enable(stage.tools);
 }
 
-/// Whether tools press so that metal could flow under their forces: what they only bend springs back
-/// under forces that fade.
+/// Whether tools press so that metal could flow under their forces: what they only bend springs
+/// back under forces that fade.
 bool Process::is_squeezed() const {
   constexpr double little = 1e-2; // of the stress at which it begins to flow
   double force = 0.0;
@@ -182,9 +182,12 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     contact_->restart();
   if (solve_increment(dt, approach, why))
     return true;
-  if (grounding_)
-    grounding_->set_share(1.0);
-  return false;
+  if (!grounding_ || grounding_->share() == 1.0)
+    return false;
+  grounding_->set_share(1.0); // what held the part so far may have gone
+  if (contact_)
+    contact_->restart();
+  return solve_increment(dt, approach, why);
 }
 
 /// Forces that count as none beside the body's own stiffness, or beside those that have acted so
@@ -592,7 +595,9 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     }
     if (control.exhausted() && !retreating_.empty()) {
       // What keeps them from drawing back is left to their forces, which fade.
-      events_.push_back("  tools leave their forces behind: drawn back they held the part no more");
+      refusal_event_ =
+          "  tools leave their forces behind, which fade: drawn back further they do not "
+          "hold the part";
       put_tools_back();
       contact_->enable(std::vector<char>(scene_.tools.size(), 0));
       fading_until_ = time_;
