@@ -205,8 +205,9 @@ TEST_F(CommandLine, kernels_are_those_of_the_processor_unless_the_user_has_chose
   };
   const std::string own = kernels([] { ::unsetenv("OPENBLAS_CORETYPE"); });
   EXPECT_NE(own.find("BLAS kernels "), std::string::npos);
-  if (__builtin_cpu_supports("avx2") != 0) // which Prescott's do without
+  if (__builtin_cpu_supports("avx2") != 0) { // which Prescott's do without
     EXPECT_EQ(own.find("BLAS kernels Prescott"), std::string::npos) << own;
+  }
   const std::string chosen = kernels([] { ::setenv("OPENBLAS_CORETYPE", "Prescott", 1); });
   EXPECT_NE(chosen.find("BLAS kernels Prescott"), std::string::npos) << chosen;
 }
