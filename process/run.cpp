@@ -56,68 +56,6 @@ void Process::start_stage(const Stage& stage) {
     contact_->enable(stage.tools);
 }
 
-/// Whether tools press so that metal could flow under their forces: what they only bend springs
-/// back under forces that fade.
-bool Process::is_squeezed() const {
-  constexpr double little = 1e-2; // of the stress at which it begins to flow
-  double force = 0.0;
-  for (const contact::ToolLoad& load : contact_->loads())
-    force += load.force.norm();
-  const mechanics::Material& material = scene_.material;
-  return force > little * contact_->area() *
-                     mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
-}
-
-/// Tools that touch and go where they are told stay, and their surfaces draw back until nothing
-/// touches them; tools that a load drives leave their forces behind. (P.5)
-void Process::draw_tools_back(double until) {
-  std::vector<char> stay(scene_.tools.size(), 0);
-  if (!is_squeezed()) {
-    contact_->enable(std::move(stay));
-    return;
-  }
-  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    contact::Tool& tool = scene_.tools[t];
-    if (!contact_->lies_on(t) || !contact_->acts(t, time_) || tool.motion.force ||
-        tool.motion.torque)
-      continue;
-    auto surface = std::make_unique<geometry::RetreatingSurface>(std::move(tool.surface));
-    retreating_.push_back({t, surface.get()});
-    tool.surface = std::move(surface);
-    tool.motion.rests_from = time_;
-    stay[t] = 1;
-  }
-  contact_->enable(std::move(stay));
-  retreat_begins_ = time_;
-  retreat_ends_ = until;
-  fading_until_ = until;
-}
-
-/// At first by less than what contact is pressed in by, at last by the size of the body: as the
-/// logarithm grows, so that a thousandth of a millimetre and a tenth of the body take as long.
-void Process::draw_back_to(double time) {
-  const double size = body_size(scene_.mesh);
-  constexpr double least = 1e-7; // of the body
-  const auto distance = [&](double t) {
-    const double share = (t - retreat_begins_) / (retreat_ends_ - retreat_begins_);
-    return least * size * std::expm1(share * std::log1p(1.0 / least));
-  };
-  for (const Retreating& each : retreating_) {
-    each.surface->set_distance(distance(time));
-    contact_->retreat(each.tool, distance(time) - distance(time_));
-  }
-}
-
-void Process::put_tools_back() {
-  for (const Retreating& each : retreating_) {
-    contact::Tool& tool = scene_.tools[each.tool];
-    tool.surface = each.surface->give_back();
-    tool.motion.rests_from = std::numeric_limits<double>::infinity();
-    contact_->retreat(each.tool, 0.0);
-  }
-  retreating_.clear();
-}
-
 std::string Process::overlaps_at_start(const Stage& stage) const {
   std::string text;
   if (!contact_ || stage.unload || time_ == 0.0)
@@ -128,25 +66,6 @@ std::string Process::overlaps_at_start(const Stage& stage) const {
         text += fmt::format("; the workpiece overlaps tool '{}' where the stage begins, {}",
                             scene_.tools[t].name, where);
   return text;
-}
-
-void Process::release_tools(double next_time, double gone_time) {
-  if (!contact_)
-    return;
-  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (!contact_->leaves(t, next_time))
-      continue;
-    // Its forces stay as they are and fade: equilibrium without them is reached on the way.
-    const double stored = contact_->work().stored;
-    std::vector<double> forces = contact_->release(t);
-    tool_energy_ += stored - contact_->work().stored;
-    fading_.push_back(mechanics::make_dead_load(std::move(forces),
-                                                TimeFunction({{time_, 1.0}, {gone_time, 0.0}})));
-    terms_.push_back(fading_.back().get());
-    fading_until_ = gone_time;
-    last_step_.clear();
-    remembered_.clear();
-  }
 }
 
 mechanics::Prescribed Process::prescribed(double time) const {
@@ -188,71 +107,6 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
   if (contact_)
     contact_->restart();
   return solve_increment(dt, approach, why);
-}
-
-/// Forces that count as none beside the body's own stiffness, or beside those that have acted so
-/// far on a slender body. (N.2)
-double Process::force_floor(double time) const {
-  constexpr double none = 1e-7, least = 1e-10; // of the stiffness times the size
-  constexpr double times_acting = 1e3;
-  double acting = largest_force_;
-  for (const auto& load : loads_)
-    acting = std::max(acting, load->norm(time, x_));
-  const double body = body_stiffness() * body_size(scene_.mesh);
-  return acting > 0.0 ? std::clamp(times_acting * acting, least * body, none * body) : none * body;
-}
-
-void Process::note_largest_force() {
-  for (const Index i : prescribed(time_).unknowns)
-    largest_force_ = std::max(largest_force_, std::abs(reactions_[idx(i)]));
-  if (contact_)
-    for (const contact::ToolLoad& load : contact_->loads())
-      largest_force_ = std::max(largest_force_, load.force.norm());
-}
-
-bool Process::grounding_weighs(double dt) const {
-  constexpr double nothing = 1e-6; // of all work so far
-  constexpr double little = 1e-3;  // of the work of the increment
-  const double lost = grounding_->work_in({time_, time_ + dt, x_, trial_x_});
-  if (lost <= nothing * most_energy_)
-    return false;
-  return lost > little * energy_after(dt).largest_since(energy_);
-}
-
-/// A slender part is softer than the grounding, which would carry the load of its tools: where it
-/// does it is made lighter, as far as the part is held by something else. (M.17)
-Outcome<mechanics::NewtonReport>
-Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) {
-  constexpr double lightest = 1e-6; // equations are solved in double precision
-  constexpr int longest_wait = 3;
-  const auto solve_on = [&] {
-    return newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_,
-                          mechanics::Approach::from_solution);
-  };
-  Outcome<mechanics::NewtonReport> now = solved;
-  if (grounding_wait_ > 0 && grounding_wait_-- > 0)
-    return now;
-  // What was held by the grounding so far may have a long way to go at once.
-  for (const double lighter : {1e-2, 0.3})
-    while (grounding_->share() > lightest && grounding_weighs(dt)) {
-      const std::vector<double> x = trial_x_;
-      const double share = grounding_->share();
-      grounding_->set_share(std::max(lightest, lighter * share));
-      const auto again = solve_on();
-      if (again) {
-        now = again;
-        grounding_failures_ = 0;
-        continue;
-      }
-      grounding_->set_share(share);
-      trial_x_ = x;
-      now = solve_on();
-      if (!now)
-        return now;
-      grounding_wait_ = std::min(++grounding_failures_ / 2, longest_wait);
-      break;
-    }
-  return now;
 }
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {

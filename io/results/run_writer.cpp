@@ -274,8 +274,6 @@ bool is_frame(const std::filesystem::path& file) {
          (suffix == ".vtu" || suffix == ".vtp");
 }
 
-constexpr double tolerated_penetration = 0.02; // of the element beneath
-
 /// Removes what an earlier run left, so that nothing of it passes for a result of this one; files
 /// that are not ours stay.
 void remove_earlier_run(const std::filesystem::path& folder, const std::string& name) {
@@ -439,127 +437,6 @@ void RunWriter::remeshed(const process::Process& process, const process::RemeshR
 void RunWriter::finished(const process::Process& process) {
   if (process.time() > last_frame_)
     write_frame(process);
-}
-
-void RunWriter::note_unmet_tools(const process::Process& process,
-                                 const process::IncrementReport& report) {
-  if (process.contact() == nullptr)
-    return;
-  unmet_.resize(process.scene().tools.size());
-  for (std::size_t t = 0; t < unmet_.size(); ++t)
-    unmet_[t].met = unmet_[t].met || process.contact()->lies_on(t);
-  Unmet& deepest = unmet_[report.penetration.tool];
-  constexpr double noticed = 2e-3; // of the element beneath
-  if (report.penetration_share > noticed) {
-    if (deepest.depth == 0.0)
-      deepest.time = report.time;
-    deepest.depth = std::max(deepest.depth, report.penetration.sampled);
-  }
-}
-
-std::vector<std::string> RunWriter::warnings(const process::Process& process) const {
-  std::vector<std::string> lines;
-  for (std::size_t t = 0; t < unmet_.size(); ++t)
-    if (!unmet_[t].met && unmet_[t].depth > 0.0)
-      lines.push_back(fmt::format(
-          "warning: from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} deep, and no "
-          "contact point meets it, so it has no force: it is narrower than they are apart, or a "
-          "hollow that sides are too long for; take smaller elements there",
-          unmet_[t].time, content_->units.time, process.scene().tools[t].name, unmet_[t].depth,
-          content_->units.length));
-  if (const auto refused = process.refusals(); !refused.empty())
-    lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
-                                "first at t = {:.6g} {}: {}",
-                                refused.size(), refused.front().time, content_->units.time,
-                                refused.front().why));
-  if (largest_share_ > tolerated_penetration)
-    lines.push_back(fmt::format(
-        "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
-        "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
-        "contact.form = \"compatible\") lessens it",
-        largest_penetration_, content_->units.length, 100.0 * largest_share_));
-  constexpr double budget = 0.005;
-  constexpr double rounding = 1e-16; // of E times the volume
-  const double nothing =
-      rounding * process.bulk().material().elasticity.young * process.bulk().reference_volume();
-  if (const process::EnergyBalance& energy = process.energy();
-      energy.error() > budget && std::abs(energy.missing()) > nothing)
-    lines.push_back(fmt::format(
-        "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
-        "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "
-        "and forces that change much within an increment are integrated badly; a shorter "
-        "time.increments.max shows which",
-        100.0 * energy.error(), energy.missing(), content_->units.force, content_->units.length,
-        most_missed_at_, content_->units.time, most_missed_));
-  if (const process::EnergyBalance& energy = process.energy();
-      energy.grounding > budget * energy.scale())
-    lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) went into the grounding, which holds the "
-        "part "
-        "where neither supports nor tools do: forces and shape are off by as much and more; a "
-        "[[support]] for its free motions mends that",
-        100.0 * energy.grounding / energy.scale(), energy.grounding, content_->units.force,
-        content_->units.length));
-  constexpr double unpaid = 0.02;
-  if (const process::EnergyBalance& energy = process.energy();
-      std::abs(energy.enforcement) > unpaid * energy.scale())
-    lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
-        "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
-        "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
-        "quadratic ones also contact.form = \"compatible\") mend that",
-        100.0 * energy.enforcement / energy.scale(), energy.enforcement, content_->units.force,
-        content_->units.length));
-  constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
-  if (const double flow = process.flow_in_fading(); flow > springback * process.energy().plastic)
-    lines.push_back(fmt::format(
-        "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "
-        "they keep their direction, and a thin part pressed from both sides folds under them as no "
-        "part does whose tools move back; end the stage before with unload, or let the tools move "
-        "back",
-        100.0 * flow / process.energy().plastic));
-  for (const process::ContactZone& zone : process.poorly_resolved_tools())
-    lines.push_back(fmt::format(
-        "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "
-        "force, which can be far too high; {}",
-        process.scene().tools[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone),
-        zone.length, content_->units.length,
-        content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
-                         : "a finer mesh there or a [remesh] section mends that"));
-  if (worn_)
-    lines.push_back(fmt::format(
-        "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "
-        "what they say with them; {}",
-        worn_->time, content_->units.time, worn_->min_quality, last_->min_quality,
-        content_->remesh ? "no new mesh could be made in time: the log says why"
-                         : "a [remesh] section would have replaced the mesh"));
-  if (squeezed_at_) {
-    const double share = last_->volume / process.bulk().reference_volume();
-    const double pressure = -process.bulk().material().elasticity.bulk() * std::log(share);
-    lines.push_back(fmt::format("warning: from t = {:.6g} {} on the metal is squeezed by more than "
-                                "2 % of its volume, at the "
-                                "end by {:.2g} %, under {:.3g} {} in the mean, more than most "
-                                "tools bear: the cavity is full, "
-                                "or leaves too little way out",
-                                *squeezed_at_, content_->units.time, 100.0 * (1.0 - share),
-                                pressure, content_->units.stress));
-  }
-  if (last_) {
-    const mechanics::Material& material = process.bulk().material();
-    const double left = mechanics::strength_left(
-        material.flow, {last_->max_plastic_strain, 1.0, material.temperature});
-    constexpr double soft = 0.5;
-    if (left < soft)
-      lines.push_back(fmt::format(
-          "warning: at the largest plastic strain, {:.3g}, the flow law has {:.0f} % of "
-          "its largest stress left: metal that "
-          "softens so far flows in bands as thin as its elements, and forces depend on "
-          "their size; let the law "
-          "end where its measured curves do (eps_max of hansel-spittel, a table)",
-          last_->max_plastic_strain, 100.0 * left));
-  }
-  lines.insert(lines.end(), complaints_.begin(), complaints_.end());
-  return lines;
 }
 
 void RunWriter::write_summary(const process::Process& process, const RunEnd& end) {

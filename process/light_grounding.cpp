@@ -1,0 +1,77 @@
+// What lets a slender body be solved for: forces that count as none, and a grounding that is no
+// stiffer than the body. (M.17), (N.2)
+
+#include "process/remeshing.h"
+#include "process/run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace billet::process {
+
+/// Forces that count as none beside the body's own stiffness, or beside those that have acted so
+/// far on a slender body. (N.2)
+double Process::force_floor(double time) const {
+  constexpr double none = 1e-7, least = 1e-10; // of the stiffness times the size
+  constexpr double times_acting = 1e3;
+  double acting = largest_force_;
+  for (const auto& load : loads_)
+    acting = std::max(acting, load->norm(time, x_));
+  const double body = body_stiffness() * body_size(scene_.mesh);
+  return acting > 0.0 ? std::clamp(times_acting * acting, least * body, none * body) : none * body;
+}
+
+void Process::note_largest_force() {
+  for (const Index i : prescribed(time_).unknowns)
+    largest_force_ = std::max(largest_force_, std::abs(reactions_[idx(i)]));
+  if (contact_)
+    for (const contact::ToolLoad& load : contact_->loads())
+      largest_force_ = std::max(largest_force_, load.force.norm());
+}
+
+bool Process::grounding_weighs(double dt) const {
+  constexpr double nothing = 1e-6; // of all work so far
+  constexpr double little = 1e-3;  // of the work of the increment
+  const double lost = grounding_->work_in({time_, time_ + dt, x_, trial_x_});
+  if (lost <= nothing * most_energy_)
+    return false;
+  return lost > little * energy_after(dt).largest_since(energy_);
+}
+
+/// A slender part is softer than the grounding, which would carry the load of its tools: where it
+/// does it is made lighter, as far as the part is held by something else. (M.17)
+Outcome<mechanics::NewtonReport>
+Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) {
+  constexpr double lightest = 1e-6; // equations are solved in double precision
+  constexpr int longest_wait = 3;
+  const auto solve_on = [&] {
+    return newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_,
+                          mechanics::Approach::from_solution);
+  };
+  Outcome<mechanics::NewtonReport> now = solved;
+  if (grounding_wait_ > 0 && grounding_wait_-- > 0)
+    return now;
+  // What was held by the grounding so far may have a long way to go at once.
+  for (const double lighter : {1e-2, 0.3})
+    while (grounding_->share() > lightest && grounding_weighs(dt)) {
+      const std::vector<double> x = trial_x_;
+      const double share = grounding_->share();
+      grounding_->set_share(std::max(lightest, lighter * share));
+      const auto again = solve_on();
+      if (again) {
+        now = again;
+        grounding_failures_ = 0;
+        continue;
+      }
+      grounding_->set_share(share);
+      trial_x_ = x;
+      now = solve_on();
+      if (!now)
+        return now;
+      grounding_wait_ = std::min(++grounding_failures_ / 2, longest_wait);
+      break;
+    }
+  return now;
+}
+
+} // namespace billet::process

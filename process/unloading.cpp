@@ -1,0 +1,95 @@
+// How tools leave: their surfaces draw back, or their forces fade. (P.5), (P.5a)
+
+#include "geometry/retreating_surface.h"
+#include "process/remeshing.h"
+#include "process/run.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace billet::process {
+
+/// Whether tools press so that metal could flow under their forces: what they only bend springs
+/// back under forces that fade.
+bool Process::is_squeezed() const {
+  constexpr double little = 1e-2; // of the stress at which it begins to flow
+  double force = 0.0;
+  for (const contact::ToolLoad& load : contact_->loads())
+    force += load.force.norm();
+  const mechanics::Material& material = scene_.material;
+  return force > little * contact_->area() *
+                     mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
+}
+
+/// Tools that touch and go where they are told stay, and their surfaces draw back until nothing
+/// touches them; tools that a load drives leave their forces behind. (P.5)
+void Process::draw_tools_back(double until) {
+  std::vector<char> stay(scene_.tools.size(), 0);
+  if (!is_squeezed()) {
+    contact_->enable(std::move(stay));
+    return;
+  }
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    contact::Tool& tool = scene_.tools[t];
+    if (!contact_->lies_on(t) || !contact_->acts(t, time_) || tool.motion.force ||
+        tool.motion.torque)
+      continue;
+    auto surface = std::make_unique<geometry::RetreatingSurface>(std::move(tool.surface));
+    retreating_.push_back({t, surface.get()});
+    tool.surface = std::move(surface);
+    tool.motion.rests_from = time_;
+    stay[t] = 1;
+  }
+  contact_->enable(std::move(stay));
+  retreat_begins_ = time_;
+  retreat_ends_ = until;
+  fading_until_ = until;
+}
+
+/// At first by less than what contact is pressed in by, at last by the size of the body: as the
+/// logarithm grows, so that a thousandth of a millimetre and a tenth of the body take as long.
+void Process::draw_back_to(double time) {
+  const double size = body_size(scene_.mesh);
+  constexpr double least = 1e-7; // of the body
+  const auto distance = [&](double t) {
+    const double share = (t - retreat_begins_) / (retreat_ends_ - retreat_begins_);
+    return least * size * std::expm1(share * std::log1p(1.0 / least));
+  };
+  for (const Retreating& each : retreating_) {
+    each.surface->set_distance(distance(time));
+    contact_->retreat(each.tool, distance(time) - distance(time_));
+  }
+}
+
+void Process::put_tools_back() {
+  for (const Retreating& each : retreating_) {
+    contact::Tool& tool = scene_.tools[each.tool];
+    tool.surface = each.surface->give_back();
+    tool.motion.rests_from = std::numeric_limits<double>::infinity();
+    contact_->retreat(each.tool, 0.0);
+  }
+  retreating_.clear();
+}
+
+void Process::release_tools(double next_time, double gone_time) {
+  if (!contact_)
+    return;
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    if (!contact_->leaves(t, next_time))
+      continue;
+    // Its forces stay as they are and fade: equilibrium without them is reached on the way.
+    const double stored = contact_->work().stored;
+    std::vector<double> forces = contact_->release(t);
+    tool_energy_ += stored - contact_->work().stored;
+    fading_.push_back(mechanics::make_dead_load(std::move(forces),
+                                                TimeFunction({{time_, 1.0}, {gone_time, 0.0}})));
+    terms_.push_back(fading_.back().get());
+    fading_until_ = gone_time;
+    last_step_.clear();
+    remembered_.clear();
+  }
+}
+
+} // namespace billet::process
