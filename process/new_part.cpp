@@ -203,8 +203,32 @@ NewPart Process::new_part(const std::vector<geometry::SizeAt>& at) const {
 }
 
 NewPart Process::new_plane_part(const std::vector<geometry::SizeAt>& at) const {
-  const PartBoundary boundary =
-      part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  PartBoundary boundary = part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  std::vector<geometry::ClosedFold> folds;
+  // A fold is welded only where there is no mesh otherwise: first where its walls cross, then where
+  // it is narrower than sides of a new mesh are long.
+  constexpr std::array<double, 4> nears{0.0, 0.1, 0.3, 1.0}; // of the shortest
+  const double shortest = usual_sizes().min;
+  std::size_t tried = 0;
+  while (true)
+    try {
+      NewPart part = new_plane_part_within(boundary, at);
+      part.folds = std::move(folds);
+      return part;
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry)
+        throw;
+      std::vector<geometry::ClosedFold> welded;
+      while (welded.empty() && tried < nears.size())
+        welded = weld_folds(boundary, nears[tried++] * shortest, shortest);
+      if (welded.empty())
+        throw;
+      folds.insert(folds.end(), welded.begin(), welded.end());
+    }
+}
+
+NewPart Process::new_plane_part_within(const PartBoundary& boundary,
+                                       const std::vector<geometry::SizeAt>& at) const {
   const auto stops = std::make_shared<const ContactStops>(boundary, scene_.contact_faces,
                                                           surface_ ? surface_->line_coordinates()
                                                                    : std::vector<double>());
@@ -254,10 +278,12 @@ NewPart Process::new_plane_part(const std::vector<geometry::SizeAt>& at) const {
     if (other && quality(*other) > quality(part))
       part = std::move(*other);
   }
-  return {part, [stops, places = part.places](const contact::ContactSurface& surface,
-                                              std::span<const double> /*x*/) {
+  return {part,
+          [stops, places = part.places](const contact::ContactSurface& surface,
+                                        std::span<const double> /*x*/) {
             return point_sources(*stops, places, surface.line_coordinates());
-          }};
+          },
+          {}};
 }
 
 NewPart Process::new_solid_part() const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <variant>
 
 namespace billet::process {
@@ -162,7 +163,10 @@ ContactStops::ContactStops(const PartBoundary& boundary,
     parts_.push_back(loop.part);
   }
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const SideNumber at = boundary.sides.at({faces[f].nodes[0], faces[f].nodes[1]});
+    const auto found = boundary.sides.find({faces[f].nodes[0], faces[f].nodes[1]});
+    if (found == boundary.sides.end())
+      continue; // in a fold that was cut off
+    const SideNumber at = found->second;
     for (std::size_t i = 0; i < coordinates.size(); ++i)
       stops_[idx(at.loop)].push_back({way({at.loop, at.side, 0.5 * (1.0 + coordinates[i])}),
                                       f * coordinates.size() + i,
@@ -213,6 +217,47 @@ PartBoundary part_boundary(const Scene& scene,
     for (const Index node : scene.mesh.node_sets.at(name))
       kept[idx(node)] = 1;
   return Chains(scene, x, touching).boundary(kept);
+}
+
+std::vector<geometry::ClosedFold> weld_folds(PartBoundary& boundary, double near, double rest) {
+  std::vector<geometry::ClosedFold> folds;
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
+    SideLoop& loop = boundary.loops[l];
+    const auto supported = [&](std::int32_t part) {
+      const std::vector<char>& supports = boundary.attachments[idx(part)].supports;
+      return static_cast<char>(
+          std::any_of(supports.begin(), supports.end(), [](char flag) { return flag != 0; }));
+    };
+    while (true) {
+      std::vector<char> stays(loop.part.size());
+      std::transform(loop.part.begin(), loop.part.end(), stays.begin(), supported);
+      const auto fold = geometry::closed_fold(loop, stays, near);
+      if (!fold)
+        break;
+      folds.push_back(*fold);
+      folds.back().from.loop = folds.back().to.loop = static_cast<std::int32_t>(l);
+      geometry::WeldedLoop welded = geometry::without_fold(loop, *fold, rest);
+      std::vector<std::int32_t> now(loop.part.size(), -1); // new number of each side
+      std::vector<Index> corners;
+      std::vector<unsigned char> fixed;
+      for (std::size_t i = 0; i < welded.sides.size(); ++i) {
+        now[idx(welded.sides[i])] = static_cast<std::int32_t>(i);
+        const std::int32_t old = welded.corners[i];
+        corners.push_back(old < 0 ? -1 : boundary.corners[l][idx(old)]);
+        fixed.push_back(old < 0 ? 0 : boundary.fixed[l][idx(old)]);
+      }
+      for (auto side = boundary.sides.begin(); side != boundary.sides.end();) {
+        SideNumber& number = side->second;
+        if (number.loop == static_cast<std::int32_t>(l))
+          number.side = now[idx(number.side)];
+        side = number.side < 0 ? boundary.sides.erase(side) : std::next(side);
+      }
+      loop = std::move(welded.loop);
+      boundary.corners[l] = std::move(corners);
+      boundary.fixed[l] = std::move(fixed);
+    }
+  }
+  return folds;
 }
 
 unsigned char fixed_components(const Scene& scene,

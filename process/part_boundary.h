@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include "geometry/closed_folds.h"
 #include "geometry/domain_remesher.h"
 #include "process/attachments.h"
 #include "process/scene.h"
@@ -31,11 +32,11 @@ struct SideNumber {
 /// The boundary of a part where it is now.
 struct PartBoundary {
   std::vector<geometry::SideLoop> loops;
-  std::vector<std::vector<Index>> corners; ///< node numbers, of each loop
+  std::vector<std::vector<Index>> corners; ///< node numbers, of each loop; -1: a weld
   /// Components of each of these nodes that a support prescribes: 1 for x, 2 for y, or both.
   std::vector<std::vector<unsigned char>> fixed;
   std::vector<Attachment> attachments; ///< of each part of the boundary
-  /// Side of each face, by its first two nodes.
+  /// Side of each face that is on it, by its first two nodes.
   std::map<std::pair<Index, Index>, SideNumber> sides;
 };
 
@@ -46,6 +47,14 @@ struct PartBoundary {
                                          std::span<const double> x,
                                          std::span<const int> touching,
                                          std::span<const std::string> keep);
+
+/// Cuts folds that have closed off the boundary, but for such as hold supports: their walls are
+/// welded, their faces are no part of it any more. (G.54)
+///
+/// @param near  as for `geometry::closed_fold`
+/// @param rest  as for `geometry::without_fold`
+/// @return      what was cut off
+std::vector<geometry::ClosedFold> weld_folds(PartBoundary& boundary, double near, double rest);
 
 /// Components that a support prescribes in a place of the boundary: 1 for x, 2 for y, or both.
 [[nodiscard]] unsigned char fixed_components(const Scene& scene,

@@ -89,6 +89,7 @@ std::string Process::remesh(const std::string& cause,
   report.elements[0] = scene_.mesh.n_elements();
   report.nodes[0] = scene_.mesh.n_points();
   report.quality.before = worst_quality(scene_.mesh, positions());
+  report.folds = part.folds;
   CarriedOver carried = carry_over(part.part);
   carried.sources = exchange_mesh(std::move(part), carried);
   const double exchanged = seconds_now();

@@ -23,6 +23,7 @@ struct NewPart {
   std::function<std::vector<contact::PointSource>(const contact::ContactSurface&,
                                                   std::span<const double> x)>
       sources;
+  std::vector<geometry::ClosedFold> folds = {}; ///< of the old boundary that were welded
 };
 
 /// A tool that comes to touch on sides too long for what it touches.

@@ -128,6 +128,7 @@ struct RemeshReport {
   bool balanced = false;    ///< equilibrium was restored before time went on
   int returned = 0;         ///< points put back onto the yield surface
   double seconds = 0.0;     ///< it took [s]
+  std::vector<geometry::ClosedFold> folds; ///< of the boundary that were welded
 
   /// Change of the plastic work over itself, or a thousandth of the run's if that is more: a state
   /// from the time of first touch has next to none [-].
@@ -419,6 +420,8 @@ private:
   /// @throws Error(Fault::geometry) if it cannot be meshed
   [[nodiscard]] NewPart new_part(const std::vector<geometry::SizeAt>& at) const;
   [[nodiscard]] NewPart new_plane_part(const std::vector<geometry::SizeAt>& at) const;
+  [[nodiscard]] NewPart new_plane_part_within(const PartBoundary& boundary,
+                                              const std::vector<geometry::SizeAt>& at) const;
   [[nodiscard]] NewPart new_solid_part() const;
   /// The tool that touches each contact face; -1: none.
   [[nodiscard]] std::vector<int> touching_tools() const;

@@ -1,6 +1,7 @@
 // The boundary of a part with what hangs on it, and that it hangs there still on a new mesh.
 
 #include "geometry/base/angle.h"
+#include "geometry/base/error.h"
 #include "mechanics/bulk.h"
 #include "mechanics/mesh_locator.h"
 #include "process/part_boundary.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -110,6 +112,40 @@ TEST(PartBoundary, IsALoopWithThePartOnItsLeft) {
     for (const auto& [nodes, number] : boundary.sides)
       EXPECT_EQ(boundary.corners[as_size(number.loop)][as_size(number.side)], nodes.first);
   }
+}
+
+TEST(PartBoundary, AFoldWhoseWallsCrossIsWelded) {
+  const Scene scene = block(ElementKind::quad4);
+  std::vector<double> x = mechanics::node_positions(scene.mesh);
+  const auto move = [&](const Vec2& from, const Vec2& to) {
+    for (std::size_t i = 0; i < x.size(); i += 2)
+      if ((Vec2(x[i], x[i + 1]) - from).norm() < rounding)
+        std::tie(x[i], x[i + 1]) = std::pair(to.x(), to.y());
+  };
+  move({4.0, height}, {5.0, 4.5});
+  move({2.0, height}, {6.5, 6.3}); // over the node at (6, 6)
+  PartBoundary boundary =
+      part_boundary(scene, x, std::vector<int>(scene.contact_faces.size(), -1), {});
+  const PartBoundary folded = boundary;
+  EXPECT_THROW(static_cast<void>(remesh_part(scene, boundary, sides_of(1.0), {})), Error);
+  const auto folds = weld_folds(boundary, 0.0, 0.25);
+  ASSERT_EQ(folds.size(), 1u);
+  EXPECT_NEAR(folds[0].at.x(), 6.25, rounding);
+  EXPECT_NEAR(folds[0].at.y(), 6.0, rounding);
+  EXPECT_LT(boundary.sides.size(), folded.sides.size());
+  for (const auto& [nodes, number] : boundary.sides) {
+    const Index first = boundary.corners[as_size(number.loop)][as_size(number.side)];
+    EXPECT_TRUE(first == nodes.first || first == -1);
+  }
+  // All that hangs on the other sides is there on the new mesh, whose contact finds its past.
+  const RemeshedPart part = remesh_part(scene, boundary, sides_of(1.0), {});
+  EXPECT_NEAR(part.measure, enclosed(boundary.loops[0]), 1e-9);
+  EXPECT_EQ(part.supports.size(), scene.supports.size());
+  for (const Support& support : part.supports)
+    EXPECT_GE(support.nodes.size(), 5u);
+  const ContactStops stops(boundary, scene.contact_faces, std::vector<double>{-0.577, 0.577});
+  for (const auto& source : point_sources(stops, part.places, std::vector<double>{0.0}))
+    EXPECT_LT(source.nearest(), 2 * scene.contact_faces.size());
 }
 
 TEST(PartBoundary, IsWhereThePartIsNow) {
