@@ -176,6 +176,8 @@ public:
 
   /// Whether a tool that a force drives stays where it is, whatever acts on it.
   void hold(std::size_t tool, bool held) { held_[tool] = held ? 1 : 0; }
+  /// Whether a tool neither travels nor turns, whatever acts on it and whatever drives it.
+  void rest(std::size_t tool, bool rests) { rests_[tool] = rests ? 1 : 0; }
 
   /// Whether a tool is enabled and active.
   [[nodiscard]] bool acts(std::size_t tool, double time) const;
@@ -328,7 +330,8 @@ private:
                                      const Vec3& position) const;
   /// Whether a free degree of freedom follows its load now.
   [[nodiscard]] bool follows(const DriveUnknown& drive, double time) const {
-    return acts(drive.tool, time) && (drive.turns || held_[drive.tool] == 0);
+    return acts(drive.tool, time) && rests_[drive.tool] == 0 &&
+           (drive.turns || held_[drive.tool] == 0);
   }
   /// History of a point that lies between points of an earlier surface.
   ///
@@ -379,6 +382,7 @@ private:
   double reach_;
   std::vector<char> enabled_;
   std::vector<char> held_; ///< likewise one flag a tool
+  std::vector<char> rests_; ///< likewise
   std::vector<ToolState> states_;
   std::vector<Vec3> positions_;
   std::vector<double> foretold_;         ///< unknowns at the end of this try; empty: not told [mm]

@@ -180,6 +180,24 @@ double shear_energy(const Vec3& shear, double stiffness) {
   return stiffness > 0.0 ? 0.5 * shear.squaredNorm() / stiffness : 0.0;
 }
 
+namespace {
+
+/// A slide begins where the shear has come to its limit: from rest, or from the other side after
+/// a turn, that is farther on than where the increment began. (C.18a)
+double unseen_work(const PointHistory& old, const Traction& now) {
+  const double way = now.slip.norm();
+  if (!old.closed() || way == 0.0 || now.pressure <= 0.0)
+    return 0.0;
+  const Vec3 along = -now.slip / way; // as the shear acts
+  const double before = now.turned.norm();
+  const double limit = std::max(before, std::min(old.limit, now.shear.norm()));
+  const double there = now.turned.dot(along);
+  const double rise = std::sqrt(std::max(0.0, there * there + limit * limit - before * before));
+  return 0.5 * std::max(0.0, rise - there) * way;
+}
+
+} // namespace
+
 ShearBalance balance(const Penalty& penalty,
                      const PointHistory& old,
                      const Traction& now,
@@ -201,7 +219,8 @@ ShearBalance balance(const Penalty& penalty,
   const double most = stored + std::max(0.0, lost);
   if (shear_energy(now.shear, after) > most)
     after = 0.5 * now.shear.squaredNorm() / most;
-  return {after, lost + stored - shear_energy(now.shear, after)};
+  const double unseen = unseen_work(old, now);
+  return {after, lost + stored - shear_energy(now.shear, after) + unseen, unseen};
 }
 
 Traction traction(const Friction& friction,

@@ -92,6 +92,8 @@ struct InterfaceInput {
 struct ShearBalance {
   double stiffness = 0.0;     ///< against slip from here on (C.17) [MPa/mm]
   double friction_work = 0.0; ///< what the shear did and is not stored (C.18) [N/mm]
+  /// Of it, what the trapezoidal rule does not see, nor does that of tools and supports. (C.18a)
+  double unseen = 0.0;
 };
 
 /// Stiffness of the next increment and friction work of this one. (C.17), (C.18)

@@ -262,16 +262,55 @@ std::vector<Face> candidates(const process::Scene& scene, const std::vector<Face
   return faces;
 }
 
-void add_supports(const Case& content, const Selector& select, process::Scene& scene) {
-  for (const Support& support : content.supports) {
+bool equal(const TimeFunction& a, const TimeFunction& b) {
+  const auto same_at = [&](const std::pair<double, double>& point) {
+    return a(point.first) == b(point.first);
+  };
+  return std::all_of(a.points().begin(), a.points().end(), same_at) &&
+         std::all_of(b.points().begin(), b.points().end(), same_at);
+}
+
+/// A node that two supports move differently would follow one of them, and nobody would know which.
+void require_agreement(const process::Scene& scene,
+                       const std::vector<std::size_t>& number,
+                       const std::string& place) {
+  std::map<std::pair<Index, int>, std::size_t> first;
+  for (std::size_t s = 0; s < scene.supports.size(); ++s) {
+    const process::Support& support = scene.supports[s];
+    for (const Index node : support.nodes) {
+      const auto [known, is_new] = first.try_emplace({node, support.component}, s);
+      if (is_new || equal(scene.supports[known->second].displacement, support.displacement))
+        continue;
+      const Vec3& at = scene.mesh.points[idx(node)];
+      throw Error(Fault::case_file, place,
+                  fmt::format("[[support]] {} and {} prescribe different displacements in {} at "
+                              "({:.6g}, {:.6g}, {:.6g}), which belongs to both",
+                              number[known->second], number[s], "xyz"[support.component], at[0],
+                              at[1], at[2]),
+                  "leave that place out of one of them by its where, or the direction");
+    }
+  }
+}
+
+void add_supports(const Case& content,
+                  const Selector& select,
+                  const std::string& place,
+                  process::Scene& scene) {
+  std::vector<std::size_t> number; // in the case file, from 1
+  for (std::size_t s = 0; s < content.supports.size(); ++s) {
+    const Support& support = content.supports[s];
     const std::vector<Index> nodes = select.nodes(support.where);
     for (int c = 0; c < content.dimension(); ++c) {
       if (support.fix[idx(c)])
         scene.supports.push_back({nodes, c, TimeFunction(0.0)});
       else if (support.move[idx(c)])
         scene.supports.push_back({nodes, c, *support.move[idx(c)]});
+      else
+        continue;
+      number.push_back(s + 1);
     }
   }
+  require_agreement(scene, number, place);
 }
 
 void add_loads(const Case& content, const Selector& select, process::Scene& scene) {
@@ -556,7 +595,7 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
   note_molten(scene.material, built.notes);
   const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
   const Selector select(scene.mesh, boundary, place);
-  add_supports(content, select, scene);
+  add_supports(content, select, place, scene);
   note_single_file(scene, built.notes);
   note_flat_elements(scene.mesh, built.notes);
   add_loads(content, select, scene);

@@ -76,6 +76,12 @@ EnergyBalance Process::energy_after(double dt) const {
   return energy;
 }
 
+/// Work of the forces that Newton's method leaves at its floor (N.2), over the size of the part.
+double Process::work_of_rounding() const {
+  constexpr double of_stiffness = 1e-12;
+  return of_stiffness * scene_.material.elasticity.young * bulk_->reference_volume();
+}
+
 std::string Process::misses_too_much(double dt, double length) const {
   constexpr double rounding = 1e-9;
   constexpr double most = 0.05;        // of the work of an increment longer than by default
@@ -90,6 +96,8 @@ std::string Process::misses_too_much(double dt, double length) const {
     return "";
   const EnergyBalance after = energy_after(dt);
   const double missed = std::abs(after.missing() - energy_.missing());
+  if (missed <= work_of_rounding())
+    return "";
   if (is_long && after.error_since(energy_) > most)
     return fmt::format("its balance of energy misses {:.2g} %", 100.0 * after.error_since(energy_));
   if (!is_long && missed > most_of_all * most_energy_)
@@ -118,7 +126,8 @@ bool Process::lets_go_too_fast(double dt) const {
     if (!contact_->acts(t, time_ + dt))
       continue;
     const auto [before, now] = contact_->forces_of_tool(t, trial);
-    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) > most * most_energy_)
+    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) >
+                                           std::max(most * most_energy_, work_of_rounding()))
       return true;
   }
   return false;

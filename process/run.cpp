@@ -343,6 +343,15 @@ void Process::notify(const std::vector<Observer*>& observers, const IncrementRep
     observer->incremented(*this, report);
 }
 
+namespace {
+
+bool stop_requested(const std::vector<Observer*>& observers) {
+  return std::any_of(observers.begin(), observers.end(),
+                     [](const Observer* observer) { return observer->stop_requested(); });
+}
+
+} // namespace
+
 RunStatus
 Process::run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers) {
   const double length = stage.end - start;
@@ -363,12 +372,16 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   std::string unmeshed; // why the last remeshing was not possible
   int failures = 0;
   int refusals = 0;
+  bool rested = false;
   while (time_ < stage.end) {
-    if (failures == 0 && rests(stage)) {
+    if (stop_requested(observers))
+      return RunStatus::stopped;
+    if (failures == 0 && !rested && rests(stage)) {
       energy_used_up_ = &stage == &scene_.stages.back();
       if (energy_used_up_)
         break;
       control.set_next(length);
+      rested = true; // an increment that is refused all the same gets shorter
     }
     const double landing = next_landing(stage.end);
     const double step =
@@ -417,9 +430,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       control.accepted(step, last_iterations_, missed_since(before, (time_ - start) / length));
       failures = refusals = 0;
       tried.clear();
-      for (const Observer* observer : observers)
-        if (observer->stop_requested())
-          return RunStatus::stopped;
+      if (stop_requested(observers))
+        return RunStatus::stopped;
       if (const std::string cause = remeshing_due(); !cause.empty() && time_ < stage.end) {
         unmeshed = remesh(cause, observers);
         if (!unmeshed.empty())

@@ -300,6 +300,8 @@ private:
   /// its work. (P.24)
   ///
   /// @param length  of the stage [s]
+  /// Work that says nothing: no increment is refused for it. [N mm]
+  [[nodiscard]] double work_of_rounding() const;
   /// @return what it misses; empty: no more than it may
   [[nodiscard]] std::string misses_too_much(double dt, double length) const;
   /// By way of softer contact, after an increment has failed. (N.10)

@@ -37,7 +37,7 @@ bool constant(const LoadSpec& load, double from, double to) {
 } // namespace
 
 std::string Process::begin_blows(const Stage& stage) {
-  if (!blows_)
+  if (!blows_ || stage.unload)
     return "";
   std::vector<Vec3> points(surface_->n_points());
   surface_->positions(x_, points);

@@ -23,8 +23,8 @@ bool Process::is_squeezed() const {
                      mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
 }
 
-/// Tools that touch and go where they are told stay, and their surfaces draw back until nothing
-/// touches them; tools that a load drives leave their forces behind. (P.5)
+/// Tools that touch stay where they are, those that a load drives as well, and their surfaces draw
+/// back until nothing touches them. (P.5)
 void Process::draw_tools_back(double until) {
   std::vector<char> stay(scene_.tools.size(), 0);
   if (!is_squeezed()) {
@@ -33,13 +33,13 @@ void Process::draw_tools_back(double until) {
   }
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     contact::Tool& tool = scene_.tools[t];
-    if (!contact_->lies_on(t) || !contact_->acts(t, time_) || tool.motion.force ||
-        tool.motion.torque)
+    if (!contact_->lies_on(t) || !contact_->acts(t, time_))
       continue;
     auto surface = std::make_unique<geometry::RetreatingSurface>(std::move(tool.surface));
     retreating_.push_back({t, surface.get()});
     tool.surface = std::move(surface);
     tool.motion.rests_from = time_;
+    contact_->rest(t, true);
     stay[t] = 1;
   }
   contact_->enable(std::move(stay));
@@ -69,6 +69,7 @@ void Process::put_tools_back() {
     tool.surface = each.surface->give_back();
     tool.motion.rests_from = std::numeric_limits<double>::infinity();
     contact_->retreat(each.tool, 0.0);
+    contact_->rest(each.tool, false);
   }
   retreating_.clear();
 }
