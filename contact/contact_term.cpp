@@ -63,11 +63,11 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
                          double reach,
                          const DriveScale& drives)
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
-      enabled_(tools.size(), 1), held_(tools.size(), 0), rests_(tools.size(), 0), positions_(surface.n_points()),
-      foretold_positions_(surface.n_points()), areas_(surface.n_points()),
-      traction_(surface.n_points()), dtraction_(surface.n_points()), symmetric_(surface.n_points()),
-      touched_(surface.n_points()), loads_(tools.size()), closed_(tools.size()),
-      drives_(drive_unknowns(tools)), scale_(drives) {
+      enabled_(tools.size(), 1), held_(tools.size(), 0), rests_(tools.size(), 0),
+      positions_(surface.n_points()), foretold_positions_(surface.n_points()),
+      areas_(surface.n_points()), traction_(surface.n_points()), dtraction_(surface.n_points()),
+      symmetric_(surface.n_points()), touched_(surface.n_points()), loads_(tools.size()),
+      closed_(tools.size()), drives_(drive_unknowns(tools)), scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
   for (ToolState& state : states_) {
@@ -174,7 +174,8 @@ ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::T
   if (foretold_.empty())
     return 0.0;
   const ToolState& state = states_[t];
-  const std::span<const double> drives = held_[t] != 0 || rests_[t] != 0 ? trial.x_old : std::span(foretold_);
+  const std::span<const double> drives =
+      held_[t] != 0 || rests_[t] != 0 ? trial.x_old : std::span(foretold_);
   const std::array<Vec3, 2> places{state.history[point].position,
                                    pose(t, trial.time, drives).to_tool(foretold_positions_[point])};
   std::array<geometry::Projection, 2> feet;

@@ -381,7 +381,7 @@ private:
   std::span<const Tool> tools_;
   double reach_;
   std::vector<char> enabled_;
-  std::vector<char> held_; ///< likewise one flag a tool
+  std::vector<char> held_;  ///< likewise one flag a tool
   std::vector<char> rests_; ///< likewise
   std::vector<ToolState> states_;
   std::vector<Vec3> positions_;

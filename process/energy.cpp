@@ -126,8 +126,8 @@ bool Process::lets_go_too_fast(double dt) const {
     if (!contact_->acts(t, time_ + dt))
       continue;
     const auto [before, now] = contact_->forces_of_tool(t, trial);
-    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) >
-                                           std::max(most * most_energy_, work_of_rounding()))
+    if (now.sum < fall * before.sum &&
+        0.5 * std::abs(now.work - before.work) > std::max(most * most_energy_, work_of_rounding()))
       return true;
   }
   return false;

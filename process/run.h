@@ -117,17 +117,17 @@ struct RemeshReport {
   Pair quality;                    ///< scaled Jacobian of the worst element [-]
   int again = 0; ///< increments of the past that were solved again on the new mesh
   // Of the state carried over: where these began, or now.
-  Pair volume;              ///< [mm^3]
-  Pair plastic_work;        ///< of the field of plastic strain [N mm]
-  double work_of_run = 0.0; ///< plastic, until now [N mm]
-  Pair mean_strain;         ///< plastic, over the volume [-]
-  Pair largest_strain;      ///< plastic [-]
-  std::vector<Pair> forces; ///< on each tool, now [N]
-  double energy = 0.0;      ///< lost by carrying the state over [N mm]
-  double residual = 0.0;    ///< of the state carried over, relative [-]
-  bool balanced = false;    ///< equilibrium was restored before time went on
-  int returned = 0;         ///< points put back onto the yield surface
-  double seconds = 0.0;     ///< it took [s]
+  Pair volume;                             ///< [mm^3]
+  Pair plastic_work;                       ///< of the field of plastic strain [N mm]
+  double work_of_run = 0.0;                ///< plastic, until now [N mm]
+  Pair mean_strain;                        ///< plastic, over the volume [-]
+  Pair largest_strain;                     ///< plastic [-]
+  std::vector<Pair> forces;                ///< on each tool, now [N]
+  double energy = 0.0;                     ///< lost by carrying the state over [N mm]
+  double residual = 0.0;                   ///< of the state carried over, relative [-]
+  bool balanced = false;                   ///< equilibrium was restored before time went on
+  int returned = 0;                        ///< points put back onto the yield surface
+  double seconds = 0.0;                    ///< it took [s]
   std::vector<geometry::ClosedFold> folds; ///< of the boundary that were welded
 
   /// Change of the plastic work over itself, or a thousandth of the run's if that is more: a state

@@ -222,6 +222,11 @@ std::vector<Broken> wrong_scenes() {
       one("touch_without_motion", punch_motion, "touch = true", {"tool.punch.touch", "velocity"}),
       lacking("shear_yield_of_an_elastic_body", {{swift, ""}},
               {"case.toml", "tool 'punch'", "the workpiece is elastic"}),
+      lacking(
+          "supports_that_contradict_each_other",
+          {{"fix   = [\"y\"]", "fix   = [\"x\", \"y\"]"},
+           {"fix   = [\"x\"]", "fix   = [\"x\"]\nmove  = { y = [[0, 0], [1, 0.1]] }"}},
+          {"case.toml", "[[support]] 1 and 2 prescribe different displacements in y at (0, 0, 0)"}),
       lacking("plane_without_nodes", {{"where = \"y = 0\"", "where = \"y = 0.3\""}},
               {"case.toml", "y = 0.3", "no node of the mesh lies there"}),
       lacking("set_of_a_box", {{"where = \"y = 0\"", "where = \"set:bottom\""}},

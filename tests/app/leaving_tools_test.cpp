@@ -1,0 +1,150 @@
+// Tools that a load drives and that leave, or have nothing left to do; and the work of slides that
+// turn within an increment.
+
+#include "tests/app/tables.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace billet::test::leaving_tools_test {
+
+namespace {
+
+class LeavingTools : public testing::Test {
+protected:
+  [[nodiscard]] Outcome run(const std::string& text) const {
+    write_text(folder_.path() / "case.toml", text);
+    return billet({"run", "case.toml", "--quiet", "-o", "out"}, folder_.path());
+  }
+  [[nodiscard]] ResultTable history() const {
+    return read_table(folder_.path() / "out" / "history.csv");
+  }
+  [[nodiscard]] nlohmann::json summary() const {
+    return nlohmann::json::parse(whole_file(folder_.path() / "out/summary.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// A loose billet of 10 x 10 between an anvil and a tool that `motion` drives; then both leave. A
+/// block on the anvil afterwards shows where it is.
+std::string on_anvil(const std::string& motion) {
+  return R"(
+analysis = "axisymmetric"
+workpiece = { element = "quad8", material = "steel", mesh = { box = [[0, 0], [10, 10]], cells = [4, 4] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "voce", yield = 200, saturation = 500, rate = 5 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[tool]]
+name = "ram"
+surface = { plane = { point = [0, 10], normal = [0, -1] } }
+motion = )" +
+         motion + R"(
+touch = true
+friction = { law = "coulomb", mu = 0.2 }
+[[tool]]
+name = "anvil"
+surface = { plane = { point = [0, 0], normal = [0, 1] } }
+friction = { law = "coulomb", mu = 0.2 }
+[[stage]]
+name = "press"
+end = 0.1
+[[stage]]
+name = "leave"
+end = 0.2
+unload = true
+[[stage]]
+name = "press again"
+end = 0.3
+)";
+}
+
+TEST_F(LeavingTools, AHammeredBilletStaysOnItsAnvil) {
+  const Outcome outcome = run(on_anvil(
+      R"({ press = { kind = "hammer", direction = [0, -1], energy = 100000, velocity = 5000 } })"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err; // it was off the anvil by 14, the next blow stopped
+  const nlohmann::json blows = summary()["blows"];
+  ASSERT_EQ(blows.size(), 2u) << "none while tools leave";
+  const std::vector<double> volume = history().values("volume");
+  EXPECT_NEAR(volume.back(), volume.front(), 1e-2 * volume.front());
+  EXPECT_LT(summary()["energy"]["relative_error"].get<double>(), 0.005);
+}
+
+TEST_F(LeavingTools, ABilletThatAForcePressedStaysOnItsAnvil) {
+  const Outcome outcome = run(on_anvil("{ force = { direction = [0, -1], value = [[0, 0], [0.1, "
+                                       "150000], [0.2, 150000], [0.3, 160000]] } }"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NEAR(std::abs(history().values("anvil.force_y").back()), 160000, 200);
+}
+
+TEST_F(LeavingTools, TheRestOfAStageAfterABlowComesToAnEnd) {
+  // Nothing moves after the blow: the whole rest was tried at once, refused, and tried again.
+  const Outcome outcome = run(R"(
+analysis = "3d"
+workpiece = { element = "hex8", material = "steel", mesh = { box = [[0, 0, 0], [10, 10, 10]], cells = [2, 2, 2] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "voce", yield = 200, saturation = 500, rate = 5 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[support]]
+where = "z = 0"
+fix = ["z"]
+[[tool]]
+name = "ram"
+surface = { plane = { point = [0, 0, 10], normal = [0, 0, -1] } }
+motion = { press = { kind = "hammer", direction = [0, 0, -1], energy = 20000, velocity = 5000 } }
+[[stage]]
+name = "blow"
+end = 0.1
+[[stage]]
+name = "lift"
+end = 0.2
+unload = true
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(summary()["blows"].size(), 1u);
+}
+
+TEST_F(LeavingTools, ASlideThatTurnsLosesNoWork) {
+  // A block under a plate that goes to and fro, each way in less than four increments.
+  const Outcome outcome = run(R"(
+analysis = "plane-strain"
+workpiece = { element = "quad8", material = "steel", mesh = { box = [[0, 0], [10, 5]], cells = [4, 2] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+[[support]]
+where = "y = 5"
+fix = ["x"]
+move = { y = [[0, 0], [0.1, -0.01]] }
+[[tool]]
+name = "plate"
+surface = { plane = { point = [0, 0], normal = [0, 1] } }
+motion = { displacement = [[0, 0, 0], [0.1, 0, 0], [0.19, 1, 0], [0.28, -1, 0], [0.37, 1, 0], [0.46, -1, 0], [0.55, 1, 0], [0.64, -1, 0], [0.73, 1, 0], [0.82, -1, 0], [0.91, 1, 0], [1, -1, 0]] }
+friction = { law = "coulomb", mu = 0.2 }
+[time]
+end = 1
+increments = { max = 0.03 }
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const double force = std::abs(history().values("plate.force_y").back());
+  const double expected = 0.2 * force * (1 + 9 * 2); // 0.2 to 0.4 of it before
+  const nlohmann::json energy = summary()["energy"];
+  EXPECT_NEAR(energy["friction_work"].get<double>(), expected, 0.02 * expected);
+  EXPECT_NEAR(energy["external_work"].get<double>(), expected, 0.02 * expected);
+}
+
+} // namespace
+} // namespace billet::test::leaving_tools_test
