@@ -1,5 +1,7 @@
 #include "contact/wear.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <utility>
 
@@ -32,6 +34,14 @@ const ClosedPoint* find(std::span<const ClosedPoint> points, std::size_t point) 
   return found != points.end() && found->point == point ? &*found : nullptr;
 }
 
+/// How what rests has turned against a tool, as a vector in the tool's frame; 0: not at all.
+Vec3 turn_between(const Mat3& tool, const Mat3& tool_before) {
+  if (tool == tool_before)
+    return Vec3::Zero();
+  const Eigen::AngleAxisd turn(Mat3(tool.transpose() * tool_before));
+  return turn.angle() * turn.axis();
+}
+
 /// Pressure over way in an increment in which a point opens, or closes unforetold, while it slides:
 /// on average half of the way, at half of the pressure. (W.10)
 double edge_of_contact(double pressure, const Vec3& way, const Vec3& normal) {
@@ -50,6 +60,7 @@ Wear::Wear(const ContactSurface& surface, std::span<const Tool> tools, const Box
       workpiece_(tools.size()) {
   for (std::size_t t = 0; t < tools.size(); ++t) {
     const Tool& tool = tools[t];
+    rotation_.push_back(tool.motion.pose(0.0).rotation);
     if (!tool.wear)
       continue;
     maps_[t].emplace(*tool.surface, surface.analysis(), in_frame(body, tool.motion.pose(0.0)));
@@ -81,7 +92,9 @@ void Wear::add(const ContactTerm& contact, std::span<const double> x, double tim
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (!maps_[t])
       continue;
-    const Place place{x, contact.pose(t, time, x)};
+    const geometry::Pose pose = contact.pose(t, time, x);
+    const Place place{x, pose, turn_between(pose.rotation, rotation_[t])};
+    rotation_[t] = pose.rotation;
     const std::vector<ClosedPoint>& closed = contact.closed()[t];
     for (const ClosedPoint& at : closed) {
       if (at.slip == 0.0)
@@ -122,7 +135,8 @@ void Wear::wear_off(std::size_t tool,
   for (Vec3& corner : footprint.corners)
     corner += moved;
   const double volume = law.tool.depth(pressed_way) * at.area; // (W.2)
-  maps_[tool]->add({footprint, at.foot, at.normal, at.to - at.from, volume});
+  maps_[tool]->add(
+      {footprint, at.foot, at.normal, at.to - at.from, volume, place.turn, tools_[tool].reference});
   if (!law.workpiece)
     return;
   const double depth = law.workpiece->depth(pressed_way); // (W.4)

@@ -56,10 +56,12 @@ public:
   [[nodiscard]] std::vector<double> workpiece_depth() const;
 
 private:
-  /// The workpiece when an increment ends, and a tool's place then.
+  /// The workpiece when an increment ends, a tool's place then, and by how much the workpiece has
+  /// turned against it, a vector in its frame.
   struct Place {
     std::span<const double> x;
     geometry::Pose pose;
+    Vec3 turn; ///< [rad]
   };
 
   /// Wears tool and workpiece where a point slides.
@@ -77,6 +79,7 @@ private:
   const ContactSurface* surface_;
   std::span<const Tool> tools_;
   std::vector<std::vector<ClosedPoint>> last_; ///< closed in the increment before, by tool
+  std::vector<Mat3> rotation_;                 ///< of each tool, an increment ago
   std::vector<std::optional<WearMap>> maps_;
   std::vector<std::optional<WorkpieceWear>> workpiece_;
 };

@@ -103,12 +103,12 @@ double WearMap::area(const geometry::ConvexPolygon& shape) const {
              : length;
 }
 
-WearMap::Imprint WearMap::imprint(const WornPatch& patch, const Vec3& shift, double size) const {
+WearMap::Imprint WearMap::imprint(const WornPatch& patch, double size) {
   // Cells are met in the foot's neighbourhood; on a curved tool its way is a chord.
   constexpr double reserve = 1.5;
   const auto& corners = patch.footprint.corners;
   const std::size_t n = patch.footprint.n_corners;
-  Imprint imprint{{}, n, patch.foot + shift, patch.normal, 0.0, fineness * size};
+  Imprint imprint{{}, n, patch.foot, patch.normal, 0.0, fineness * size};
   Vec3 turn = Vec3::Zero();
   for (std::size_t i = 0; i < n; ++i) {
     imprint.radius2 =
@@ -117,10 +117,9 @@ WearMap::Imprint WearMap::imprint(const WornPatch& patch, const Vec3& shift, dou
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 side = corners[(i + 1) % n] - corners[i];
-    imprint.sides[i] = {
-        corners[i] + shift,
-        n == 2 ? Vec3(side - side.dot(patch.normal) * patch.normal)
-               : Vec3((turn.dot(patch.normal) > 0.0 ? 1.0 : -1.0) * patch.normal.cross(side))};
+    imprint.sides[i] = {corners[i], n == 2 ? Vec3(side - side.dot(patch.normal) * patch.normal)
+                                           : Vec3((turn.dot(patch.normal) > 0.0 ? 1.0 : -1.0) *
+                                                  patch.normal.cross(side))};
   }
   return imprint;
 }
@@ -135,6 +134,35 @@ double WearMap::covered(geometry::ConvexPolygon shape, const Imprint& imprint) c
   return area(shape);
 }
 
+namespace {
+
+/// The piece where it was a share of the increment before its end: a roll carries its surface round
+/// beneath it.
+WornPatch earlier(WornPatch patch, double share) {
+  const double angle = patch.turn.norm();
+  if (angle == 0.0) {
+    for (Vec3& corner : patch.footprint.corners)
+      corner -= share * patch.way;
+    patch.foot -= share * patch.way;
+    return patch;
+  }
+  const auto turned = [&](const Vec3& v, double by) -> Vec3 {
+    return Eigen::AngleAxisd(-by * angle, patch.turn / angle) * v;
+  };
+  const auto back = [&](const Vec3& x, double by) -> Vec3 {
+    return patch.centre + turned(x - patch.centre, by);
+  };
+  // What it has gone besides.
+  const Vec3 rest = share * (patch.foot - patch.way - back(patch.foot, 1.0));
+  for (Vec3& corner : patch.footprint.corners)
+    corner = back(corner, share) + rest;
+  patch.foot = back(patch.foot, share) + rest;
+  patch.normal = turned(patch.normal, share);
+  return patch;
+}
+
+} // namespace
+
 // (W.6)
 void WearMap::add(const WornPatch& patch) {
   const double size = contact::size(patch.footprint);
@@ -142,7 +170,7 @@ void WearMap::add(const WornPatch& patch) {
   const int n = std::max(1, static_cast<int>(places));
   for (int i = 0; i < n; ++i) {
     const double left = 1.0 - (i + 0.5) / n;
-    press(imprint(patch, -left * patch.way, size), patch.volume / n);
+    press(imprint(earlier(patch, left), size), patch.volume / n);
   }
 }
 

@@ -35,6 +35,8 @@ struct WornPatch {
   Vec3 normal = Vec3::Zero(); ///< of the tool there [-]
   Vec3 way = Vec3::Zero();    ///< of the point along the tool in the increment [mm]
   double volume = 0.0;        ///< [mm^3], >= 0
+  Vec3 turn = Vec3::Zero();   ///< of the piece against the tool in the increment, a vector [rad]
+  Vec3 centre = Vec3::Zero(); ///< about a line through this [mm]
 };
 
 /// A piece of the tool's surface and what is worn off it.
@@ -98,7 +100,8 @@ private:
   }
   [[nodiscard]] double area(const geometry::ConvexPolygon& shape) const;
   [[nodiscard]] double depth(const Node& node) const { return node.volume / area(shape(node)); }
-  [[nodiscard]] Imprint imprint(const WornPatch& patch, const Vec3& shift, double size) const;
+  /// @param size  of its footprint [mm]
+  [[nodiscard]] static Imprint imprint(const WornPatch& patch, double size);
   [[nodiscard]] double covered(geometry::ConvexPolygon shape, const Imprint& imprint) const;
   void press(const Imprint& imprint, double volume);
   void gather(std::int32_t node, const Imprint& imprint, std::vector<Share>& shares);

@@ -40,6 +40,18 @@ std::string smoothing_note(const geometry::Smoothing& s, double feature_angle) {
   return text;
 }
 
+/// A roll of facets lifts off along its flats and digs in with its edges as it turns.
+std::string facets_note(const contact::Tool& tool) {
+  const bool turns = tool.motion.rotation || tool.motion.torque;
+  return fmt::format(
+      "{}tool '{}': its facets are off the curved shape that they stand for by up to "
+      "{:.2g}; smooth = true curves them{}",
+      turns ? "warning: " : "", tool.name, tool.chord_error,
+      turns ? ". It turns: metal springs back by less than that and loses touch with "
+              "each flat, forces can be far too low"
+            : "");
+}
+
 /// Builds the shape of each kind of surface.
 struct SurfaceMaker {
   const std::string& tool;
@@ -297,6 +309,12 @@ contact::Tool build_tool(const Tool& tool,
     result.reference = result.motion.place.to_tool(result.motion.rotation->point);
   if (result.motion.torque)
     result.reference = result.motion.place.to_tool(result.motion.torque->point);
+  const auto* stl = std::get_if<StlSurface>(&tool.surface);
+  const auto* step = std::get_if<StepSurface>(&tool.surface);
+  const bool faceted = (stl != nullptr && !stl->smooth) || (step != nullptr && !step->smooth);
+  constexpr double seen = 1e-6; // of the workpiece: less is rounding of the file
+  if (faceted && result.chord_error > seen * workpiece_size)
+    notes.push_back(facets_note(result));
   check_direction(tool);
   result.friction = friction_of(tool.friction);
   if (tool.active) {

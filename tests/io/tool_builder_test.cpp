@@ -49,7 +49,21 @@ protected:
 
 TEST_F(ToolBuilder, AnStlKeepsItsFacetsUnlessTheCaseSaysSmooth) {
   EXPECT_NEAR(gap(), 0.038, 1e-3);
-  EXPECT_EQ(notes_.size(), 1U);
+  ASSERT_EQ(notes_.size(), 2U);
+  EXPECT_EQ(notes_[1].find("tool 'roll': its facets are off the curved shape"), 0U) << notes_[1];
+  EXPECT_NE(notes_[1].find("by up to 0.038"), std::string::npos) << notes_[1];
+}
+
+TEST_F(ToolBuilder, ARollOfFacetsThatTurnsIsAWarning) {
+  tool_.motion.rotation = RotationMotion{Vec3::Zero(), Vec3::UnitZ(), TimeFunction(1.0)};
+  (void)gap();
+  ASSERT_EQ(notes_.size(), 2U);
+  EXPECT_EQ(notes_[1].find("warning: tool 'roll': its facets are off"), 0U) << notes_[1];
+  stl().smooth = true;
+  notes_.clear();
+  (void)gap();
+  for (const std::string& note : notes_)
+    EXPECT_NE(note.find("warning"), 0U) << note;
 }
 
 TEST_F(ToolBuilder, ASmoothStlIsRoundAndTheLogSaysWhatWasGained) {
