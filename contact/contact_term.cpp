@@ -488,7 +488,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     const double sliding = history.sliding + now.slip.norm();
     const ShearBalance shear = balance(penalty, history, now, sliding, surface_->depth(face_of(k)));
     work_.friction += shear.friction_work * areas_[k];
-    work_.external += shear.unseen * areas_[k];
+    work_.unseen += shear.unseen * areas_[k];
     // What opens, or comes to a tool that touches already, has rubbed on the way by the trapezoid
     // that the work of tools is taken by: one point's contact passes to another.
     Vec3 rubs = Vec3::Zero();

@@ -62,7 +62,10 @@ struct Penetration {
 struct ContactWork {
   double external = 0.0; ///< done by the tools' motion [N mm]
   double friction = 0.0; ///< dissipated [N mm]
-  double stored = 0.0;   ///< in the penalties now [N mm]
+  /// Of it, what trapezoids of the work of forces do not see: slides that begin or turn within an
+  /// increment; whoever drives them has done it. [N mm] (C.18a)
+  double unseen = 0.0;
+  double stored = 0.0; ///< in the penalties now [N mm]
   /// Done by raising penalties and multipliers, which work on what is pressed [N mm]. (C.23)
   double enforcement = 0.0;
 };

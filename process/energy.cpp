@@ -42,7 +42,8 @@ EnergyBalance Process::balance_of(const mechanics::Bulk& bulk,
     for (const auto& load : *loads)
       energy.external += load->work();
   if (contact != nullptr) {
-    energy.external += contact->work().external + contact->work().enforcement;
+    const contact::ContactWork& work = contact->work();
+    energy.external += work.external + work.enforcement + work.unseen;
     energy.enforcement = contact->work().enforcement;
     energy.friction = contact->work().friction;
     energy.contact = contact->work().stored;
