@@ -11,22 +11,41 @@ namespace billet::process {
 
 /// Forces that count as none beside the body's own stiffness, or beside those that have acted so
 /// far on a slender body. (N.2)
-double Process::force_floor(double time) const {
-  constexpr double none = 1e-7, least = 1e-10; // of the stiffness times the size
-  constexpr double times_acting = 1e3;
+double Process::acting_force(double time) const {
   double acting = largest_force_;
   for (const auto& load : loads_)
     acting = std::max(acting, load->norm(time, x_));
+  return acting;
+}
+
+double Process::force_floor(double time) const {
+  constexpr double none = 1e-7, least = 1e-10; // of the stiffness times the size
+  constexpr double times_acting = 1e3;
+  const double acting = acting_force(time);
   const double body = body_stiffness() * body_size(scene_.mesh);
+  constexpr double of_a_touch = 1e-6; // likewise
+  if (hardly_touches_)
+    return of_a_touch * body;
   return acting > 0.0 ? std::clamp(times_acting * acting, least * body, none * body) : none * body;
 }
 
-void Process::note_largest_force() {
+bool Process::may_hardly_touch(double time) const {
+  constexpr double hardly = 1e-11; // of the stiffness times the size
+  return acting_force(time) < hardly * body_stiffness() * body_size(scene_.mesh);
+}
+
+void Process::note_largest_force(double of_grounding) {
+  // A part that is pushed through the air is held back by its grounding alone.
+  constexpr double far_above = 100.0; // a sum over nodes against a norm
+  const auto note = [&](double force) {
+    if (force > far_above * of_grounding)
+      largest_force_ = std::max(largest_force_, force);
+  };
   for (const Index i : prescribed(time_).unknowns)
-    largest_force_ = std::max(largest_force_, std::abs(reactions_[idx(i)]));
+    note(std::abs(reactions_[idx(i)]));
   if (contact_)
     for (const contact::ToolLoad& load : contact_->loads())
-      largest_force_ = std::max(largest_force_, load.force.norm());
+      note(load.force.norm());
 }
 
 bool Process::grounding_weighs(double dt) const {
@@ -35,7 +54,12 @@ bool Process::grounding_weighs(double dt) const {
   const double lost = grounding_->work_in({time_, time_ + dt, x_, trial_x_});
   if (lost <= nothing * most_energy_)
     return false;
-  return lost > little * energy_after(dt).largest_since(energy_);
+  const EnergyBalance after = energy_after(dt);
+  constexpr double rigid = 1e-6; // of what is lost: the part is pushed through the air
+  if (std::max({std::abs(after.elastic - energy_.elastic), after.plastic - energy_.plastic,
+                after.friction - energy_.friction}) <= rigid * lost)
+    return false;
+  return lost > little * after.largest_since(energy_);
 }
 
 /// A slender part is softer than the grounding, which would carry the load of its tools: where it

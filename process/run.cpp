@@ -145,6 +145,14 @@ bool Process::try_softened(double dt, std::string& why) {
   const auto may_help = [this] { // what has been solved and refused has the same solution again
     return contact_ && !refused_as_too_deep_ && !refused_inside_out_;
   };
+  // A part that is free but for a touch goes to and fro between points that are off by rounding.
+  if (may_help() && may_hardly_touch(time_ + dt)) {
+    hardly_touches_ = true;
+    const bool solved = try_increment(dt, mechanics::Approach::directly, why);
+    hardly_touches_ = false;
+    if (solved)
+      return true;
+  }
   // A softer friction finds the neutral point of a roll; a softer penalty where a sheet lifts off
   // a tool that it lay on: a stiff one opens little more than a point an iteration.
   for (const mechanics::Approach approach :
@@ -261,8 +269,11 @@ void Process::commit(double dt) {
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
   support_work_ += work_of_supports(dt);
-  if (grounding_)
+  double of_grounding = 0.0;
+  if (grounding_) {
     energy_.grounding += grounding_->work_in(trial);
+    of_grounding = grounding_->force_in(trial);
+  }
   for (const Index i : prescribed(time_ + dt).unknowns)
     reactions_[idx(i)] = newton_->residual()[idx(i)];
   last_step_.resize(x_.size());
@@ -274,7 +285,7 @@ void Process::commit(double dt) {
   last_dt_ = dt;
   x_ = trial_x_;
   time_ += dt;
-  note_largest_force();
+  note_largest_force(of_grounding);
 }
 
 void Process::account_contact(double dt) {

@@ -313,7 +313,12 @@ private:
   void draw_back_to(double time);
   void put_tools_back();
   [[nodiscard]] double force_floor(double time) const;
-  void note_largest_force();
+  /// Largest force so far, or of the loads at a time [N].
+  [[nodiscard]] double acting_force(double time) const;
+  /// Whether forces are so small that they may be no more than what rounding makes of a touch.
+  [[nodiscard]] bool may_hardly_touch(double time) const;
+  /// @param of_grounding  what the grounding has resisted with in the increment [N]
+  void note_largest_force(double of_grounding);
   /// Whether the grounding takes more of the increment just tried than it may.
   [[nodiscard]] bool grounding_weighs(double dt) const;
   [[nodiscard]] Outcome<mechanics::NewtonReport>
@@ -505,11 +510,12 @@ private:
   EnergyBalance energy_;
   double most_energy_ = 0.0; ///< that any of its larger terms has been [N mm]
   double support_work_ = 0.0;
-  double load_work_ = 0.0;     ///< of loads on earlier meshes
-  double tool_energy_ = 0.0;   ///< of penalties, gone with tools that left
-  double largest_force_ = 0.0; ///< of a tool or at an unknown of a support so far [N]
-  int grounding_failures_ = 0; ///< to do with a lighter one, in a row
-  int grounding_wait_ = 0;     ///< increments until that is tried again
+  double load_work_ = 0.0;      ///< of loads on earlier meshes
+  double tool_energy_ = 0.0;    ///< of penalties, gone with tools that left
+  bool hardly_touches_ = false; ///< forces count as none in this try
+  double largest_force_ = 0.0;  ///< of a tool or at an unknown of a support so far [N]
+  int grounding_failures_ = 0;  ///< to do with a lighter one, in a row
+  int grounding_wait_ = 0;      ///< increments until that is tried again
   double time_ = 0.0;
   bool energy_used_up_ = false;
   std::vector<std::string> events_; ///< of the last increment

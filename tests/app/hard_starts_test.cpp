@@ -177,6 +177,35 @@ end = 1
   EXPECT_GT(table.value(last, "max_plastic_strain"), 0.05) << "both ends have been pressed";
 }
 
+TEST_F(HardStarts, AStripIsPushedThroughTheAirToARoll) {
+  // Nothing but its grounding holds it on the way: forces of 1e-7 N, which say nothing.
+  const Outcome outcome = run(R"(
+analysis = "plane-strain"
+workpiece = { element = "quad8", material = "steel", mesh = { box = [[-10.831347195933173, 0], [-2.831347195933173, 1]], cells = [30, 4] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "perfect", yield = 200 }
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "roll"
+surface = { circle = { centre = [0, 20.8], radius = 20 } }
+motion = { rotation = { point = [0, 20.8], speed = 1 } }
+friction = { law = "coulomb", mu = 0.2 }
+[[tool]]
+name = "pusher"
+surface = { plane = { point = [-10.831347195933173, 0], normal = [1, 0] } }
+motion = { velocity = [15, 0] }
+[time]
+end = 0.02
+increments = { first = 0.006, max = 0.012 }
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  EXPECT_GT(table.value(table.rows.size() - 1, "roll.force_y"), 1.0);
+}
+
 TEST_F(HardStarts, ARunThatMissesEnergySaysWhere) {
   // The pusher leaves while the roll presses the strip back, far too fast for increments that the
   // case says itself.
