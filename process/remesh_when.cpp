@@ -125,6 +125,19 @@ std::vector<ContactZone> Process::zones_of_contact() const {
   return contact_zones(part_boundary(scene_, positions(), touching_tools(), {}));
 }
 
+std::vector<geometry::ClosedFold> Process::crossings() const {
+  if (scene_.mesh.dimension() != 2)
+    return {};
+  constexpr double noticed = 0.25; // of an element: in a hollow corner of a die sides touch
+  const std::vector<int> none(scene_.contact_faces.size(), -1);
+  PartBoundary boundary = part_boundary(scene_, positions(), none, {});
+  std::vector<geometry::ClosedFold> folds = weld_folds(boundary, 0.0, 0.0);
+  std::erase_if(folds, [this](const geometry::ClosedFold& fold) {
+    return fold.depth() < noticed * mean_side(scene_.mesh);
+  });
+  return folds;
+}
+
 std::vector<ContactZone> Process::poorly_resolved_tools() const {
   std::map<int, ContactZone> longest;
   for (const ContactZone& zone : zones_of_contact())

@@ -243,6 +243,9 @@ public:
   [[nodiscard]] std::span<const Refusal> refusals() const { return refusals_; }
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
+  /// Places where the boundary of a plane part crosses itself by more than a quarter of an element;
+  /// empty in space.
+  [[nodiscard]] std::vector<geometry::ClosedFold> crossings() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
   /// Remeshings of the run, in their order.

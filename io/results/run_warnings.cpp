@@ -101,6 +101,13 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         zone.length, content_->units.length,
         content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
                          : "a finer mesh there or a [remesh] section mends that"));
+  for (const geometry::ClosedFold& fold : process.crossings())
+    lines.push_back(fmt::format(
+        "warning: at the end the boundary of the part crosses itself near ({:.6g}, {:.6g}), {:.3g} "
+        "{} deep: metal has folded over and does not feel itself; {}",
+        fold.at.x(), fold.at.y(), fold.depth(), content_->units.length,
+        content_->remesh ? "the next new mesh would have welded the lap"
+                         : "a [remesh] section welds laps and says where"));
   if (worn_)
     lines.push_back(fmt::format(
         "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "

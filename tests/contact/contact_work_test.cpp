@@ -248,23 +248,32 @@ TEST(ContactWork, OfFrictionBeginsWhereAPointTouches) {
       }
 }
 
-TEST(ContactWork, OfFrictionGoesOnUntilAPointLeaves) {
-  // A body slides off the rim of a floor under constant pressure, a point after the other: (C.18).
-  constexpr double mu = 0.2, depth = 0.001, rim = 3.05, step = 0.031;
+constexpr double mu_of_floor = 0.2;
+
+/// A body on a floor whose friction is a fifth of the pressure.
+ContactBench on_rubbing_floor(geometry::SurfacePtr floor) {
   mechanics::Mesh mesh = bench_mesh(body_kinds()[0]);
   const auto faces = faces_at(mesh, 1, 0.0);
-  Tool floor = still_tool(geometry::make_profile({Vec2(rim, 0), {{Vec2(-10, 0)}}}), Coulomb{mu});
-  ContactBench bench(std::move(mesh), body_kinds()[0].analysis, bench_material(),
-                     one_tool(std::move(floor)), {Form::mixed, 1.0, 1.0}, faces);
-  const auto go = [&](double dx, double dy) {
-    std::vector<double> x = bench.x;
-    for (std::size_t i = 0; i < x.size(); i += 2) {
-      x[i] += dx;
-      x[i + 1] += dy;
-    }
-    bench.commit(x, bench.time_old + 1.0);
-  };
-  go(0.0, -depth);
+  Tool tool = still_tool(std::move(floor), Coulomb{mu_of_floor});
+  return {std::move(mesh),           body_kinds()[0].analysis, bench_material(),
+          one_tool(std::move(tool)), {Form::mixed, 1.0, 1.0},  faces};
+}
+
+/// Moves all of it in an increment.
+void slide(ContactBench& bench, double dx, double dy) {
+  std::vector<double> x = bench.x;
+  for (std::size_t i = 0; i < x.size(); i += 2) {
+    x[i] += dx;
+    x[i + 1] += dy;
+  }
+  bench.commit(x, bench.time_old + 1.0);
+}
+
+TEST(ContactWork, OfFrictionGoesOnUntilAPointLeaves) {
+  // A body slides off the rim of a floor under constant pressure, a point after the other: (C.18).
+  constexpr double mu = mu_of_floor, depth = 0.001, rim = 3.05, step = 0.031;
+  ContactBench bench = on_rubbing_floor(geometry::make_profile({Vec2(rim, 0), {{Vec2(-10, 0)}}}));
+  slide(bench, 0.0, -depth);
   std::vector<Vec3> points(bench.surface.n_points());
   bench.surface.positions(bench.x, points);
   double way = 0.0; // over all points
@@ -274,7 +283,7 @@ TEST(ContactWork, OfFrictionGoesOnUntilAPointLeaves) {
   const double exact = mu * bench.surface.penalty().normal * depth * area * way;
   const double pressed = bench.entered;
   while (bench.term.area() > 0.0)
-    go(step, 0.0);
+    slide(bench, step, 0.0);
   const double found = bench.term.work().friction;
   std::printf("slid off: friction %.4e, exact %.4e, work of the nodes %.4e N mm\n", found, exact,
               bench.entered - pressed);
@@ -285,27 +294,15 @@ TEST(ContactWork, OfFrictionGoesOnUntilAPointLeaves) {
 TEST(ContactWork, OfASlideIsThatOfItsLimitHoweverOftenItTurns) {
   // One increment a way: a trapezoid from limit to limit sees nothing of a slide that turns, and
   // half of one that begins.
-  constexpr double mu = 0.2, depth = 1e-3, way = 0.5;
+  constexpr double depth = 1e-3, way = 0.5;
   for (const double way_back : {way, -way}) {
-    mechanics::Mesh mesh = bench_mesh(body_kinds()[0]);
-    const auto faces = faces_at(mesh, 1, 0.0);
-    Tool floor = still_tool(geometry::make_plane(Vec3::Zero(), Vec3::UnitY()), Coulomb{mu});
-    ContactBench bench(std::move(mesh), body_kinds()[0].analysis, bench_material(),
-                       one_tool(std::move(floor)), {Form::mixed, 1.0, 1.0}, faces);
-    const auto go = [&](double dx, double dy) {
-      std::vector<double> x = bench.x;
-      for (std::size_t i = 0; i < x.size(); i += 2) {
-        x[i] += dx;
-        x[i + 1] += dy;
-      }
-      bench.commit(x, bench.time_old + 1.0);
-    };
-    go(0.0, -depth);
-    const double limit =
-        mu * bench.surface.penalty().normal * depth * bench.term.area(); // of the shear, summed up
+    ContactBench bench = on_rubbing_floor(geometry::make_plane(Vec3::Zero(), Vec3::UnitY()));
+    slide(bench, 0.0, -depth);
+    const double limit = mu_of_floor * bench.surface.penalty().normal * depth *
+                         bench.term.area(); // of the shear, summed up
     double sign = 1.0;
     for (int i = 0; i < 6; ++i) {
-      go(sign * way, 0.0);
+      slide(bench, sign * way, 0.0);
       sign = way_back < 0.0 ? -sign : sign;
     }
     const double exact = limit * 6.0 * way;
