@@ -171,7 +171,7 @@ private:
     const double area = forward ? doubled_area(chords_, i, j, at) : doubled_area(chords_, j, i, at);
     const bool crosses = crossing(chords_, i, j).has_value();
     if (fold.way > most_way * total || std::abs(area) > most_area * std::abs(area_) ||
-        (!crosses && area * area_ > 0.0) || holds_what_stays(fold))
+        (!crosses && area > 0.0) || holds_what_stays(fold))
       return std::nullopt;
     return fold;
   }

@@ -95,6 +95,20 @@ TEST(ClosedFolds, AThinWebIsNoFold) {
   EXPECT_FALSE(fold_of(loop, 0.1));
 }
 
+TEST(ClosedFolds, AHoleFoldsAsWell) {
+  // The same shapes as holes: the metal is on the other side of the way.
+  const auto hole = [](std::vector<Vec2> points) {
+    std::reverse(points.begin(), points.end());
+    return straight(points, 0.5);
+  };
+  const std::vector<Vec2> with_spur{{0, 0},      {10, 0},     {10, 10},    {5.025, 10},
+                                    {5.025, 11}, {4.975, 11}, {4.975, 10}, {0, 10}};
+  EXPECT_TRUE(fold_of(hole(with_spur), 0.06)) << "a crease in the metal around";
+  const std::vector<Vec2> with_web{{0, 0},     {10, 0},    {10, 10},    {5.025, 10},
+                                   {5.025, 9}, {4.975, 9}, {4.975, 10}, {0, 10}};
+  EXPECT_FALSE(fold_of(hole(with_web), 0.06)) << "a thin web of metal";
+}
+
 TEST(ClosedFolds, WhatIsSupportedStays) {
   const SideLoop loop = creased(-0.2);
   ASSERT_TRUE(fold_of(loop));
