@@ -11,6 +11,7 @@
 #include "process/run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -93,7 +94,7 @@ std::string Process::remesh(const std::string& cause,
   CarriedOver carried = carry_over(part.part);
   carried.sources = exchange_mesh(std::move(part), carried);
   const double exchanged = seconds_now();
-  settle(carried, report);
+  settle(carried, forces, report);
   mesh_increment_ = increment_;
   turned_inside_out_ = 0;
   mesh_time_ = time_;
@@ -315,7 +316,17 @@ void Process::restore_volume(double volume,
       [this](std::span<const double> x) { return bulk_->volume(x); }, volume, furthest * side_);
 }
 
-void Process::settle(const CarriedOver& carried, RemeshReport& report) {
+double Process::jump_from(std::span<const double> before) const {
+  const std::vector<double> now = forces_on_tools();
+  RemeshReport report;
+  for (std::size_t t = 0; t < now.size(); ++t)
+    report.forces.push_back({before[t], now[t]});
+  return report.force_jump();
+}
+
+void Process::settle(const CarriedOver& carried,
+                     std::span<const double> forces,
+                     RemeshReport& report) {
   const double dt = last_dt_;
   // On a long way, by a small radius above all, the mesh may end far from how it was made. In space
   // qualities are halved by less than that, and the force changes more after a shorter way.
@@ -323,13 +334,32 @@ void Process::settle(const CarriedOver& carried, RemeshReport& report) {
   constexpr double of_made = 0.5;
   const double least =
       of_made * worst_quality(scene_.mesh, std::span(carried.now.state.x).first(x0_.size()));
-  for (const CarriedState& from : carried.begun) {
+  const auto goes_through = [&](const CarriedState& from) {
+    last_dt_ = dt;
     start_from(from, carried.sources, report);
     report.again = restore_balance(report) ? solve_again(carried.now.state) : 0;
-    const bool shorter_way_left = plane && &from != &carried.begun.back();
-    if (report.again > 0 && (!shorter_way_left || worst_quality(scene_.mesh, positions()) > least))
+    return report.again > 0;
+  };
+  const CarriedState* best = nullptr;
+  const CarriedState* here = nullptr; // what was gone through last
+  double least_jump = HUGE_VAL;
+  for (const CarriedState& from : carried.begun) {
+    here = goes_through(from) ? &from : nullptr;
+    if (here == nullptr)
+      continue;
+    const bool sound =
+        !plane || here == &carried.begun.back() || worst_quality(scene_.mesh, positions()) > least;
+    // How metal finds its way into a gap is partly chance: from another beginning it goes
+    // otherwise.
+    if (const double jump = jump_from(forces); sound && jump < least_jump) {
+      best = here;
+      least_jump = jump;
+    }
+    if (best != nullptr && (!plane || least_jump <= force_budget))
       break;
   }
+  if (best != nullptr && best != here)
+    (void)goes_through(*best); // as it did before
   report.balanced = report.again > 0;
   if (report.balanced)
     return;

@@ -1,5 +1,6 @@
 // What a remeshing may change, and what is said of it. (P.16)
 
+#include "process/remeshing.h"
 #include "process/run.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@ namespace {
 
 /// What a remeshing may change (RM-01): of the volume, of a tool's force, of the plastic work.
 constexpr double volume_budget = 1e-4;
-constexpr double force_budget = 1e-2;
 constexpr double work_budget = 5e-3;
 
 } // namespace

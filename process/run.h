@@ -416,7 +416,9 @@ private:
   /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
   void remember();
   /// Finds equilibrium on the new mesh. (P.17), (P.19)
-  void settle(const CarriedOver& carried, RemeshReport& report);
+  void settle(const CarriedOver& carried, std::span<const double> forces, RemeshReport& report);
+  /// Largest change of a tool's force over the largest of those before [-].
+  [[nodiscard]] double jump_from(std::span<const double> before) const;
   /// Goes on from a state that has been carried over to the present mesh, and notes what that has
   /// changed.
   void start_from(const CarriedState& at,
