@@ -342,20 +342,18 @@ void Process::settle(const CarriedOver& carried,
   };
   const CarriedState* best = nullptr;
   const CarriedState* here = nullptr; // what was gone through last
-  double least_jump = HUGE_VAL;
   for (const CarriedState& from : carried.begun) {
     here = goes_through(from) ? &from : nullptr;
-    if (here == nullptr)
+    const bool sound = here != nullptr && (!plane || here == &carried.begun.back() ||
+                                           worst_quality(scene_.mesh, positions()) > least);
+    if (!sound)
       continue;
-    const bool sound =
-        !plane || here == &carried.begun.back() || worst_quality(scene_.mesh, positions()) > least;
     // How metal finds its way into a gap is partly chance: from another beginning it goes
-    // otherwise.
-    if (const double jump = jump_from(forces); sound && jump < least_jump) {
+    // otherwise. Where none is within the budget the longest way is the best.
+    const bool meets = jump_from(forces) <= force_budget;
+    if (best == nullptr || meets)
       best = here;
-      least_jump = jump;
-    }
-    if (best != nullptr && (!plane || least_jump <= force_budget))
+    if (!plane || meets)
       break;
   }
   if (best != nullptr && best != here)
