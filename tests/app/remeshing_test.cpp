@@ -119,6 +119,34 @@ end = 0.4
   EXPECT_EQ(ledger.find("feet touches on"), std::string::npos) << ledger;
 }
 
+TEST_F(Remeshing, ANotchThatClosesIsWeldedOrTold) {
+  write_text(folder_.path() / "notched.toml",
+             "closed = true\npoints = [[0, 0], [10, 0], [10, 10], [5.1, 10], [5.1, 6], [4.9, 6], "
+             "[4.9, 10], [0, 10]]\n");
+  const std::string pressed = R"(
+analysis = "plane-strain"
+workpiece = { element = "tri6", material = "steel", mesh = { outline = "notched.toml", size = 1 } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 300 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[support]]
+where = "x = 10"
+move = { x = [[0, 0], [1, -1]] }
+[time]
+end = 1
+)";
+  EXPECT_TRUE(warns(run(pressed, "kept"), "the boundary of the part crosses itself near"));
+  const auto anew = run(pressed + "[remesh]\nwhen = { interval = 0.25 }\n", "anew");
+  EXPECT_TRUE(warns(anew, "welded a fold, 4.1")) << "4 deep";
+  EXPECT_FALSE(warns(anew, "crosses itself"));
+}
+
 TEST_F(Remeshing, WritesItsLedger) {
   const std::string in_small_steps =
       edited(remeshed(often), {{"first = 0.02, max = 0.02", "first = 0.002, max = 0.002"}});

@@ -52,6 +52,35 @@ double length(const WearCell& cell) {
   return (cell.shape.corners()[1] - cell.shape.corners()[0]).norm();
 }
 
+TEST(WearMap, lays_a_volume_along_the_arc_of_a_roll_that_turns) {
+  // A piece of 0.4 on the top of a roll of radius 10 that turns by 24 degrees an increment, 15 of
+  // them in a round: laid along the chord it was three times too deep in places.
+  constexpr double radius = 10.0, volume = 1e-3;
+  constexpr int of_a_round = 15;
+  const auto roll = geometry::make_circle({0, 0, 0}, radius, false);
+  WearMap map(*roll, Analysis::plane_strain, body());
+  const double angle = 2.0 * pi / of_a_round;
+  for (int i = 0; i < of_a_round; ++i) {
+    const auto at = [&](double by) {
+      return Vec3(radius * std::sin(i * angle + by), radius * std::cos(i * angle + by), 0);
+    };
+    WornPatch patch;
+    patch.footprint.corners = {at(-0.02), at(0.02)};
+    patch.footprint.n_corners = 2;
+    patch.foot = at(0.0);
+    patch.normal = at(0.0).normalized();
+    patch.way = at(0.0) - at(-angle);
+    patch.turn = -angle * Vec3::UnitZ(); // clockwise, as sin and cos go
+    patch.volume = volume;
+    map.add(patch);
+  }
+  const double mean = of_a_round * volume / (2.0 * pi * radius);
+  EXPECT_NEAR(map.volume(), of_a_round * volume, 1e-12);
+  EXPECT_LT(map.deepest()->depth, 1.25 * mean);
+  for (const WearCell& cell : map.cells())
+    EXPECT_GT(cell.depth, 0.75 * mean);
+}
+
 TEST(WearMap, spreads_a_volume_evenly_over_the_footprint) {
   const auto floor = geometry::make_plane(Vec3::Zero(), Vec3::UnitY());
   WearMap map(*floor, Analysis::plane_strain, body());
