@@ -53,7 +53,7 @@ double length(const WearCell& cell) {
 }
 
 TEST(WearMap, lays_a_volume_along_the_arc_of_a_roll_that_turns) {
-  // A piece of 0.4 on the top of a roll of radius 10 that turns by 24 degrees an increment, 15 of
+  // A piece of 0.08 on the top of a roll of radius 10 that turns by 24 degrees an increment, 15 of
   // them in a round: laid along the chord it was three times too deep in places.
   constexpr double radius = 10.0, volume = 1e-3;
   constexpr int of_a_round = 15;
@@ -65,7 +65,7 @@ TEST(WearMap, lays_a_volume_along_the_arc_of_a_roll_that_turns) {
       return Vec3(radius * std::sin(i * angle + by), radius * std::cos(i * angle + by), 0);
     };
     WornPatch patch;
-    patch.footprint.corners = {at(-0.02), at(0.02)};
+    patch.footprint.corners = {at(-0.004), at(0.004)};
     patch.footprint.n_corners = 2;
     patch.foot = at(0.0);
     patch.normal = at(0.0).normalized();
