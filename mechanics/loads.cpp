@@ -139,8 +139,7 @@ private:
 
 double Load::work_in(const Trial& trial) const {
   std::vector<double> force(trial.x.size(), 0.0);
-  if (!from_nothing_)
-    add_force(trial.time_old, trial.x_old, force);
+  add_force(trial.time_old, trial.x_old, force);
   add_force(trial.time, trial.x, force);
   double work = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i)
@@ -154,10 +153,7 @@ double Load::norm(double time, std::span<const double> x) const {
   return std::sqrt(std::inner_product(force.begin(), force.end(), force.begin(), 0.0));
 }
 
-void Load::commit(const Trial& trial) {
-  work_ += work_in(trial);
-  from_nothing_ = false;
-}
+void Load::commit(const Trial& trial) { work_ += work_in(trial); }
 
 std::unique_ptr<Load> make_pressure(const Mesh& mesh,
                                     Analysis analysis,

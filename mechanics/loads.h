@@ -27,16 +27,11 @@ public:
 
   void commit(const Trial& trial) final;
 
-  /// Says that the body has not borne it yet: over the first increment its work is that of a force
-  /// that grows from nothing, as the body does it, be it there at once.
-  void begin_from_nothing() { from_nothing_ = true; }
-
 private:
   /// Force of the load on the nodes in a configuration, shape (n_dofs), added to `out` [N].
   virtual void add_force(double time, std::span<const double> x, std::span<double> out) const = 0;
 
   double work_ = 0.0;
-  bool from_nothing_ = false;
 };
 
 /// Pressure on faces, normal to their current position; positive inward [MPa].

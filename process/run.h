@@ -278,8 +278,6 @@ private:
   void start_stage(const Stage& stage);
   /// Why the presses of a stage cannot strike; empty: they do.
   [[nodiscard]] std::string begin_blows(const Stage& stage);
-  /// Longest increment of a stage where the case does not say [s]. (P.1)
-  [[nodiscard]] static double default_longest(double length);
   /// First, longest and shortest increment of a stage; blows under way may ask for shorter ones.
   [[nodiscard]] IncrementLimits limits(double length) const;
   [[nodiscard]] double longest_for_blows() const;

@@ -56,6 +56,10 @@ struct IncrementLimits {
   std::optional<double> max;   ///< [s]
 };
 
+/// First and longest increment of a stage where the case does not say [s]. (P.1)
+[[nodiscard]] constexpr double default_first(double length) { return length / 100.0; }
+[[nodiscard]] constexpr double default_longest(double length) { return length / 50.0; }
+
 /// When the part is meshed anew, and how finely. What is absent follows from the mesh at the start.
 struct RemeshSettings {
   std::optional<double> quality;      ///< as soon as an element is worse [-]

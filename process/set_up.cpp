@@ -6,6 +6,7 @@
 #include "mechanics/loads.h"
 #include "process/remeshing.h"
 #include "process/run.h"
+#include "process/sudden_loads.h"
 #include "process/touch.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ Process::Process(Scene scene)
     : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)),
       window_(scene_.tools.size()) {
   started_ = seconds_now();
+  grow_sudden_loads(scene_);
   for (const Vec3& p : scene_.mesh.points)
     x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());
   x_ = x0_;
@@ -102,8 +104,6 @@ void Process::make_loads() {
     else
       loads_.push_back(mechanics::make_dead_load(std::get<DeadForces>(spec).forces,
                                                  std::get<DeadForces>(spec).amplitude));
-    if (increment_ == 0)
-      loads_.back()->begin_from_nothing();
     terms_.push_back(loads_.back().get());
   }
 }

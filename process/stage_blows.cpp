@@ -10,10 +10,7 @@ namespace billet::process {
 
 namespace {
 
-/// Steps as shares of a stage, when the case does not say.
-constexpr double first_share = 1.0 / 100.0;
-constexpr double largest_share = 1.0 / 50.0;
-constexpr double smallest_share = 1e-7;
+constexpr double smallest_share = 1e-7; ///< of a stage, when the case does not say
 
 bool same(const TimeFunction& function, double from, double to) {
   return function(from) == function(to);
@@ -50,8 +47,6 @@ std::string Process::begin_blows(const Stage& stage) {
   return blows_->begin(stage, time_, points, x_);
 }
 
-double Process::default_longest(double length) { return largest_share * length; }
-
 /// (P.1), (P.11)
 IncrementLimits Process::limits(double length) const {
   const IncrementLimits& given = scene_.increments;
@@ -61,7 +56,7 @@ IncrementLimits Process::limits(double length) const {
   const double smallest =
       given.min.value_or(std::min(smallest_share * length, shortest_of_blow * begins));
   const double largest = given.max.value_or(default_longest(length));
-  const double first = given.first.value_or(std::min(first_share * length, begins));
+  const double first = given.first.value_or(std::min(default_first(length), begins));
   return {std::clamp(first, std::min(smallest, largest), largest), smallest, largest};
 }
 

@@ -91,23 +91,22 @@ bool driven_by_load(const process::Scene& scene) {
          });
 }
 
-/// What a run that a load drives and that stopped may suffer from.
-/// @param at_start  not one increment was solved
-std::string advice_on_loads(const process::Scene& scene, double stopped, bool at_start) {
+/// Loads on tools that a run may have stopped for.
+std::string advice_on_loads(const process::Scene& scene, double stopped) {
   std::string text;
-  for (const contact::Tool& tool : scene.tools)
-    if (tool.motion.torque && tool.motion.torque->load(stopped) != 0.0)
+  for (const contact::Tool& tool : scene.tools) {
+    const std::optional<geometry::Drive>& force = tool.motion.force;
+    const std::optional<geometry::Drive>& torque = tool.motion.torque;
+    if (force && !force->blow && force->load(stopped) != 0.0)
+      text += fmt::format("tool {} is under a force of {:.6g} there\n", tool.name,
+                          force->load(stopped));
+    if (torque && torque->load(stopped) != 0.0)
       text +=
           fmt::format("a torque of {:.6g} turns tool {}: one that friction cannot hold, or more "
                       "than the part bears, spins it freely; a prescribed rotation in its "
                       "place goes on beyond\n",
-                      tool.motion.torque->load(stopped), tool.name);
-  if (at_start)
-    for (const contact::Tool& tool : scene.tools)
-      if (tool.motion.force && !tool.motion.force->blow && tool.motion.force->load(0.0) != 0.0)
-        text += fmt::format("the force on tool {} is there at once, and shorter increments do not "
-                            "lessen it: let it grow, value = [[0, 0], [0.01, ...]]\n",
-                            tool.name);
+                      torque->load(stopped), tool.name);
+  }
   return text;
 }
 
@@ -436,7 +435,7 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
   if (driven_by_load(process.scene()))
     text += "a load drives this part: it may be at the most that the part bears (it necks, bulges, "
             "buckles or leaves the tool); a prescribed motion in its place goes on beyond\n";
-  text += advice_on_loads(process.scene(), post.time, !last_);
+  text += advice_on_loads(process.scene(), post.time);
   write_file(folder_ / "failure" / "post_mortem.txt", text);
 }
 

@@ -235,5 +235,39 @@ TEST_F(HardStarts, ALoadBeyondWhatThePartBearsIsNamed) {
   EXPECT_NE(post.find("the most that the part bears"), std::string::npos) << post;
 }
 
+TEST_F(HardStarts, AForceThatIsThereAtOnceSqueezesThePart) {
+  // Twice what makes the billet yield: increments grow into it, and it ends as if the case had let
+  // the force grow.
+  const auto pressed = [&](const std::string& force) {
+    const Outcome outcome = run(edited(
+        upsetting, {{"motion   = { velocity = [0, -1] }",
+                     "motion = { force = { direction = [0, -1], value = " + force + " } }"}}));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const ResultTable table = history();
+    const std::size_t last = table.rows.size() - 1;
+    EXPECT_NEAR(table.value(last, "punch.force_y"), 80e3, 1.0);
+    return table.value(last, "punch.displacement_y");
+  };
+  const double at_once = pressed("80e3");
+  EXPECT_LT(at_once, -1.0);
+  EXPECT_NEAR(at_once, pressed("[[0, 0], [0.01, 80e3]]"), 2e-3 * std::abs(at_once));
+}
+
+TEST_F(HardStarts, APressureThatIsThereAtOnceWidensARing) {
+  const auto widened = [&](const std::string& pressure) {
+    const Outcome outcome = run(
+        edited(upsetting,
+               {{"[[0, 0], [5, 7.5]]", "[[20, 0], [22, 7.5]]"},
+                {"\"x = 0\"\nfix   = [\"x\"]", "\"y = 7.5\"\nfix = [\"y\"]"},
+                {"[time]", "[[load]]\nwhere = \"x = 20\"\npressure = " + pressure + "\n\n[time]"},
+                {"motion   = { velocity = [0, -1] }\n", ""}}));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return history().value(history().rows.size() - 1, "plastic_work");
+  };
+  const double at_once = widened("\"36 MPa\"");
+  EXPECT_GT(at_once, 0.0);
+  EXPECT_NEAR(at_once, widened("[[0, 0], [0.01, 36]]"), 5e-3 * at_once);
+}
+
 } // namespace
 } // namespace billet::test::hard_starts_test

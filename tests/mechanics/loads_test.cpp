@@ -226,21 +226,6 @@ TEST(Loads, dead_forces_are_scaled_by_their_amplitude_and_do_work) {
   EXPECT_NEAR(load->work(), 0.5 * 10.0 * 0.2, 1e-15); // trapezoidal: the force grew from 0
 }
 
-TEST(Loads, that_are_there_at_once_work_as_if_they_had_grown) {
-  Bench bench(box_mesh({.kind = ElementKind::quad4}), Analysis::plane_strain);
-  std::vector<double> forces(bench.X.size(), 0.0);
-  forces[3] = 10.0;
-  const auto load = make_dead_load(forces, TimeFunction(1.0));
-  EXPECT_EQ(load->norm(0.0, bench.X), 10.0);
-  load->begin_from_nothing();
-  std::vector<double> x = bench.X;
-  x[3] += 0.2;
-  const Trial first{0.0, 1.0, bench.X, x};
-  EXPECT_NEAR(load->work_in(first), 0.5 * 10.0 * 0.2, 1e-15);
-  load->commit(first);
-  EXPECT_NEAR(load->work_in(first), 10.0 * 0.2, 1e-15) << "from then on it is what it is";
-}
-
 TEST(Loads, body_forces_sum_to_force_times_volume) {
   constexpr double rounding = 1e-13;
   for (const auto& element : every_element) {
