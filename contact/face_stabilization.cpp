@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace billet::contact {
 
@@ -21,6 +22,13 @@ constexpr double dead_zone = 1e-9;
 
 /// Of the springs, over the largest contact pressure of their face.
 constexpr double most_pressures = 10.0;
+
+/// Of what a spring is off, followed at the end of an increment. Springs that went the whole way
+/// would lift a point off the tool, be gone for it, let it come back, and so on.
+constexpr double share_followed = 0.5;
+
+/// Of the element beneath: springs of a face that has left the tool are gone by then.
+constexpr double faded = 1e-6;
 
 template <class Shape> using Mixed = typename mechanics::FaceRules<Shape>::Lower;
 template <class Shape> using Full = typename mechanics::FaceRules<Shape>::Full;
@@ -78,6 +86,14 @@ template <class Shape> double along(int place, const Vec3& normal, std::span<con
   return sum;
 }
 
+/// What a spring presses on next, where it presses on `now` and `measured` is what it would press
+/// on if it had not been there; what is positive does not press. [mm]
+double followed(double now, double measured, double negligible) {
+  const double pressed = std::min(0.0, now);
+  const double next = pressed + share_followed * (std::min(0.0, measured) - pressed);
+  return measured > 0.0 && next > -negligible ? measured : next;
+}
+
 /// Feet of places of a face, in the tool's frame; none if one of them is out of reach.
 std::vector<Projection> feet_of(const FaceStabilization::At& at, std::span<const Vec3> places) {
   std::vector<Vec3> on_tool;
@@ -97,7 +113,8 @@ void FaceStabilization::set(const ContactSurface& surface,
                             const At& at,
                             std::span<const double> x,
                             double stiffness) {
-  springs_.clear();
+  const std::vector<Spring> before = std::exchange(springs_, {});
+  auto of_face = before.begin(); // they are in the order of the faces
   mechanics::visit_face(surface.kind(), [&](auto shape) {
     using Shape = decltype(shape);
     if constexpr (!of_linear_element<Shape>) {
@@ -107,8 +124,12 @@ void FaceStabilization::set(const ContactSurface& surface,
       std::array<double, std::size_t{Shape::nodes} * dim> local{};
       for (Index f = 0; f < surface.n_faces(); ++f) {
         const auto own = history.subspan(idx(f) * n_points, n_points);
-        if (std::none_of(own.begin(), own.end(),
-                         [](const PointHistory& point) { return point.closed(); }))
+        while (of_face != before.end() && of_face->face < f)
+          ++of_face;
+        const bool pressed = of_face != before.end() && of_face->face == f;
+        const bool touches = std::any_of(own.begin(), own.end(),
+                                         [](const PointHistory& point) { return point.closed(); });
+        if (!touches && !pressed)
           continue;
         double pressure = 0.0;
         for (const PointHistory& point : own)
@@ -137,10 +158,21 @@ void FaceStabilization::set(const ContactSurface& surface,
           double rest = foot.gap;
           for (std::size_t m = 0; m < n_points; ++m)
             rest -= rest_of<Shape>().points(place, static_cast<int>(m)) * feet[m].gap;
-          springs_.push_back({f, place, normal, stiffness * areas[q],
-                              std::max({rest, foot.gap, -deepest}) + dead_zone * surface.depth(f),
-                              along<Shape>(place, normal, local)});
+          rest = std::max({rest, foot.gap, -deepest}) + dead_zone * surface.depth(f);
+          if (pressed) {
+            const Spring& old = *(of_face + place);
+            rest = followed(old.rest + along<Shape>(place, old.normal, local) - old.along, rest,
+                            faded * surface.depth(f));
+          }
+          springs_.push_back(
+              {f, place, normal, stiffness * areas[q], rest, along<Shape>(place, normal, local)});
         }
+        const auto own_springs =
+            springs_.end() - static_cast<std::ptrdiff_t>(feet.empty() ? 0 : n_places);
+        if (!touches && std::all_of(own_springs, springs_.end(), [&](const Spring& spring) {
+              return spring.rest > -faded * surface.depth(f);
+            }))
+          springs_.erase(own_springs, springs_.end());
       }
     }
   });

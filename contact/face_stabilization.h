@@ -31,7 +31,7 @@ public:
   /// inside the tool and deeper than its face's points make it, by the lesser of the two: what
   /// bridges a groove is not pulled down, and a force begins and ends with nothing. Nor do they
   /// press more than ten times what the face's points do: a slender part's corner can be deep
-  /// inside before a point beside it closes.
+  /// inside before a point beside it closes. Springs that are there go half of the way to that.
   ///
   /// @param history    of the contact points, shape (n_points)
   /// @param x          shape (n_dofs) [mm]
