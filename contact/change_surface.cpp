@@ -69,6 +69,7 @@ PointHistory ContactTerm::between(std::span<const PointHistory> before,
   for (std::size_t i = 0; i < weights.size() && !all; ++i)
     weights[i] = old(i).closed() ? weights[i] / touching : 0.0;
   history.normal = foot.normal;
+  history.slips = before[source.nearest()].slips;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (weights[i] == 0.0)
       continue;

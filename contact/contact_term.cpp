@@ -467,6 +467,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   const Tool& tool = tools_[t];
   const geometry::Pose pose = this->pose(t, trial.time, trial.x);
   const geometry::Pose pose_old = this->pose(t, trial.time_old, trial.x_old);
+  state.committed_rotation = pose.rotation;
   const Vec3 reference = pose.to_space(tool.reference);
   const bool meridian = surface_->analysis() == mechanics::Analysis::axisymmetric;
   const Penalty penalty = this->penalty();
@@ -523,6 +524,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     history.shear = now.shear;
     history.pressure = now.pressure;
     history.limit = now.limit;
+    history.slips = now.status == Status::slip;
     history.stiffness = shear.stiffness;
     state.touches = true;
     closed_[t].push_back({.point = k,
@@ -556,16 +558,19 @@ std::vector<PointResult> ContactTerm::results() const {
   std::vector<geometry::Projection> feet(positions_.size());
   for (std::size_t t = 0; t < states_.size(); ++t) {
     const ToolState& state = states_[t];
-    // Points known to be far were not projected in the last trial; here their distance is wanted.
-    tools_[t].surface->project(state.position, reach_, feet);
+    // Not those of the last trial: it may have failed, and knows nothing of points that are far.
+    std::vector<Vec3> positions;
+    for (const PointHistory& history : state.history)
+      positions.push_back(history.position);
+    tools_[t].surface->project(positions, reach_, feet);
     for (std::size_t k = 0; k < results.size(); ++k) {
       PointResult& point = results[k];
-      const Traction& now = state.trial[k];
+      const PointHistory& history = state.history[k];
       point.gap = std::min(point.gap, feet[k].gap);
-      point.sliding = std::max(point.sliding, state.history[k].sliding);
-      point.pressure += now.pressure;
-      point.shear += state.rotation * now.shear;
-      point.status = std::max(point.status, now.status);
+      point.sliding = std::max(point.sliding, history.sliding);
+      point.pressure += history.pressure;
+      point.shear += state.committed_rotation * history.shear;
+      point.status = std::max(point.status, history.status());
     }
   }
   return results;

@@ -115,9 +115,9 @@ public:
   [[nodiscard]] bool closed_on(std::size_t tool, std::size_t point) const {
     return states_[tool].history[point].closed();
   }
-  /// Whether a point is closed on a tool in the last trial.
-  [[nodiscard]] bool touches_in_trial(std::size_t tool, std::size_t point) const {
-    return states_[tool].trial[point].status != Status::open;
+  /// What a point bears on a tool in the last trial, in the tool's frame.
+  [[nodiscard]] const Traction& tried(std::size_t tool, std::size_t point) const {
+    return states_[tool].trial[point];
   }
   /// Where it stands now; tries that failed since have softened or stiffened its penalty. (C.41)
   [[nodiscard]] ContactState state() const;
@@ -249,9 +249,10 @@ private:
     std::vector<char> calmed;     ///< points that get no more shear than pressure in this try
     std::vector<Vec3> queried_at; ///< where `known_gap` holds
     std::vector<double> known_gap;
-    std::vector<Vec3> force;          ///< committed force on the workpiece, in space
-    Mat3 rotation = Mat3::Identity(); ///< of the tool's frame at the last trial
-    double stored = 0.0;              ///< energy in its penalties and springs [N mm]
+    std::vector<Vec3> force;                    ///< committed force on the workpiece, in space
+    Mat3 rotation = Mat3::Identity();           ///< of the tool's frame at the last trial
+    Mat3 committed_rotation = Mat3::Identity(); ///< likewise at the last committed one
+    double stored = 0.0;                        ///< energy in its penalties and springs [N mm]
     FaceStabilization stabilization;
     std::vector<EvenFace> even; ///< in the order of faces; set at the end of an increment
     std::vector<Index> even_at; ///< of a face in `even`, -1: it is not there; shape (n_faces)

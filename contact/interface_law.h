@@ -37,8 +37,12 @@ struct PointHistory {
   double relief = 0.0; ///< added to the gap: what evens pressure along a face (C.45) [mm]
   double faded = 0.0;  ///< by what all three have shrunk at the last commit [mm]
   double limit = 0.0;  ///< slip limit, at least the shear [MPa]
+  bool slips = false;  ///< has slipped in the last increment
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
+  [[nodiscard]] Status status() const {
+    return !closed() ? Status::open : slips ? Status::slip : Status::stick;
+  }
   /// What is added to the gap of the point that the surface gives [mm].
   [[nodiscard]] double added() const { return offset + level + relief; }
 };

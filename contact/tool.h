@@ -26,6 +26,8 @@ struct Tool {
   double active_from = -std::numeric_limits<double>::infinity(); ///< [s]
   double active_to = std::numeric_limits<double>::infinity();    ///< [s]
 
+  std::string said_at; ///< where the case names it, for messages; empty: nowhere
+
   [[nodiscard]] bool active(double time) const { return time >= active_from && time <= active_to; }
 };
 

@@ -93,7 +93,8 @@ Vec2 onto(const ProfilePiece& piece, const Vec2& x) {
 /// The triangulation of the domain, its boundary and its refinement.
 class Mesher {
 public:
-  Mesher(const std::vector<ProfilePiece>& pieces, double size) : pieces_(pieces) {
+  /// @param most  nodes that may be made
+  Mesher(const std::vector<ProfilePiece>& pieces, double size, std::size_t most) : pieces_(pieces) {
     const std::vector<Chord> start = chords(pieces, size);
     for (const Chord& chord : start)
       given_.push_back(triangulation_.insert(Kernel::Point_2(chord.from.x(), chord.from.y())));
@@ -101,7 +102,18 @@ public:
       triangulation_.insert_constraint(given_[i], given_[(i + 1) % start.size()]);
       pieces_of_.push_back(start[i].piece);
     }
-    CGAL::refine_Delaunay_mesh_2(triangulation_, Criteria(shape_bound, size));
+    CGAL::Delaunay_mesher_2<Triangulation, Criteria> refinement(triangulation_,
+                                                                Criteria(shape_bound, size));
+    refinement.init();
+    while (refinement.step_by_step_refine_mesh())
+      if (triangulation_.number_of_vertices() > most)
+        throw Error(Fault::limit, "",
+                    fmt::format("triangles of size {:.6g} with good angles need more than {} nodes "
+                                "in this outline: somewhere it is far thinner than they are, or a "
+                                "piece of it far shorter",
+                                size, most),
+                    "give the thin place its thickness, leave the short piece out, or check the "
+                    "unit of the outline");
   }
 
   [[nodiscard]] PlaneMesh mesh() {
@@ -202,7 +214,11 @@ PlaneMesh mesh_outline(const Profile& outline, double size) {
                 fmt::format("triangles of size {} would be about {:.3g}; at most {:.0e} are made",
                             size, expected, most_triangles),
                 "give a larger size");
-  PlaneMesh mesh = Mesher(all, size).mesh();
+  // Small pieces take triangles beside those that the area takes, but not without end.
+  constexpr double for_small_pieces = 2e5;
+  constexpr double over_expected = 10.0;
+  const auto most = static_cast<std::size_t>(for_small_pieces + over_expected * expected);
+  PlaneMesh mesh = Mesher(all, size, most).mesh();
   smooth(mesh);
   if (area < 0.0) // numbers are those of the outline as it was given
     for (BoundarySide& side : mesh.boundary)

@@ -7,6 +7,7 @@
 #include "io/material_builder.h"
 #include "io/mesh/read_mesh.h"
 #include "io/profile.h"
+#include "io/selector.h"
 #include "io/step.h"
 #include "io/stl.h"
 #include "io/stl_report.h"
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -57,6 +59,14 @@ template <class Make> auto at_file(const InputFile& file, const Make& make) {
 }
 
 /// Makes or reads the mesh of each kind of source.
+/// A note about a file; warnings stay such.
+std::string of_file(const std::string& file, std::string_view note) {
+  constexpr std::string_view warning = "warning: ";
+  const bool warns = note.starts_with(warning);
+  return fmt::format("{}{}: {}", warns ? warning : "", file,
+                     note.substr(warns ? warning.size() : 0));
+}
+
 struct MeshMaker {
   ElementKind kind;
   std::vector<std::string>& notes;
@@ -70,7 +80,7 @@ struct MeshMaker {
   Mesh operator()(const FileMesh& file) const {
     MeshFile read = read_mesh(file.file.path);
     for (const std::string& note : read.notes)
-      notes.push_back(file.file.given + ": " + note);
+      notes.push_back(of_file(file.file.given, note));
     if (read.mesh.kind != kind)
       throw Error(
           Fault::geometry, file.file.given,
@@ -118,78 +128,14 @@ private:
 };
 
 /// The law of each kind of flow.
-/// Which nodes a `where` means, and which faces.
-class Selector {
-public:
-  Selector(const Mesh& mesh, const std::vector<Face>& boundary, std::string place)
-      : mesh_(mesh), boundary_(boundary), place_(std::move(place)) {
-    const Box box = box_of(mesh.points);
-    size_ = box.size();
-  }
+/// The axis of an axisymmetric part is no surface.
+bool lies_on_axis(const Mesh& mesh, const Face& face) {
+  return std::all_of(face.nodes.begin(), face.nodes.end(),
+                     [&](Index a) { return mesh.points[idx(a)][0] == 0.0; });
+}
 
-  [[nodiscard]] std::vector<Index> nodes(const Where& where) const {
-    std::vector<Index> found;
-    if (std::holds_alternative<Everywhere>(where)) {
-      for (Index i = 0; i < mesh_.n_points(); ++i)
-        found.push_back(i);
-    } else if (const auto* plane = std::get_if<OnPlane>(&where)) {
-      constexpr double tolerance = 1e-6; // of the size of the mesh, as the case format says
-      for (Index i = 0; i < mesh_.n_points(); ++i)
-        if (std::abs(mesh_.points[idx(i)][plane->axis] - plane->value) <= tolerance * size_)
-          found.push_back(i);
-      if (found.empty())
-        throw Error(Fault::case_file, place_,
-                    fmt::format("where = \"{} = {}\": no node of the mesh lies there",
-                                "xyz"[plane->axis], plane -> value),
-                    "check the coordinate against the mesh ('billet check' prints its box)");
-    } else {
-      found = set(std::get<InSet>(where).name);
-    }
-    return found;
-  }
-
-  /// Boundary faces all of whose nodes are selected.
-  [[nodiscard]] std::vector<Face> faces(const Where& where) const {
-    std::vector<char> selected(mesh_.points.size(), 0);
-    for (const Index i : nodes(where))
-      selected[idx(i)] = 1;
-    std::vector<Face> found;
-    for (const Face& face : boundary_)
-      if (std::all_of(face.nodes.begin(), face.nodes.end(),
-                      [&](Index a) { return selected[idx(a)] != 0; }))
-        found.push_back(face);
-    if (found.empty())
-      throw Error(Fault::case_file, place_,
-                  "a load or contact surface is given on a place that holds no whole face");
-    return found;
-  }
-
-private:
-  [[nodiscard]] std::vector<Index> set(const std::string& name) const {
-    const auto found = mesh_.node_sets.find(name);
-    if (found != mesh_.node_sets.end())
-      return found->second;
-    std::string known;
-    for (const auto& [other, nodes] : mesh_.node_sets)
-      known += (known.empty() ? "" : ", ") + other;
-    throw Error(Fault::case_file, place_, "the mesh has no set named '" + name + "'",
-                known.empty() ? "the mesh has no sets" : "it has: " + known);
-  }
-
-  const Mesh& mesh_;
-  const std::vector<Face>& boundary_;
-  std::string place_;
-  double size_;
-};
-
-/// A face on a symmetry plane, on the axis or held in every direction: nothing is to touch it.
-bool unreachable(const Mesh& mesh,
-                 const Face& face,
-                 const std::vector<std::array<char, 3>>& held,
-                 bool axisymmetric) {
-  if (axisymmetric && std::all_of(face.nodes.begin(), face.nodes.end(),
-                                  [&](Index a) { return mesh.points[idx(a)][0] == 0.0; }))
-    return true;
+/// A face on a symmetry plane or held in every direction: nothing is to touch it.
+bool unreachable(const Mesh& mesh, const Face& face, const std::vector<std::array<char, 3>>& held) {
   // Told without looking at the axes: a clamped foot is none either where the part is turned.
   if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](Index a) {
         return std::all_of(held[idx(a)].begin(), held[idx(a)].begin() + mesh.dimension(),
@@ -219,7 +165,7 @@ std::vector<Face> candidates(const process::Scene& scene, const std::vector<Face
       held[idx(node)][idx(support.component)] = 1;
   std::vector<Face> faces;
   for (const Face& face : boundary)
-    if (!unreachable(scene.mesh, face, held, scene.analysis == mechanics::Analysis::axisymmetric))
+    if (!unreachable(scene.mesh, face, held))
       faces.push_back(face);
   return faces;
 }
@@ -255,7 +201,7 @@ void require_agreement(const process::Scene& scene,
 }
 
 void add_supports(const Case& content,
-                  const Selector& select,
+                  Selector& select,
                   const std::string& place,
                   process::Scene& scene) {
   std::vector<std::size_t> number; // in the case file, from 1
@@ -275,7 +221,7 @@ void add_supports(const Case& content,
   require_agreement(scene, number, place);
 }
 
-void add_loads(const Case& content, const Selector& select, process::Scene& scene) {
+void add_loads(const Case& content, Selector& select, process::Scene& scene) {
   for (const Load& load : content.loads) {
     if (const auto* pressure = std::get_if<PressureLoad>(&load.kind))
       scene.loads.emplace_back(process::PressureOn{select.faces(load.where), pressure->pressure});
@@ -303,11 +249,11 @@ contact::SlipScheme scheme_of(const ContactSettings& settings) {
   return {contact::Integrator::radial};
 }
 
-contact::PairWear pair_wear(const Tool& tool, const Material& material, const std::string& place) {
+contact::PairWear pair_wear(const Tool& tool, const Material& material) {
   contact::PairWear wear{{tool.wear->K, tool.wear->hardness}, std::nullopt, tool.wear->strokes};
   if (tool.wear->K_workpiece && !material.hardness)
     throw Error(
-        Fault::case_file, place,
+        Fault::case_file, tool.said_at,
         fmt::format("tool '{}': its wear has K_workpiece, but nothing gives the hardness of "
                     "the workpiece",
                     tool.name),
@@ -317,7 +263,7 @@ contact::PairWear pair_wear(const Tool& tool, const Material& material, const st
   return wear;
 }
 
-void add_tools(const Case& content, BuiltScene& built, const std::string& place) {
+void add_tools(const Case& content, BuiltScene& built) {
   process::Scene& scene = built.scene;
   Box workpiece;
   for (const Vec3& p : scene.mesh.points)
@@ -326,18 +272,17 @@ void add_tools(const Case& content, BuiltScene& built, const std::string& place)
     scene.tools.push_back(build_tool(tool, content.analysis, workpiece.size(), built.notes));
     scene.touch.push_back(tool.touch ? 1 : 0);
     if (tool.wear)
-      scene.tools.back().wear =
-          pair_wear(tool, content.materials.at(content.workpiece.material), place);
+      scene.tools.back().wear = pair_wear(tool, content.materials.at(content.workpiece.material));
     if (scene.tools.back().friction.follows_material() &&
         std::holds_alternative<mechanics::Elastic>(scene.material.flow))
-      throw Error(Fault::case_file, place,
+      throw Error(Fault::case_file, tool.said_at,
                   fmt::format("tool '{}': its friction follows the shear yield stress, but the "
                               "workpiece is elastic",
                               tool.name),
                   "give k (or cap) as a stress, or the material a flow law");
     if (scene.tools.back().friction.tensor &&
         content.contact.integrator != ContactIntegrator::radial)
-      throw Error(Fault::case_file, place,
+      throw Error(Fault::case_file, tool.said_at,
                   fmt::format("tool '{}': friction with a tensor is integrated by \"radial\" only",
                               tool.name),
                   "leave contact.integrator out, or the tensor");
@@ -531,6 +476,12 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
     if (raw(std::get_if<StlSurface>(&tool.surface)) || raw(std::get_if<StepSurface>(&tool.surface)))
       notes.push_back(fmt::format(
           "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
+  for (const Tool& tool : content.tools)
+    if (content.analysis == Analysis::axisymmetric && tool.motion.rotation)
+      notes.push_back(
+          fmt::format("warning: tool '{}' turns about the normal of the meridian, which "
+                      "no tool of revolution can do without changing its shape",
+                      tool.name));
   const Material& material = content.materials.at(content.workpiece.material);
   if (material.library.empty() && material.density && !material.heating)
     notes.push_back("density has no effect in this version: there is no inertia");
@@ -555,15 +506,18 @@ BuiltScene build_scene(const Case& content, const std::string& place) {
                                 scene.analysis == mechanics::Analysis::axisymmetric);
   scene.material = material_of(content);
   note_molten(scene.material, built.notes);
-  const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
-  const Selector select(scene.mesh, boundary, place);
+  std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
+  if (scene.analysis == mechanics::Analysis::axisymmetric)
+    std::erase_if(boundary, [&](const Face& face) { return lies_on_axis(scene.mesh, face); });
+  Selector select(scene.mesh, boundary);
   add_supports(content, select, place, scene);
   note_single_file(scene, built.notes);
   note_flat_elements(scene.mesh, built.notes);
   add_loads(content, select, scene);
-  add_tools(content, built, place);
+  add_tools(content, built);
   scene.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)
                                                 : candidates(scene, boundary);
+  select.throw_if_any();
   scene.contact = {content.contact.form == ContactForm::compatible ? contact::Form::compatible
                                                                    : contact::Form::mixed,
                    content.contact.penalty,

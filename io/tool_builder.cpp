@@ -259,7 +259,7 @@ void check_direction(const Tool& tool) {
   if (plane == nullptr || !tool.friction.direction)
     return;
   if (plane->normal.normalized().cross(tool.friction.direction->normalized()).norm() < smallest)
-    throw Error(Fault::case_file, "",
+    throw Error(Fault::case_file, tool.said_at,
                 fmt::format("tool '{}': friction.direction is normal to its plane and tells no "
                             "first axis of the tensor",
                             tool.name),
@@ -283,11 +283,12 @@ contact::Tool build_tool(const Tool& tool,
                          std::vector<std::string>& notes) {
   contact::Tool result;
   result.name = tool.name;
+  result.said_at = tool.said_at;
   const bool in_space = std::holds_alternative<StlSurface>(tool.surface) ||
                         std::holds_alternative<StepSurface>(tool.surface);
   if (analysis != Analysis::solid && in_space)
     throw Error(
-        Fault::geometry, "",
+        Fault::geometry, tool.said_at,
         fmt::format("tool '{}': an STL or STEP file is a surface in space; this scene is in "
                     "the plane",
                     tool.name),

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -23,7 +24,8 @@ Mat3 area_derivative(const FacePoint<Shape>& at, std::size_t b, Analysis analysi
     D(0, 1) = at.dN[b][0] * at.turn * weight;
     D(1, 0) = -at.dN[b][0] * at.turn * weight;
     if (analysis == Analysis::axisymmetric)
-      D.col(0) += at.area * (at.N[b] / at.position[0]);
+      D.col(0) += at.N[b] * 2.0 * std::numbers::pi * weight *
+                  Vec3(at.tangents[0][1], -at.tangents[0][0], 0.0);
   } else {
     const Vec3 v = weight * (at.dN[b][1] * at.tangents[0] - at.dN[b][0] * at.tangents[1]);
     D << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;

@@ -285,6 +285,8 @@ void Process::start_from(const CarriedState& at,
   reactions_.assign(x0_.size(), 0.0);
   support_work_ = to.support_work;
   load_work_ = to.load_work;
+  for (const auto& load : loads_)
+    load_work_ -= load->work(); // of a way that is not taken
   energy_.grounding = to.grounding;
   if (contact_) {
     contact_->start(x_, time_);

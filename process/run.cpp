@@ -56,18 +56,6 @@ void Process::start_stage(const Stage& stage) {
     contact_->enable(stage.tools);
 }
 
-std::string Process::overlaps_at_start(const Stage& stage) const {
-  std::string text;
-  if (!contact_ || stage.unload || time_ == 0.0)
-    return text; // at time 0 an overlap is refused
-  for (std::size_t t = 0; t < scene_.tools.size(); ++t)
-    if (contact_->acts(t, time_) && !contact_->lies_on(t))
-      if (const std::string where = overlap(t); !where.empty())
-        text += fmt::format("; the workpiece overlaps tool '{}' where the stage begins, {}",
-                            scene_.tools[t].name, where);
-  return text;
-}
-
 mechanics::Prescribed Process::prescribed(double time) const {
   std::map<Index, double> wanted;
   const int dim = scene_.mesh.dimension();
@@ -378,7 +366,6 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   constexpr double fade_share = 0.05; // of a stage that goes on without the tool
   constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
   constexpr int most_turned = 3;      // tries that end with an element inside out, on one mesh
-  const std::string overlapping = overlaps_at_start(stage);
   std::vector<std::string> tried;
   std::string unmeshed; // why the last remeshing was not possible
   int failures = 0;
@@ -400,6 +387,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const bool lands = step == landing - time_;
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
+    look_for_intruders(stage, time_ + step);
     std::string why = leap(scene_, stage, time_, time_ + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
@@ -483,8 +471,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       continue;
     }
     if (control.exhausted() || refusals == most_refusals || turned_inside_out_ >= most_turned) {
-      if (time_ == start)
-        why += overlapping;
+      why += intruders_now();
       if (!unmeshed.empty())
         why += "; the part could not be meshed anew: " + unmeshed;
       const PostMortem post = post_mortem(step, why, tried);

@@ -241,6 +241,14 @@ public:
   };
   /// All of them, in their order.
   [[nodiscard]] std::span<const Refusal> refusals() const { return refusals_; }
+  /// A tool that began to act where the workpiece was.
+  struct Intruder {
+    std::size_t tool;
+    double time;       ///< at the end of that increment [s]
+    std::string where; ///< how deep, and at which place
+    int increment;     ///< the last one before it
+  };
+  [[nodiscard]] std::span<const Intruder> intruders() const { return intruders_; }
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
   /// Places where the boundary of a plane part crosses itself by more than a quarter of an element;
@@ -268,7 +276,7 @@ private:
   void check_overlap() const;
   /// How deep and where the workpiece lies inside a tool now; empty: no more than chords of faces
   /// do.
-  [[nodiscard]] std::string overlap(std::size_t tool) const;
+  [[nodiscard]] std::string overlap(std::size_t tool, double time) const;
   void make_terms();
   [[nodiscard]] contact::DriveScale drive_scale() const;
   void check_drives() const;
@@ -333,7 +341,10 @@ private:
   /// Which contact points kept changing in the last try, for the log; empty: none.
   [[nodiscard]] std::string restless_points() const;
   /// Tools that begin to act now though the workpiece lies inside them, for a failure's reason.
-  [[nodiscard]] std::string overlaps_at_start(const Stage& stage) const;
+  /// Notes tools that begin to act by `until` and lie in the workpiece there.
+  void look_for_intruders(const Stage& stage, double until);
+  /// Those that the increment that could not be solved would have met, for its post-mortem.
+  [[nodiscard]] std::string intruders_now() const;
   enum class Progress { easy, laboured, none };
   /// Takes a softer penalty where iterations are many and penetrations needlessly small, and back.
   void adapt_penalty(Progress progress);
@@ -525,6 +536,8 @@ private:
   std::string penalty_event_;       ///< a change of the penalty since then
   std::vector<RemeshReport> remeshings_;
   std::vector<Refusal> refusals_;
+  std::vector<char> acted_; ///< tools in the last increment that was tried, one flag a tool
+  std::vector<Intruder> intruders_;
   double side_ = 0.0;                    ///< of the elements of the first mesh [mm]
   std::vector<double> earlier_forces_;   ///< on all tools, before the last increment [N]
   std::vector<double> largest_forces_;   ///< likewise, the largest since they touched nothing [N]

@@ -111,21 +111,25 @@ void Process::make_loads() {
 void Process::check_overlap() const {
   if (!contact_)
     return;
+  std::vector<Complaint> complaints;
   for (std::size_t t = 0; t < scene_.tools.size(); ++t)
     if (contact_->acts(t, 0.0))
-      if (const std::string where = overlap(t); !where.empty())
-        throw Error(Fault::geometry, "",
-                    fmt::format("the workpiece overlaps tool '{}' before the start: {}",
-                                scene_.tools[t].name, where),
-                    "move the tool or the workpiece apart, or give the tool touch = true");
+      if (const std::string where = overlap(t, time_); !where.empty())
+        complaints.push_back(
+            {scene_.tools[t].said_at,
+             fmt::format("the workpiece overlaps tool '{}' before the start: {}",
+                         scene_.tools[t].name, where),
+             "move the tool or the workpiece apart, or give the tool touch = true"});
+  if (!complaints.empty())
+    throw Error(Fault::geometry, std::move(complaints));
 }
 
-std::string Process::overlap(std::size_t tool) const {
+std::string Process::overlap(std::size_t tool, double time) const {
   // A chord of a curved face may lie a little inside a tool that touches its nodes; a sharp tool
   // that was brought to the contact points of a face may lie deeper between them.
   const bool brought = tool < scene_.touch.size() && scene_.touch[tool] != 0;
   const double allowed_share = brought ? 0.5 : 0.02; // of the element beneath
-  const geometry::Pose pose = contact_->pose(tool, time_, x_);
+  const geometry::Pose pose = contact_->pose(tool, time, x_);
   for (Index f = 0; f < surface_->n_faces(); ++f) {
     std::vector<Vec3> points = surface_->samples(x_, f);
     for (Vec3& p : points)
@@ -154,7 +158,7 @@ void Process::check_drives() const {
     const contact::Tool& tool = scene_.tools[t];
     const bool pressed = tool.motion.force && !tool.motion.force->blow; // a blow begins by touching
     if (pressed && contact_->acts(t, 0.0) && !contact_->lies_on(t))
-      throw Error(Fault::case_file, "",
+      throw Error(Fault::case_file, tool.said_at,
                   fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
                               "nothing tells where it is",
                               tool.name),

@@ -175,21 +175,23 @@ public:
   void bring(contact::Tool& tool) const {
     const Vec3 direction = first_direction(tool.motion, end_);
     if (direction.isZero(0.0))
-      throw Error(Fault::case_file, "",
-                  fmt::format("tool '{}' has touch = true but does not move", tool.name),
+      throw Error(Fault::case_file, tool.said_at,
+                  fmt::format("tool '{}' has touch = true but does not move{}", tool.name,
+                              tool.motion.force ? ": its force is zero throughout" : ""),
                   "give it a velocity, a displacement or a force, or place it where it touches");
     const double reach = most_sizes_to_touch * size_;
     // Contact points are what carries the load of a driven tool: it must rest on one, and a node
     // between them may lie inside it by the curve of the tool over a part of a face.
     const std::span<const Vec3> all = points_;
-    const auto by_points = geometry::distance_to_contact(
-        *tool.surface, tool.motion.pose(0.0), direction,
-        tool.motion.force ? all.first(n_contact_points_) : all, reach);
-    const double distance = tool.motion.force && by_points
+    const bool driven = tool.motion.force || tool.motion.torque;
+    const auto by_points =
+        geometry::distance_to_contact(*tool.surface, tool.motion.pose(0.0), direction,
+                                      driven ? all.first(n_contact_points_) : all, reach);
+    const double distance = driven && by_points
                                 ? *by_points
                                 : by_facets(tool, direction, by_points ? *by_points : reach);
     if (!by_points && !(distance < reach && faces_workpiece(tool, distance * direction)))
-      throw Error(Fault::geometry, "",
+      throw Error(Fault::geometry, tool.said_at,
                   fmt::format("tool '{}' cannot be brought to touch: {}", tool.name,
                               by_points.error().reason),
                   "check its place, the direction of its motion and which way its surface faces "

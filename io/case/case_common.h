@@ -66,6 +66,13 @@ struct Everywhere {
   bool operator==(const Everywhere&) const = default;
 };
 
-using Where = std::variant<Everywhere, OnPlane, InSet>;
+/// A place of the workpiece, and where the case says it: what is wrong with it shows with the mesh.
+struct Where {
+  std::variant<Everywhere, OnPlane, InSet> kind;
+  std::string place; ///< "case.toml:12:9"
+  std::string key;   ///< "load[0].where"
+
+  bool operator==(const Where& other) const { return kind == other.kind; }
+};
 
 } // namespace billet::io

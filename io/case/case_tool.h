@@ -10,6 +10,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -351,8 +352,13 @@ struct Tool {
   Friction friction;  ///< default: frictionless
   std::optional<Wear> wear;
   std::optional<std::array<double, 2>> active; ///< from, to [s]; absent: always
+  std::string said_at; ///< where the case names it, for messages: "case.toml:12:1"
 
-  bool operator==(const Tool&) const = default;
+  bool operator==(const Tool& other) const {
+    return std::tie(name, surface, place, motion, touch, friction, wear, active) ==
+           std::tie(other.name, other.surface, other.place, other.motion, other.touch,
+                    other.friction, other.wear, other.active);
+  }
 };
 
 } // namespace billet::io

@@ -36,14 +36,15 @@ public:
   /// Throws an Error of all complaints in the order of their places, if there are any.
   void throw_if_any();
 
+  /// "case.toml:12:9", or the override.
+  [[nodiscard]] std::string text(const TextPlace& place) const;
+
 private:
   struct Found {
     TextPlace place;
     std::string message;
     std::string remedy;
   };
-
-  [[nodiscard]] std::string text(const TextPlace& place) const;
 
   std::string name_;
   std::vector<std::string> overrides_;

@@ -120,7 +120,7 @@ std::optional<Load> as_load(const At& at) {
   Where where;
   table.required("where", where, as_where);
   const bool is_body_force = load && std::holds_alternative<BodyForce>(load->kind);
-  if (is_body_force && !std::holds_alternative<Everywhere>(where))
+  if (is_body_force && !std::holds_alternative<Everywhere>(where.kind))
     table.find("where")->complain_found("\"all\" for a body force");
   if (load)
     load->where = where;

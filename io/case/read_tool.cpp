@@ -83,6 +83,7 @@ std::optional<Tool> as_tool(const At& at) {
   if (!table.is_table())
     return std::nullopt;
   Tool tool;
+  tool.said_at = at.place();
   table.required("name", tool.name, as_name);
   table.required("surface", tool.surface, as_tool_surface);
   table.optional("place", tool.place, as_place);

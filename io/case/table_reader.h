@@ -40,6 +40,8 @@ struct At {
   void complain(const std::string& message, const std::string& remedy = {}) const;
   /// Complains "PATH: found VALUE, allowed is ALLOWED".
   void complain_found(const std::string& allowed, const std::string& remedy = {}) const;
+  /// Where the node stands, for messages: "case.toml:12:9".
+  [[nodiscard]] std::string place() const { return context.complaints.text(node.place); }
   /// The i-th item of a list.
   [[nodiscard]] At item(const Node& item_node, std::size_t i) const;
 };

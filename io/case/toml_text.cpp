@@ -75,7 +75,8 @@ std::string toml_text(const TimeFunction& function) {
 std::string toml_text(const InputFile& file) { return toml_text(std::string_view(file.given)); }
 
 std::string toml_text(const Where& where) {
-  const std::string text = std::visit([](const auto& kind) { return where_text(kind); }, where);
+  const std::string text =
+      std::visit([](const auto& kind) { return where_text(kind); }, where.kind);
   return toml_text(std::string_view(text));
 }
 

@@ -27,7 +27,7 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
 }
 
 /// A plane "x = 7.5"; none when the text has not that form or the value is bad (complained).
-std::optional<Where> as_plane(const At& at, std::string_view text) {
+std::optional<OnPlane> as_plane(const At& at, std::string_view text) {
   constexpr std::string_view names = "xyz";
   const std::size_t axis = names.find(text.front());
   const std::string_view rest = trimmed(text.substr(1));
@@ -48,7 +48,7 @@ std::optional<Where> as_plane(const At& at, std::string_view text) {
     value.value = number;
   const std::optional<double> position =
       as_number({value, at.path, at.context}, {quantity::length, any_value});
-  return position ? std::optional<Where>(OnPlane{static_cast<int>(axis), *position}) : std::nullopt;
+  return position ? std::optional(OnPlane{static_cast<int>(axis), *position}) : std::nullopt;
 }
 
 } // namespace
@@ -92,13 +92,16 @@ std::optional<Where> as_where(const At& at) {
   const auto* const text = at.node.as<std::string>();
   const std::string_view word = text != nullptr ? trimmed(*text) : std::string_view{};
   constexpr std::string_view set = "set:";
+  const auto here = [&](auto kind) { return Where{std::move(kind), at.place(), at.path}; };
   if (word == "all")
-    return Everywhere{};
+    return here(Everywhere{});
   if (word.starts_with(set) && word.size() > set.size())
-    return InSet{std::string(word.substr(set.size()))};
+    return here(InSet{std::string(word.substr(set.size()))});
   if (!word.empty() && std::string_view("xyz").find(word.front()) != std::string_view::npos &&
-      trimmed(word.substr(1)).starts_with('='))
-    return as_plane(at, word);
+      trimmed(word.substr(1)).starts_with('=')) {
+    const std::optional<OnPlane> plane = as_plane(at, word);
+    return plane ? std::optional<Where>(here(*plane)) : std::nullopt;
+  }
   at.complain_found("\"x = VALUE\", \"y = VALUE\", \"set:NAME\" or \"all\"");
   return std::nullopt;
 }

@@ -157,6 +157,15 @@ private:
       scanner_.fail(
           fmt::format("*{} takes data from another file, which is not done here", keyword.name),
           "put nodes and elements into one file");
+    if (keyword.name == "NODE" && !keyword.value("SYSTEM").empty() &&
+        upper(keyword.value("SYSTEM")) != "R")
+      scanner_.fail(fmt::format("*NODE with SYSTEM={} gives coordinates that are not rectangular",
+                                keyword.value("SYSTEM").substr(0, 20)),
+                    "write all nodes with x, y, z");
+    constexpr std::array ties{"TIE", "EQUATION", "MPC", "RIGID BODY", "COUPLING"};
+    if (std::find(ties.begin(), ties.end(), keyword.name) != ties.end())
+      scanner_.fail(fmt::format("*{} joins nodes, which is not done here", keyword.name),
+                    "mesh the part as one, with common nodes");
     constexpr std::array makers{"NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"};
     if (std::find(makers.begin(), makers.end(), keyword.name) != makers.end())
       scanner_.fail(

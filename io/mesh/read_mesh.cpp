@@ -4,6 +4,7 @@
 #include "geometry/base/error.h"
 #include "io/mesh/raw_mesh.h"
 #include "mechanics/mesh_check.h"
+#include "mechanics/mesh_connections.h"
 #include "mechanics/mesh_edges.h"
 
 #include <fmt/format.h>
@@ -81,13 +82,16 @@ CellBlock body(RawMesh& raw, const std::string& file) {
   return std::move(block);
 }
 
-/// Removes cells with exactly the nodes of an earlier one; Gmsh 2.2 repeats a cell for each group.
+/// Removes cells with the nodes of an earlier one, whichever the first; Gmsh 2.2 repeats a cell for
+/// each group.
 std::size_t drop_repeated_cells(Mesh& mesh) {
   std::set<std::vector<Index>> seen;
   std::vector<Index> kept;
   for (Index element = 0; element < mesh.n_elements(); ++element) {
     const auto cell = mesh.cell(element);
-    if (seen.insert(std::vector<Index>(cell.begin(), cell.end())).second)
+    std::vector<Index> nodes(cell.begin(), cell.end());
+    std::sort(nodes.begin(), nodes.end());
+    if (seen.insert(std::move(nodes)).second)
       kept.insert(kept.end(), cell.begin(), cell.end());
   }
   const auto n = static_cast<std::size_t>(nodes_per_element(mesh.kind));
@@ -184,31 +188,6 @@ void flatten(MeshFile& result, const std::string& file) {
     point.z() = 0.0;
 }
 
-/// Number of parts that share no node.
-Index n_parts(const Mesh& mesh) {
-  std::vector<Index> parent(mesh.points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index node) {
-    while (parent[static_cast<std::size_t>(node)] != node) {
-      Index& up = parent[static_cast<std::size_t>(node)];
-      up = parent[static_cast<std::size_t>(up)];
-      node = up;
-    }
-    return node;
-  };
-  Index parts = mesh.n_points();
-  for (Index element = 0; element < mesh.n_elements(); ++element)
-    for (const Index node : mesh.cell(element)) {
-      const Index a = root(mesh.cell(element)[0]);
-      const Index b = root(node);
-      if (a != b) {
-        parent[static_cast<std::size_t>(b)] = a;
-        --parts;
-      }
-    }
-  return parts;
-}
-
 void tidy_sets(MeshFile& result) {
   auto& sets = result.mesh.node_sets;
   for (auto set = sets.begin(); set != sets.end();) {
@@ -244,8 +223,10 @@ MeshFile read_mesh(const std::filesystem::path& path, double length_factor) {
   if (mesh.dimension() == 2)
     flatten(result, file);
   orient(result, file);
-  if (const Index parts = n_parts(mesh); parts > 1)
-    result.notes.push_back(fmt::format("the mesh consists of {} parts that share no node", parts));
+  if (std::vector<Complaint> flaws = mechanics::check_connections(mesh, file); !flaws.empty())
+    throw Error(Fault::geometry, std::move(flaws));
+  for (const std::string& loose : mechanics::loose_connections(mesh))
+    result.notes.push_back("warning: " + loose);
   return result;
 }
 

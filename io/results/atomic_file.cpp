@@ -20,7 +20,7 @@ std::string remedy_for(int reason) {
   case ENOSPC:
   case EDQUOT:
   case EFBIG:
-    return "free some space and go on with --resume, or choose another folder with -o";
+    return "free some space and run again, or choose another folder with -o";
   case EACCES:
   case EPERM:
   case EROFS:

@@ -75,6 +75,14 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "[[support]] for its free motions mends that",
         100.0 * energy.grounding / energy.scale(), energy.grounding, content_->units.force,
         content_->units.length));
+  constexpr double most_lost = 0.02; // hub-forging-3d, of Coulomb's friction: 0.5 %
+  if (const process::EnergyBalance& energy = process.energy();
+      std::abs(energy.remeshing) > most_lost * energy.scale())
+    lines.push_back(fmt::format(
+        "warning: {:.1f} % of the work ({:.3g} {} {}) was lost (negative: made) by carrying the "
+        "part over to new meshes: energy in remesh.csv tells which; finer meshes lose less",
+        100.0 * energy.remeshing / energy.scale(), energy.remeshing, content_->units.force,
+        content_->units.length));
   constexpr double unpaid = 0.02;
   if (const process::EnergyBalance& energy = process.energy();
       std::abs(energy.enforcement) > unpaid * energy.scale())
@@ -101,6 +109,14 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         zone.length, content_->units.length,
         content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
                          : "a finer mesh there or a [remesh] section mends that"));
+  for (const process::Process::Intruder& intruder : process.intruders())
+    lines.push_back(fmt::format(
+        "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: it was pushed "
+        "out "
+        "in one increment; a tool goes on its way while it does not act, so let it begin where it "
+        "is clear",
+        process.scene().tools[intruder.tool].name, intruder.time, content_->units.time,
+        intruder.where));
   for (const geometry::ClosedFold& fold : process.crossings())
     lines.push_back(fmt::format(
         "warning: at the end the boundary of the part crosses itself near ({:.6g}, {:.6g}), {:.3g} "

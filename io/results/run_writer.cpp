@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -293,16 +295,23 @@ bool is_frame(const std::filesystem::path& file) {
          (suffix == ".vtu" || suffix == ".vtp");
 }
 
+/// Whether a list for ParaView is of frames as a run writes them.
+bool lists_frames(const std::filesystem::path& pvd) {
+  std::ifstream file(pvd);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  return text.find("frames/workpiece_") != std::string::npos;
+}
+
 /// Removes what an earlier run left, so that nothing of it passes for a result of this one; files
 /// that are not ours stay.
-void remove_earlier_run(const std::filesystem::path& folder, const std::string& name) {
+void remove_earlier_run(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  std::vector<fs::path> old{folder / (name + ".pvd"),
-                            folder / "summary.json",
-                            folder / "run.log",
-                            folder / "remesh.csv",
+  std::vector<fs::path> old{folder / "summary.json", folder / "run.log", folder / "remesh.csv",
                             folder / "failure" / "last_good.vtu",
                             folder / "failure" / "post_mortem.txt"};
+  for (const auto& entry : fs::directory_iterator(folder)) // the case may have had another name
+    if (entry.path().extension() == ".pvd" && lists_frames(entry.path()))
+      old.push_back(entry.path());
   for (const auto& entry : fs::directory_iterator(folder / "frames"))
     if (is_frame(entry.path()))
       old.push_back(entry.path());
@@ -328,7 +337,7 @@ RunWriter::RunWriter(std::filesystem::path folder,
   make_folder(folder_ / "frames");
   write_file(folder_ / "case.resolved.toml", resolved_toml(content));
   // Only now that the folder has proved writable.
-  remove_earlier_run(folder_, name_);
+  remove_earlier_run(folder_);
 }
 
 void RunWriter::started(const process::Process& process) {

@@ -146,5 +146,40 @@ increments = { max = 0.03 }
   EXPECT_NEAR(energy["external_work"].get<double>(), expected, 0.02 * expected);
 }
 
+TEST_F(LeavingTools, ThatComeBackInsideThePartAreNamed) {
+  const auto late = [&](double deep) {
+    return run(R"(
+analysis = "axisymmetric"
+workpiece = { element = "quad4", material = "steel", mesh = { box = [[0, 0], [10, 5]], cells = [6, 3] } }
+[material.steel]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "swift", K = 740, eps0 = 0.01, n = 0.2 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, )" +
+               std::to_string(5.1 - deep) + R"(], normal = [0, -1] } }
+motion = { velocity = [0, -1] }
+active = [0.1, 9]
+[time]
+end = 0.2
+)");
+  };
+  const Outcome shallow = late(0.1);
+  ASSERT_EQ(shallow.status, 0) << shallow.err;
+  EXPECT_TRUE(shallow.says("tool die began to act at t = 0.1 s inside the workpiece, 0.1"))
+      << shallow.err;
+  EXPECT_EQ(late(1.5).status, 5);
+  const std::string post = whole_file(folder_.path() / "out/failure/post_mortem.txt");
+  EXPECT_NE(post.find("tool 'die' begins to act inside the workpiece, 1.5"), std::string::npos)
+      << post;
+  EXPECT_FALSE(late(-0.01).says("inside the workpiece"));
+}
+
 } // namespace
 } // namespace billet::test::leaving_tools_test

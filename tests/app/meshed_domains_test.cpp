@@ -39,6 +39,17 @@ std::string outlined() {
                             {"where = \"y = 0\"", "where = \"set:segment-1\""}});
 }
 
+/// A strip that no triangles of that size fit into.
+const std::string sliver = R"(closed = true
+start = [0, 0]
+[[segment]]
+to = [5, 0]
+[[segment]]
+to = [5, 1e-6]
+[[segment]]
+to = [0, 1e-6]
+)";
+
 /// A cube from 0 to 5 by 5 by 15 as ASCII STL.
 std::string block_stl() {
   const std::array<std::array<int, 3>, 12> triangles{{{0, 2, 1},
@@ -150,6 +161,11 @@ TEST_F(MeshedDomains, WhatCannotBeMeshedIsSaidWithFileAndRemedy) {
   const Outcome size = check(edited(outlined(), {{"size = 1.5", "size = 1e-4"}}));
   EXPECT_NE(size.status, 0);
   EXPECT_TRUE(size.says("part.toml") && size.says("larger size")) << size.err;
+
+  write_text(folder_.path() / "part.toml", sliver);
+  const Outcome thin = check(outlined());
+  EXPECT_EQ(thin.status, 7); // a limit
+  EXPECT_TRUE(thin.says("part.toml") && thin.says("far thinner than they are")) << thin.err;
 
   const Outcome missing = check(edited(outlined(), {{", size = 1.5", ""}}));
   EXPECT_TRUE(missing.says("workpiece.mesh.size: missing")) << missing.err;

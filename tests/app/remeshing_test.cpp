@@ -69,6 +69,39 @@ const std::string header =
     "returned,"
     "seconds,punch.force_before,punch.force_after\n";
 
+TEST_F(Remeshing, CountsTheWorkOfAPressureOnce) {
+  // The way to a new mesh is gone again from several states until the die's force is right; what a
+  // pressure did on the ways that are not taken is not its work.
+  const auto out = run(R"(analysis = "plane-strain"
+workpiece = { element = "quad8", material = "sheet", mesh = { box = [[0, 0], [20, 1]], cells = [20, 1] } }
+[material.sheet]
+elastic = { young = 70000, poisson = 0.3 }
+flow = { law = "swift", K = 300, eps0 = 0.01, n = 0.25 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "x = 20"
+fix = ["x", "y"]
+[[load]]
+where = "y = 0"
+pressure = [[0, 0], [1, 12]]
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, 4], normal = [0, -1] } }
+friction = { law = "coulomb", mu = 0.1 }
+[time]
+end = 1
+[remesh]
+)");
+  const nlohmann::json energy = summary(out)["energy"];
+  const double done = energy["elastic_energy"].get<double>() +
+                      energy["plastic_work"].get<double>() + energy["friction_work"].get<double>();
+  EXPECT_GE(read_table(out / "remesh.csv").rows.size(), 1U);
+  EXPECT_NEAR(energy["external_work"].get<double>(), done, 0.01 * done);
+  EXPECT_LT(std::abs(energy["lost_in_remeshing"].get<double>()), 0.01 * done);
+}
+
 TEST_F(Remeshing, RefinesBeforeATouchingToolComesDownElsewhere) {
   // A tool with a flat foot and, half a millimetre higher, a round one.
   write_text(folder_.path() / "feet.toml", R"(start = [2.2, 8]

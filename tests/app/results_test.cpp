@@ -296,6 +296,13 @@ TEST_F(Results, a_second_run_into_the_folder_leaves_nothing_of_the_first) {
   EXPECT_EQ(whole_file(folder / "frames/notes.txt"), "mine");
   EXPECT_EQ(whole_file(folder / "notes.txt"), "mine");
   expect_whole_results(again, "tiny");
+  // Nor has one under another name.
+  write_text(folder / "mine.pvd", "<VTKFile/>");
+  put("other.toml", upsetting);
+  ASSERT_EQ(billet({"run", "other.toml", "--quiet", "-o", "tiny"}, folder_.path()).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "other.pvd"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "tiny.pvd"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "mine.pvd"));
 }
 
 TEST_F(Results, do_not_depend_on_the_units) {

@@ -223,6 +223,28 @@ TEST(ContactTerm, IgnoresToolsThatDoNotActNow) {
   EXPECT_EQ(bench.force().norm(), 0.0);
 }
 
+TEST(ContactTerm, ShowsWhatIsCommittedWhateverHasBeenTriedSince) {
+  for (const BodyKind& body : body_kinds()) {
+    ContactBench bench = bench_on(body, one_tool(still_tool(floor_plane(), Coulomb{0.1})), {});
+    bench.commit(moved(bench, {0, -1e-3, 0}), 1.0);
+    bench.commit(moved(bench, {1e-2, 0, 0}), 2.0);
+    const std::vector<PointResult> before = bench.term.results();
+    EXPECT_TRUE(std::any_of(before.begin(), before.end(), [](const PointResult& p) {
+      return p.status == Status::slip;
+    })) << body.name();
+    for (const Vec3& tried : {Vec3(0, -1.0, 0), Vec3(0, 1.0, 0)}) { // far too deep; off
+      bench.assemble(moved(bench, tried), 3.0);
+      const std::vector<PointResult> after = bench.term.results();
+      for (std::size_t k = 0; k < before.size(); ++k) {
+        EXPECT_EQ(after[k].pressure, before[k].pressure);
+        EXPECT_EQ(after[k].shear, before[k].shear);
+        EXPECT_EQ(after[k].status, before[k].status);
+        EXPECT_EQ(after[k].gap, before[k].gap);
+      }
+    }
+  }
+}
+
 TEST(ContactTerm, HandsOverItsForcesWhenAToolIsReleased) {
   for (const BodyKind& body : body_kinds()) {
     ContactBench bench = bench_on(body, one_tool(still_tool(floor_plane(), Sticking{})), {});

@@ -216,6 +216,28 @@ TEST(FaceStabilization, PressesNoMoreThanTenTimesWhatTheFaceCarries) {
   EXPECT_DOUBLE_EQ(energy(8.1), energy(1e6)) << "more is not needed";
 }
 
+TEST(FaceStabilization, GoesHalfOfTheWayEachTime) {
+  ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
+  bench.x = at_heights(bench, -2e-3, -2e-3, 1e-3);
+  FaceStabilization springs;
+  const geometry::Pose pose;
+  const auto energy = [&](const std::vector<PointHistory>& history) {
+    springs.set(bench.surface, history, {*bench.tools[0].surface, pose, ContactBench::reach},
+                bench.x, stiffness);
+    return springs.energy(bench.surface, bench.x);
+  };
+  const double whole = energy(all_closed(bench));
+  EXPECT_GT(whole, 0.0);
+  EXPECT_DOUBLE_EQ(energy(all_closed(bench)), whole) << "where nothing changes nothing does";
+  const std::vector<PointHistory> open(bench.surface.n_points());
+  EXPECT_NEAR(energy(open), whole / 4.0, 1e-6 * whole) << "its points have opened";
+  EXPECT_NEAR(energy(open), whole / 16.0, 1e-6 * whole);
+  EXPECT_NEAR(energy(all_closed(bench)), whole * 25.0 / 64.0, 1e-6 * whole);
+  for (int increment = 0; increment < 30; ++increment)
+    (void)energy(open);
+  EXPECT_EQ(energy(open), 0.0) << "and are gone in the end";
+}
+
 TEST(FaceStabilization, BeginsAndEndsWithoutAJump) {
   // A face that is bent the wrong way comes down on the floor and leaves it: the force of a spring
   // goes with the lesser of both depths, so it is continuous where either is zero.

@@ -174,6 +174,18 @@ TEST(Loads, follower_pressure_has_the_exact_tangent_in_every_analysis) {
   }
 }
 
+TEST(Loads, pressure_has_a_finite_tangent_on_the_axis) {
+  Bench bench(box_mesh({.kind = ElementKind::quad8, .high = {3, 2, 0}, .cells = {2, 2, 1}}),
+              Analysis::axisymmetric);
+  const auto load = make_pressure(bench.mesh, bench.analysis, bench.pattern,
+                                  faces_where(bench.mesh, 0, 0.0), TimeFunction(3.0));
+  ASSERT_TRUE(bench.assemble(*load, bench.X));
+  for (const double r : bench.system.residual)
+    EXPECT_EQ(r, 0.0);
+  for (const double k : bench.system.tangent.values)
+    EXPECT_TRUE(std::isfinite(k));
+}
+
 TEST(Loads, pressure_all_around_a_body_has_no_resultant) {
   constexpr double rounding = 1e-12;
   for (const auto& element : every_element) {

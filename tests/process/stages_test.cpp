@@ -106,7 +106,7 @@ TEST(Stages, NameAToolThatLiesInTheWorkpieceWhenItsStageBegins) {
   ASSERT_NE(done.status, RunStatus::done);
   ASSERT_FALSE(done.recorder.failures.empty());
   const std::string& why = done.recorder.failures.back().reason;
-  EXPECT_NE(why.find("overlaps tool 'side' where the stage begins"), std::string::npos) << why;
+  EXPECT_NE(why.find("tool 'side' begins to act inside the workpiece"), std::string::npos) << why;
 }
 
 TEST(Stages, LetARollDragAStrip) {

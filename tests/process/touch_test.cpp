@@ -154,5 +154,23 @@ TEST(Touch, ADrivenToolRestsOnAContactPoint) {
   EXPECT_NEAR(travel(std::move(scene)), 1.5, 1e-12);
 }
 
+TEST(Touch, ARollUnderATorqueRestsOnAContactPoint) {
+  // On the middle of the face it would touch between its contact points, without friction, and
+  // spin.
+  constexpr double radius = 5.0;
+  const auto roll = [radius](bool driven) {
+    Scene scene =
+        one_face(Analysis::solid,
+                 geometry::make_cylinder({0, 0, radius}, Vec3::UnitY(), radius, false), 1.5);
+    if (driven)
+      scene.tools[0].motion.torque =
+          geometry::Drive{Vec3::Zero(), Vec3::UnitY(), TimeFunction(1.0)};
+    return travel(std::move(scene));
+  };
+  EXPECT_NEAR(roll(false), 1.5, 1e-9) << "on the face";
+  const double off = 1.0 / std::sqrt(3.0); // of the points of a hex8's face from its middle
+  EXPECT_NEAR(roll(true), 1.5 + radius - std::sqrt(radius * radius - off * off), 1e-9);
+}
+
 } // namespace
 } // namespace billet::process::touch_test

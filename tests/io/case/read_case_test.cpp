@@ -26,10 +26,10 @@ TEST(ReadCase, reads_the_whole_of_a_case_in_the_plane) {
   EXPECT_DOUBLE_EQ(*steel.hardness, 3 * 740 * std::pow(0.01, 0.2));
   EXPECT_FALSE(content.materials.at("spring").flow);
   EXPECT_FALSE(content.materials.at("spring").hardness);
-  EXPECT_EQ(std::get<InSet>(content.supports[1].where).name, "bottom");
+  EXPECT_EQ(std::get<InSet>(content.supports[1].where.kind).name, "bottom");
   EXPECT_EQ((*content.supports[1].move[1])(0.5), -0.25);
   EXPECT_EQ(std::get<PressureLoad>(content.loads[0].kind).pressure(1.0), 10.0);
-  EXPECT_EQ(std::get<OnPlane>(content.loads[0].where).value, 7.5);
+  EXPECT_EQ(std::get<OnPlane>(content.loads[0].where.kind).value, 7.5);
   EXPECT_EQ(std::get<TractionLoad>(content.loads[1].kind).traction, Vec3(1, 2, 0));
 }
 
@@ -46,7 +46,7 @@ TEST(ReadCase, reads_tools_and_settings) {
   const auto& coulomb = std::get<CoulombFriction>(roll.friction.law);
   EXPECT_TRUE(std::holds_alternative<ShearYield>(*coulomb.cap));
   EXPECT_EQ(content.contact.form, ContactForm::compatible);
-  EXPECT_EQ(std::get<InSet>(*content.contact.surface).name, "skin");
+  EXPECT_EQ(std::get<InSet>(content.contact.surface->kind).name, "skin");
   EXPECT_EQ(content.time.end, 3.0);
   EXPECT_EQ(*content.time.increments.first, 0.1);
   EXPECT_EQ(*content.stages[0].tools, (std::vector<std::string>{"punch", "die"}));

@@ -110,8 +110,9 @@ TEST(ReadMesh, parts_that_share_no_node_are_noted) {
   for (const Vec3& point : one.points)
     two.points.emplace_back(point + Vec3(1, 0, 0));
   const MeshFile file = read_text(text_of(two));
-  ASSERT_EQ(file.notes.size(), 1U);
-  EXPECT_NE(file.notes[0].find("2 parts"), std::string::npos);
+  ASSERT_EQ(file.notes.size(), 2U);
+  EXPECT_NE(file.notes[0].find("warning: the mesh is not joined along 1 pair"), std::string::npos);
+  EXPECT_NE(file.notes[1].find("2 parts"), std::string::npos);
 }
 
 TEST(ReadMesh, files_that_are_not_there_or_not_meshes_are_refused) {
