@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace billet::contact {
@@ -106,6 +107,56 @@ std::vector<Projection> feet_of(const FaceStabilization::At& at, std::span<const
   return all ? feet : std::vector<Projection>{};
 }
 
+/// Largest contact pressure of a face's points; nothing if none touches.
+std::optional<double> pressure_of(std::span<const PointHistory> points) {
+  std::optional<double> largest;
+  for (const PointHistory& point : points)
+    if (point.closed())
+      largest = std::max(largest.value_or(0.0), point.pressure);
+  return largest;
+}
+
+/// What a face's springs would press on if they had not been there, at the places of its full rule.
+template <class Shape> struct Wanted {
+  std::array<Vec3, Full<Shape>::points> normals; ///< of the tool, in space [-]
+  std::array<double, Full<Shape>::points> areas; ///< [mm^2]
+  std::array<double, Full<Shape>::points> rest;  ///< [mm]
+};
+
+/// @param deepest  what they may press on [mm]
+/// @return nothing if the tool is out of reach
+template <class Shape>
+std::optional<Wanted<Shape>> wanted(mechanics::Analysis analysis,
+                                    const FaceStabilization::At& at,
+                                    const double* local,
+                                    double deepest) {
+  constexpr auto n_points = std::size_t{Mixed<Shape>::points};
+  constexpr auto n_places = std::size_t{Full<Shape>::points};
+  Wanted<Shape> result;
+  std::array<Vec3, n_points + n_places> places;
+  for (std::size_t m = 0; m < n_points; ++m)
+    places[m] =
+        FacePoint<Shape>(analysis, local, Mixed<Shape>::point(static_cast<int>(m)), 1.0).position;
+  for (std::size_t q = 0; q < n_places; ++q) {
+    const int i = static_cast<int>(q);
+    const FacePoint<Shape> place(analysis, local, Full<Shape>::point(i), Full<Shape>::weight(i));
+    places[n_points + q] = place.position;
+    result.areas[q] = place.measure;
+  }
+  const std::vector<Projection> feet = feet_of(at, places);
+  if (feet.empty())
+    return std::nullopt;
+  for (std::size_t q = 0; q < n_places; ++q) {
+    const Projection& foot = feet[n_points + q];
+    double rest = foot.gap;
+    for (std::size_t m = 0; m < n_points; ++m)
+      rest -= rest_of<Shape>().points(static_cast<int>(q), static_cast<int>(m)) * feet[m].gap;
+    result.rest[q] = std::max({rest, foot.gap, -deepest});
+    result.normals[q] = at.pose.rotation * foot.normal;
+  }
+  return result;
+}
+
 } // namespace
 
 void FaceStabilization::set(const ContactSurface& surface,
@@ -120,59 +171,33 @@ void FaceStabilization::set(const ContactSurface& surface,
     if constexpr (!of_linear_element<Shape>) {
       constexpr int dim = Shape::dim + 1;
       constexpr auto n_points = std::size_t{Mixed<Shape>::points};
-      constexpr auto n_places = std::size_t{Full<Shape>::points};
       std::array<double, std::size_t{Shape::nodes} * dim> local{};
       for (Index f = 0; f < surface.n_faces(); ++f) {
-        const auto own = history.subspan(idx(f) * n_points, n_points);
         while (of_face != before.end() && of_face->face < f)
           ++of_face;
         const bool pressed = of_face != before.end() && of_face->face == f;
-        const bool touches = std::any_of(own.begin(), own.end(),
-                                         [](const PointHistory& point) { return point.closed(); });
-        if (!touches && !pressed)
+        const auto pressure = pressure_of(history.subspan(idx(f) * n_points, n_points));
+        if (!pressure && !pressed)
           continue;
-        double pressure = 0.0;
-        for (const PointHistory& point : own)
-          if (point.closed())
-            pressure = std::max(pressure, point.pressure);
-        const double deepest = most_pressures * pressure / stiffness;
         mechanics::gather(x, surface.scatter().nodes(f), dim, local.data());
-        std::array<Vec3, n_points + n_places> places;
-        std::array<double, n_places> areas{};
-        for (std::size_t m = 0; m < n_points; ++m)
-          places[m] = FacePoint<Shape>(surface.analysis(), local.data(),
-                                       Mixed<Shape>::point(static_cast<int>(m)), 1.0)
-                          .position;
-        for (std::size_t q = 0; q < n_places; ++q) {
-          const int i = static_cast<int>(q);
-          const FacePoint<Shape> place(surface.analysis(), local.data(), Full<Shape>::point(i),
-                                       Full<Shape>::weight(i));
-          places[n_points + q] = place.position;
-          areas[q] = place.measure;
-        }
-        const std::vector<Projection> feet = feet_of(at, places);
-        for (std::size_t q = 0; q < n_places && !feet.empty(); ++q) {
-          const Projection& foot = feet[n_points + q];
-          const Vec3 normal = at.pose.rotation * foot.normal;
+        const double deepest = most_pressures * pressure.value_or(0.0) / stiffness;
+        const auto face = wanted<Shape>(surface.analysis(), at, local.data(), deepest);
+        const double negligible = faded * surface.depth(f);
+        double lowest = 0.0;
+        for (std::size_t q = 0; face && q < face->rest.size(); ++q) {
           const int place = static_cast<int>(q);
-          double rest = foot.gap;
-          for (std::size_t m = 0; m < n_points; ++m)
-            rest -= rest_of<Shape>().points(place, static_cast<int>(m)) * feet[m].gap;
-          rest = std::max({rest, foot.gap, -deepest}) + dead_zone * surface.depth(f);
+          double rest = face->rest[q] + dead_zone * surface.depth(f);
           if (pressed) {
             const Spring& old = *(of_face + place);
-            rest = followed(old.rest + along<Shape>(place, old.normal, local) - old.along, rest,
-                            faded * surface.depth(f));
+            const double now = old.rest + along<Shape>(place, old.normal, local) - old.along;
+            rest = followed(now, rest, negligible);
           }
-          springs_.push_back(
-              {f, place, normal, stiffness * areas[q], rest, along<Shape>(place, normal, local)});
+          lowest = std::min(lowest, rest);
+          springs_.push_back({f, place, face->normals[q], stiffness * face->areas[q], rest,
+                              along<Shape>(place, face->normals[q], local)});
         }
-        const auto own_springs =
-            springs_.end() - static_cast<std::ptrdiff_t>(feet.empty() ? 0 : n_places);
-        if (!touches && std::all_of(own_springs, springs_.end(), [&](const Spring& spring) {
-              return spring.rest > -faded * surface.depth(f);
-            }))
-          springs_.erase(own_springs, springs_.end());
+        if (face && !pressure && lowest > -negligible) // it has left the tool
+          springs_.resize(springs_.size() - face->rest.size());
       }
     }
   });
