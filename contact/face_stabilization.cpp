@@ -28,7 +28,7 @@ constexpr double most_pressures = 10.0;
 /// would lift a point off the tool, be gone for it, let it come back, and so on.
 constexpr double share_followed = 0.5;
 
-/// Of the element beneath: springs of a face that has left the tool are gone by then.
+/// Of the element beneath: springs of a face that nothing presses any more are gone by then.
 constexpr double faded = 1e-6;
 
 template <class Shape> using Mixed = typename mechanics::FaceRules<Shape>::Lower;
@@ -121,6 +121,7 @@ template <class Shape> struct Wanted {
   std::array<Vec3, Full<Shape>::points> normals; ///< of the tool, in space [-]
   std::array<double, Full<Shape>::points> areas; ///< [mm^2]
   std::array<double, Full<Shape>::points> rest;  ///< [mm]
+  bool is_clear = true;                          ///< all places are outside the tool
 };
 
 /// @param deepest  what they may press on [mm]
@@ -152,6 +153,7 @@ std::optional<Wanted<Shape>> wanted(mechanics::Analysis analysis,
     for (std::size_t m = 0; m < n_points; ++m)
       rest -= rest_of<Shape>().points(static_cast<int>(q), static_cast<int>(m)) * feet[m].gap;
     result.rest[q] = std::max({rest, foot.gap, -deepest});
+    result.is_clear = result.is_clear && foot.gap > 0.0;
     result.normals[q] = at.pose.rotation * foot.normal;
   }
   return result;
@@ -182,9 +184,11 @@ void FaceStabilization::set(const ContactSurface& surface,
         mechanics::gather(x, surface.scatter().nodes(f), dim, local.data());
         const double deepest = most_pressures * pressure.value_or(0.0) / stiffness;
         const auto face = wanted<Shape>(surface.analysis(), at, local.data(), deepest);
+        if (!face || (!pressure && face->is_clear))
+          continue;
         const double negligible = faded * surface.depth(f);
         double lowest = 0.0;
-        for (std::size_t q = 0; face && q < face->rest.size(); ++q) {
+        for (std::size_t q = 0; q < face->rest.size(); ++q) {
           const int place = static_cast<int>(q);
           double rest = face->rest[q] + dead_zone * surface.depth(f);
           if (pressed) {
@@ -196,7 +200,7 @@ void FaceStabilization::set(const ContactSurface& surface,
           springs_.push_back({f, place, face->normals[q], stiffness * face->areas[q], rest,
                               along<Shape>(place, face->normals[q], local)});
         }
-        if (face && !pressure && lowest > -negligible) // it has left the tool
+        if (!pressure && lowest > -negligible) // they are gone with their pressure
           springs_.resize(springs_.size() - face->rest.size());
       }
     }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <span>
@@ -19,7 +20,8 @@ namespace billet::mechanics {
 namespace {
 
 constexpr std::size_t most_complaints = 10; // of a sort
-constexpr double same_place = 1e-7;         // of the size of the mesh
+constexpr double same_place = 2e-6;         // of the size of the mesh: files may have six digits
+constexpr double same_of_edge = 1e-2;       // of the shortest edge, no more than that
 
 std::string written(const Vec3& p, int dimension) {
   return dimension == 2 ? fmt::format("({:.6g}, {:.6g})", p.x(), p.y())
@@ -189,13 +191,42 @@ std::vector<Vec3> places_between_corners(const Mesh& mesh, const CellSide& side)
   return places;
 }
 
-double tolerance(const Mesh& mesh) { return same_place * box_of(mesh.points).size(); }
+double shortest_edge(const Mesh& mesh) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (Index element = 0; element < mesh.n_elements(); ++element) {
+    const auto cell = mesh.cell(element);
+    for (const auto& [a, b] : element_edges(mesh.kind))
+      shortest = std::min(
+          shortest, (mesh.points[static_cast<std::size_t>(cell[static_cast<std::size_t>(a)])] -
+                     mesh.points[static_cast<std::size_t>(cell[static_cast<std::size_t>(b)])])
+                        .norm());
+  }
+  return shortest;
+}
+
+double tolerance(const Mesh& mesh) {
+  return std::min(same_place * box_of(mesh.points).size(), same_of_edge * shortest_edge(mesh));
+}
+
+/// Whether two sides with the same corners have nodes in their middle in the same places, but not
+/// the same nodes. Two curved sides may well have the same corners and a hole between them.
+bool middles_coincide(const Mesh& mesh, const CellSide& a, const CellSide& b, double tolerance) {
+  const auto n = static_cast<std::ptrdiff_t>(a.corners.size());
+  return std::all_of(a.nodes.begin() + n, a.nodes.end(), [&](Index node) {
+    return std::any_of(b.nodes.begin() + n, b.nodes.end(), [&](Index other) {
+      return (mesh.points[static_cast<std::size_t>(node)] -
+              mesh.points[static_cast<std::size_t>(other)])
+                 .norm() <= tolerance;
+    });
+  });
+}
 
 } // namespace
 
 std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& place) {
   const std::vector<CellSide> sides = all_sides(mesh);
   const std::size_t n = corners_per_face(mesh.kind);
+  const double near = tolerance(mesh);
   std::vector<std::string> crowded, on_each_other, apart;
   const auto where = [&](const CellSide& side) {
     return written(centre_of(mesh, std::span(side.nodes).first(n)), mesh.dimension());
@@ -210,14 +241,15 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
       if (same_sense(std::span(a.nodes).first(n), std::span(b.nodes).first(n)))
         on_each_other.push_back(
             fmt::format("{} lie on the same side of their side at {}", pair, where(a)));
-      else if (!std::is_permutation(a.nodes.begin(), a.nodes.end(), b.nodes.begin()))
+      else if (!std::is_permutation(a.nodes.begin(), a.nodes.end(), b.nodes.begin()) &&
+               middles_coincide(mesh, a, b, near))
         apart.push_back(
             fmt::format("{} share the corners of their side at {}, but not the nodes in its middle",
                         pair, where(a)));
     }
   });
   const std::vector<CellSide> free = free_sides(sides);
-  PlaceNumbers numbers(tolerance(mesh));
+  PlaceNumbers numbers(near);
   for (const auto& [i, j] : doubled(mesh, free, numbers).on_each_other)
     on_each_other.push_back(fmt::format(
         "elements {} and {} lie on each other at {}: they have nodes of their own in "
@@ -241,7 +273,8 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
 std::vector<std::string> loose_connections(const Mesh& mesh) {
   std::vector<std::string> found;
   const std::size_t n = corners_per_face(mesh.kind);
-  const std::vector<CellSide> free = free_sides(all_sides(mesh));
+  const std::vector<CellSide> sides = all_sides(mesh);
+  const std::vector<CellSide> free = free_sides(sides);
   PlaceNumbers numbers(tolerance(mesh));
   const Doubled pairs = doubled(mesh, free, numbers); // all free corners are numbered now
   if (!pairs.beside.empty()) {
@@ -263,6 +296,17 @@ std::vector<std::string> loose_connections(const Mesh& mesh) {
         "corners of elements lie in the middle of {} other elements' sides or edges without being "
         "joined to them, the first at {}: the part opens there; refine without hanging nodes",
         hanging.size(), written(hanging.front(), mesh.dimension())));
+  for_each_group(sides, [&](std::span<const CellSide> group) {
+    const CellSide& a = group.front();
+    if (group.size() == 2 &&
+        !std::is_permutation(a.nodes.begin(), a.nodes.end(), group.back().nodes.begin()))
+      found.push_back(
+          fmt::format("elements {} and {} share the corners of two curved sides at {}: the hole "
+                      "between them is "
+                      "no surface that a tool can touch or a load press",
+                      a.element, group.back().element,
+                      written(centre_of(mesh, std::span(a.nodes).first(n)), mesh.dimension())));
+  });
   if (const Index parts = n_parts(mesh); parts > 1)
     found.push_back(fmt::format(
         "the mesh consists of {} parts that share no node: they do not feel each other", parts));

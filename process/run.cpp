@@ -363,9 +363,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   const IncrementLimits limit = limits(length);
   longest_ = *limit.max;
   IncrementControl control({*limit.first, *limit.min, *limit.max});
-  constexpr double fade_share = 0.05; // of a stage that goes on without the tool
-  constexpr int most_refusals = 3;    // for penetration: shorter increments seldom mend it
-  constexpr int most_turned = 3;      // tries that end with an element inside out, on one mesh
+  constexpr int most_refusals = 3; // for penetration: shorter increments seldom mend it
+  constexpr int most_turned = 3;   // tries that end with an element inside out, on one mesh
   std::vector<std::string> tried;
   std::string unmeshed; // why the last remeshing was not possible
   int failures = 0;
@@ -387,7 +386,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const bool lands = step == landing - time_;
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
-    look_for_intruders(stage, time_ + step);
+    meet_newcomers(stage, time_ + step);
     std::string why = leap(scene_, stage, time_, time_ + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||

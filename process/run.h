@@ -341,8 +341,11 @@ private:
   /// Which contact points kept changing in the last try, for the log; empty: none.
   [[nodiscard]] std::string restless_points() const;
   /// Tools that begin to act now though the workpiece lies inside them, for a failure's reason.
-  /// Notes tools that begin to act by `until` and lie in the workpiece there.
-  void look_for_intruders(const Stage& stage, double until);
+  /// Tools that begin to act by `until`, in the midst of the run: those under a force come to
+  /// touch, others that lie in the workpiece are noted.
+  void meet_newcomers(const Stage& stage, double until);
+  void come_to_touch(std::size_t tool, double until);
+  void note_intruder(std::size_t tool, double until);
   /// Those that the increment that could not be solved would have met, for its post-mortem.
   [[nodiscard]] std::string intruders_now() const;
   enum class Progress { easy, laboured, none };

@@ -60,6 +60,9 @@ struct IncrementLimits {
 [[nodiscard]] constexpr double default_first(double length) { return length / 100.0; }
 [[nodiscard]] constexpr double default_longest(double length) { return length / 50.0; }
 
+/// Share of a stage over which the forces of a tool fade that leaves where it begins, or within it.
+inline constexpr double fade_share = 0.05;
+
 /// When the part is meshed anew, and how finely. What is absent follows from the mesh at the start.
 struct RemeshSettings {
   std::optional<double> quality;      ///< as soon as an element is worse [-]

@@ -10,81 +10,129 @@ namespace billet::process {
 
 namespace {
 
-/// The end of the increment that begins at `begin`, if it is as long as the case allows it to be.
-double end_of_first(const Scene& scene, double begin) {
+/// A span of time in which a tool acts without a break [s].
+struct Window {
+  double from;
+  double until;
+};
+
+std::vector<Window> windows(const Scene& scene, const contact::Tool& tool, std::size_t number) {
+  std::vector<Window> found;
   double start = 0.0;
-  double landing = scene.stages.back().end;
   for (const Stage& stage : scene.stages) {
-    landing = stage.end;
+    const Window window{std::max(start, tool.active_from), std::min(stage.end, tool.active_to)};
+    if (!stage.unload && stage.tools[number] != 0 && window.from < window.until) {
+      if (!found.empty() && found.back().until == window.from)
+        found.back().until = window.until;
+      else
+        found.push_back(window);
+    }
+    start = stage.end;
+  }
+  return found;
+}
+
+/// Where what begins to act at `begin` is to be whole.
+/// @param hands_over  another tool leaves then, and its forces fade
+double whole_at(const Scene& scene, double begin, bool hands_over) {
+  double start = 0.0;
+  double end = scene.stages.back().end;
+  for (const Stage& stage : scene.stages) {
+    end = stage.end;
     if (begin < stage.end)
       break;
     start = stage.end;
   }
-  const double length = landing - start;
+  if (hands_over)
+    return std::min(begin + fade_share * (end - start), end);
+  double landing = end;
   for (const double time : scene.landing_times)
     if (time > begin)
       landing = std::min(landing, time);
-  const double first = std::min(scene.increments.first.value_or(default_first(length)),
-                                scene.increments.max.value_or(default_longest(length)));
+  const double first = scene.increments.first.value_or(default_first(end - start));
   return begin + step_towards(landing - begin, first);
 }
 
-/// The function as it is, but growing from nothing at `begin` if it is not zero there.
-TimeFunction grown(const Scene& scene, const TimeFunction& function, double begin) {
-  if (function(begin) == 0.0)
-    return function;
-  const double whole = end_of_first(scene, begin);
+/// Where a function is to begin with nothing, and the last time before that it has to be what it
+/// is.
+struct Growth {
+  double held_until;
+  double begin;
+  double whole;
+};
+
+/// The function as it is, but growing from nothing if it is not zero at the beginning.
+bool grow(TimeFunction& function, const Growth& growth) {
+  if (function(growth.begin) == 0.0)
+    return false;
   std::vector<std::pair<double, double>> points;
-  for (const auto& point : function.points())
-    if (point.first < begin)
-      points.push_back(point);
-  points.emplace_back(begin, 0.0);
-  points.emplace_back(whole, function(whole));
-  for (const auto& point : function.points())
-    if (point.first > whole)
-      points.push_back(point);
-  return TimeFunction(std::move(points));
+  for (const auto& [time, value] : function.points())
+    if (time < growth.held_until)
+      points.emplace_back(time, value);
+  if (growth.held_until < growth.begin)
+    points.emplace_back(growth.held_until, function(growth.held_until));
+  points.emplace_back(growth.begin, 0.0);
+  for (const auto& [time, value] : function.points())
+    if (time > growth.begin && time < growth.whole)
+      points.emplace_back(time, value * (time - growth.begin) / (growth.whole - growth.begin));
+  points.emplace_back(growth.whole, function(growth.whole));
+  for (const auto& [time, value] : function.points())
+    if (time > growth.whole)
+      points.emplace_back(time, value);
+  function = TimeFunction(std::move(points));
+  return true;
 }
 
-/// Times at which a tool begins to act.
-std::vector<double> beginnings(const Scene& scene, std::size_t tool) {
-  std::vector<double> times;
-  double start = 0.0;
-  double acted_until = -1.0;
-  for (const Stage& stage : scene.stages) {
-    const contact::Tool& it = scene.tools[tool];
-    const double from = std::max(start, it.active_from);
-    const double until = std::min(stage.end, it.active_to);
-    if (!stage.unload && stage.tools[tool] != 0 && from < until) {
-      if (from > acted_until)
-        times.push_back(from);
-      acted_until = until;
-    }
-    start = stage.end;
-  }
-  return times;
+/// Increments end where a growth does: the work of loads is summed by trapezoids.
+void land(Scene& scene, double time) {
+  std::vector<double>& times = scene.landing_times;
+  const auto at = std::lower_bound(times.begin(), times.end(), time);
+  if (at == times.end() || *at != time)
+    times.insert(at, time);
 }
 
 } // namespace
 
 void grow_sudden_loads(Scene& scene) {
+  const Growth at_start{0.0, 0.0, whole_at(scene, 0.0, false)};
+  bool grows = false;
   for (LoadSpec& load : scene.loads) {
-    if (auto* pressure = std::get_if<PressureOn>(&load))
-      pressure->pressure = grown(scene, pressure->pressure, 0.0);
-    else
-      std::get<DeadForces>(load).amplitude =
-          grown(scene, std::get<DeadForces>(load).amplitude, 0.0);
+    auto* const pressure = std::get_if<PressureOn>(&load);
+    grows |= grow(pressure != nullptr ? pressure->pressure : std::get<DeadForces>(load).amplitude,
+                  at_start);
   }
   for (Support& support : scene.supports)
-    support.displacement = grown(scene, support.displacement, 0.0);
+    grows |= grow(support.displacement, at_start);
+  std::vector<double> landings;
+  if (grows)
+    landings.push_back(at_start.whole);
+  std::vector<std::vector<Window>> of_tools;
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
-    for (const double begin : beginnings(scene, t)) {
-      geometry::Motion& motion = scene.tools[t].motion;
+    of_tools.push_back(windows(scene, scene.tools[t], t));
+  const auto one_leaves = [&](double time) {
+    return std::any_of(of_tools.begin(), of_tools.end(), [&](const std::vector<Window>& of_tool) {
+      return std::any_of(of_tool.begin(), of_tool.end(),
+                         [&](const Window& window) { return window.until == time; });
+    });
+  };
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    geometry::Motion& motion = scene.tools[t].motion;
+    double held_until = 0.0;
+    for (const Window& window : of_tools[t]) {
+      const Growth growth{held_until, window.from,
+                          whole_at(scene, window.from, one_leaves(window.from))};
+      held_until = window.until;
+      bool tool_grows = false;
       if (motion.force && !motion.force->blow)
-        motion.force->load = grown(scene, motion.force->load, begin);
+        tool_grows |= grow(motion.force->load, growth);
       if (motion.torque)
-        motion.torque->load = grown(scene, motion.torque->load, begin);
+        tool_grows |= grow(motion.torque->load, growth);
+      if (tool_grows)
+        landings.push_back(growth.whole);
     }
+  }
+  for (const double time : landings)
+    land(scene, time);
 }
 
 } // namespace billet::process

@@ -159,6 +159,15 @@ Vec3 first_direction(const geometry::Motion& motion, double end) {
   return direction.isZero(0.0) ? direction : Vec3(direction.normalized());
 }
 
+/// Whether a torque drives a tool within that time; an idle roll needs nothing to hold its torque.
+bool is_turned(const geometry::Motion& motion, double end) {
+  const auto drives = [end](const std::pair<double, double>& point) {
+    return point.second != 0.0 && point.first <= end;
+  };
+  return motion.torque && std::any_of(motion.torque->load.points().begin(),
+                                      motion.torque->load.points().end(), drives);
+}
+
 /// Brings tools to one workpiece.
 class Toucher {
 public:
@@ -183,7 +192,7 @@ public:
     // Contact points are what carries the load of a driven tool: it must rest on one, and a node
     // between them may lie inside it by the curve of the tool over a part of a face.
     const std::span<const Vec3> all = points_;
-    const bool driven = tool.motion.force || tool.motion.torque;
+    const bool driven = tool.motion.force || is_turned(tool.motion, end_);
     const auto by_points =
         geometry::distance_to_contact(*tool.surface, tool.motion.pose(0.0), direction,
                                       driven ? all.first(n_contact_points_) : all, reach);

@@ -162,10 +162,6 @@ private:
       scanner_.fail(fmt::format("*NODE with SYSTEM={} gives coordinates that are not rectangular",
                                 keyword.value("SYSTEM").substr(0, 20)),
                     "write all nodes with x, y, z");
-    constexpr std::array ties{"TIE", "EQUATION", "MPC", "RIGID BODY", "COUPLING"};
-    if (std::find(ties.begin(), ties.end(), keyword.name) != ties.end())
-      scanner_.fail(fmt::format("*{} joins nodes, which is not done here", keyword.name),
-                    "mesh the part as one, with common nodes");
     constexpr std::array makers{"NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"};
     if (std::find(makers.begin(), makers.end(), keyword.name) != makers.end())
       scanner_.fail(
@@ -176,6 +172,11 @@ private:
   /// Reads the lines that belong to a keyword; false at the end of the file.
   bool read_data(const Keyword& keyword) {
     refuse_generators(keyword);
+    constexpr std::array ties{"TIE", "EQUATION", "MPC"};
+    if (std::find(ties.begin(), ties.end(), keyword.name) != ties.end())
+      mesh_.notes.push_back(
+          fmt::format("warning: line {}: *{} is passed over: what it joins is not joined here",
+                      scanner_.line_number(), keyword.name));
     using Action = void (AbaqusReader::*)(const Keyword&);
     Action action = &AbaqusReader::ignore_line;
     if (keyword.name == "NODE")

@@ -223,6 +223,8 @@ MeshFile read_mesh(const std::filesystem::path& path, double length_factor) {
   if (mesh.dimension() == 2)
     flatten(result, file);
   orient(result, file);
+  if (!mechanics::check_mesh(mesh, file, false).empty())
+    return result; // said where the part is put in its place
   if (std::vector<Complaint> flaws = mechanics::check_connections(mesh, file); !flaws.empty())
     throw Error(Fault::geometry, std::move(flaws));
   for (const std::string& loose : mechanics::loose_connections(mesh))

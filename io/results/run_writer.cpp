@@ -11,8 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -295,11 +293,17 @@ bool is_frame(const std::filesystem::path& file) {
          (suffix == ".vtu" || suffix == ".vtp");
 }
 
-/// Whether a list for ParaView is of frames as a run writes them.
-bool lists_frames(const std::filesystem::path& pvd) {
-  std::ifstream file(pvd);
-  const std::string text(std::istreambuf_iterator<char>(file), {});
-  return text.find("frames/workpiece_") != std::string::npos;
+/// Whether a list for ParaView is of frames of this folder alone, as a run writes it.
+bool lists_own_frames(const std::filesystem::path& pvd) {
+  std::vector<PvdEntry> entries;
+  try {
+    entries = read_pvd(pvd);
+  } catch (const Error&) {
+    return false; // somebody else's
+  }
+  return !entries.empty() && std::all_of(entries.begin(), entries.end(), [](const PvdEntry& entry) {
+    return *entry.file.begin() == "frames" && is_frame(entry.file);
+  });
 }
 
 /// Removes what an earlier run left, so that nothing of it passes for a result of this one; files
@@ -310,7 +314,7 @@ void remove_earlier_run(const std::filesystem::path& folder) {
                             folder / "failure" / "last_good.vtu",
                             folder / "failure" / "post_mortem.txt"};
   for (const auto& entry : fs::directory_iterator(folder)) // the case may have had another name
-    if (entry.path().extension() == ".pvd" && lists_frames(entry.path()))
+    if (entry.path().extension() == ".pvd" && lists_own_frames(entry.path()))
       old.push_back(entry.path());
   for (const auto& entry : fs::directory_iterator(folder / "frames"))
     if (is_frame(entry.path()))

@@ -159,8 +159,6 @@ std::vector<Broken> broken_files() {
       {"input", "*NODE, INPUT=nodes.txt\n", "another file"},
       {"generated nodes", nodes + "*NGEN\n1,4,1\n", "*NGEN"},
       {"cylindrical nodes", "*NODE, SYSTEM=C\n1,0,0\n", "not rectangular"},
-      {"tie", nodes + quad + "*TIE, NAME=A\nS1, S2\n", "*TIE joins nodes"},
-      {"equation", nodes + quad + "*EQUATION\n2\n1,1,1.,2,1,-1.\n", "*EQUATION joins nodes"},
       {"system", "*SYSTEM\n1,2,3\n" + nodes, "*SYSTEM"},
       {"moved instance", "*INSTANCE,NAME=A,PART=B\n1.,0.,0.\n", "moved or turned"},
       {"set without a name", nodes + quad + "*NSET\n1\n", "no name"},

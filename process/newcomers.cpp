@@ -1,0 +1,73 @@
+// Tools that begin to act in the midst of a run: under a load they come to touch, on a prescribed
+// way they may find the workpiece where they are.
+
+#include "geometry/first_contact.h"
+#include "process/run.h"
+#include "process/touch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace billet::process {
+
+void Process::meet_newcomers(const Stage& stage, double until) {
+  if (!contact_)
+    return;
+  acted_.resize(scene_.tools.size(), 0);
+  for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
+    const bool acts = !stage.unload && contact_->acts(t, until);
+    const bool acted = std::exchange(acted_[t], acts ? 1 : 0) != 0;
+    if (!acts || acted || contact_->lies_on(t) || increment_ == 0)
+      continue; // before the first increment tools touch and an overlap is refused
+    const std::optional<geometry::Drive>& force = scene_.tools[t].motion.force;
+    if (force && !force->blow)
+      come_to_touch(t, until);
+    else
+      note_intruder(t, until);
+  }
+}
+
+void Process::come_to_touch(std::size_t tool, double until) {
+  const geometry::Drive& drive = *scene_.tools[tool].motion.force;
+  const double sense = drive.load(until) < 0.0 ? -1.0 : 1.0;
+  std::vector<Vec3> points(surface_->n_points());
+  surface_->positions(x_, points);
+  const auto way = geometry::distance_to_contact(
+      *scene_.tools[tool].surface, contact_->pose(tool, until, x_), sense * drive.axis, points,
+      most_sizes_to_touch * body_size(scene_.mesh));
+  if (!way)
+    return; // it moves away, and the increment says so
+  const std::vector<contact::DriveUnknown> drives = contact::drive_unknowns(scene_.tools);
+  for (std::size_t j = 0; j < drives.size(); ++j)
+    if (drives[j].tool == tool && !drives[j].turns)
+      x_[x0_.size() + j] += sense * *way;
+  contact_->start(tool, x_, until);
+}
+
+void Process::note_intruder(std::size_t tool, double until) {
+  std::string where = overlap(tool, std::max(time_, scene_.tools[tool].active_from));
+  if (where.empty())
+    return;
+  const auto known =
+      std::find_if(intruders_.begin(), intruders_.end(), [&](const Intruder& intruder) {
+        return intruder.tool == tool && intruder.time == until;
+      });
+  if (known != intruders_.end()) // the increment has become shorter since, and others went before
+    known->increment = increment_;
+  else
+    intruders_.push_back({tool, until, std::move(where), increment_});
+}
+
+std::string Process::intruders_now() const {
+  std::string text;
+  for (const Intruder& intruder : intruders_)
+    if (intruder.increment == increment_)
+      text += fmt::format("; tool '{}' begins to act inside the workpiece, {}: a tool goes on its "
+                          "way while it does not act",
+                          scene_.tools[intruder.tool].name, intruder.where);
+  return text;
+}
+
+} // namespace billet::process
