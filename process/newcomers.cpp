@@ -12,6 +12,20 @@
 
 namespace billet::process {
 
+namespace {
+
+/// The first value that is not zero from a time on; where a load begins it may be nothing yet.
+double first_load(const TimeFunction& load, double time) {
+  if (const double now = load(time); now != 0.0)
+    return now;
+  for (const auto& [at, value] : load.points())
+    if (at > time && value != 0.0)
+      return value;
+  return 0.0;
+}
+
+} // namespace
+
 void Process::meet_newcomers(const Stage& stage, double until) {
   if (!contact_)
     return;
@@ -23,19 +37,19 @@ void Process::meet_newcomers(const Stage& stage, double until) {
       continue; // before the first increment tools touch and an overlap is refused
     const std::optional<geometry::Drive>& force = scene_.tools[t].motion.force;
     if (force && !force->blow)
-      come_to_touch(t, until);
+      come_to_touch(t, std::max(time_, scene_.tools[t].active_from));
     else
       note_intruder(t, until);
   }
 }
 
-void Process::come_to_touch(std::size_t tool, double until) {
+void Process::come_to_touch(std::size_t tool, double time) {
   const geometry::Drive& drive = *scene_.tools[tool].motion.force;
-  const double sense = drive.load(until) < 0.0 ? -1.0 : 1.0;
+  const double sense = first_load(drive.load, time) < 0.0 ? -1.0 : 1.0;
   std::vector<Vec3> points(surface_->n_points());
   surface_->positions(x_, points);
   const auto way = geometry::distance_to_contact(
-      *scene_.tools[tool].surface, contact_->pose(tool, until, x_), sense * drive.axis, points,
+      *scene_.tools[tool].surface, contact_->pose(tool, time, x_), sense * drive.axis, points,
       most_sizes_to_touch * body_size(scene_.mesh));
   if (!way)
     return; // it moves away, and the increment says so
@@ -43,7 +57,8 @@ void Process::come_to_touch(std::size_t tool, double until) {
   for (std::size_t j = 0; j < drives.size(); ++j)
     if (drives[j].tool == tool && !drives[j].turns)
       x_[x0_.size() + j] += sense * *way;
-  contact_->start(tool, x_, until);
+  contact_->start(tool, x_, time);
+  remembered_.clear(); // states in which the tool is elsewhere
 }
 
 void Process::note_intruder(std::size_t tool, double until) {

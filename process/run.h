@@ -344,7 +344,7 @@ private:
   /// Tools that begin to act by `until`, in the midst of the run: those under a force come to
   /// touch, others that lie in the workpiece are noted.
   void meet_newcomers(const Stage& stage, double until);
-  void come_to_touch(std::size_t tool, double until);
+  void come_to_touch(std::size_t tool, double time);
   void note_intruder(std::size_t tool, double until);
   /// Those that the increment that could not be solved would have met, for its post-mortem.
   [[nodiscard]] std::string intruders_now() const;
