@@ -277,7 +277,8 @@ void Process::start_from(const CarriedState& at,
   const RunState& to = at.state;
   time_ = to.time;
   x_ = to.x;
-  restore_volume(at.before.volume, to.contact, sources);
+  if (report.folds.empty()) // what lay in a lap that has been welded is gone
+    restore_volume(at.before.volume, to.contact, sources);
   trial_x_ = x_;
   bulk_->adopt(x_, to.states, to.temperatures, to.plastic_work);
   bulk_->keep_volume(to.reference_volume);
@@ -313,9 +314,15 @@ void Process::restore_volume(double volume,
     if (touches(sources[i]))
       touching[i / idx(surface_->points())] = 1;
   constexpr double furthest = 0.01; // of an element: what the shape may change by unseen
+  constexpr double of_quality =
+      0.5; // at a place much smaller than elements it turns them inside out
+  const std::vector<double> before = x_;
+  const double least = of_quality * worst_quality(scene_.mesh, positions());
   process::restore_volume(
       x_, free_normals(scene_, positions(), touching),
       [this](std::span<const double> x) { return bulk_->volume(x); }, volume, furthest * side_);
+  if (worst_quality(scene_.mesh, positions()) < least)
+    x_ = before;
 }
 
 double Process::jump_from(std::span<const double> before) const {
