@@ -2,6 +2,7 @@
 // way they may find the workpiece where they are.
 
 #include "geometry/first_contact.h"
+#include "process/remeshing.h"
 #include "process/run.h"
 #include "process/touch.h"
 
