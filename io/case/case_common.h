@@ -70,7 +70,7 @@ struct Everywhere {
 struct Where {
   std::variant<Everywhere, OnPlane, InSet> kind;
   std::string place; ///< "case.toml:12:9"
-  std::string key;   ///< "load[0].where"
+  std::string key;   ///< "load.0.where"
 
   bool operator==(const Where& other) const { return kind == other.kind; }
 };
