@@ -24,6 +24,14 @@ std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, std::int32_t t) {
   return {corner(mesh, corners, 0), corner(mesh, corners, 1), corner(mesh, corners, 2)};
 }
 
+std::vector<Box> boxes_of(const TriangleMesh& mesh) {
+  std::vector<Box> boxes(mesh.triangles.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      boxes[t].add(corner(mesh, mesh.triangles[t], i));
+  return boxes;
+}
+
 /// Sorts the pairs that meet.
 class Census {
 public:
@@ -78,10 +86,7 @@ private:
 
 SelfIntersections
 self_intersections(const TriangleMesh& mesh, const MeshParts& parts, double tolerance) {
-  std::vector<Box> boxes(mesh.triangles.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      boxes[t].add(corner(mesh, mesh.triangles[t], i));
+  const std::vector<Box> boxes = boxes_of(mesh);
   const std::int64_t limit =
       std::max(most_pairs_at_least, most_pairs_each * static_cast<std::int64_t>(boxes.size()));
   Census census(mesh, parts, tolerance);
@@ -91,6 +96,18 @@ self_intersections(const TriangleMesh& mesh, const MeshParts& parts, double tole
     return ++pairs < limit;
   });
   return census.found;
+}
+
+std::vector<std::array<std::int32_t, 2>> cutting_pairs(const TriangleMesh& mesh) {
+  std::vector<std::array<std::int32_t, 2>> found;
+  visit_box_pairs(boxes_of(mesh), [&](std::int32_t i, std::int32_t j) {
+    const TrianglePair pair(corners_of(mesh, i), corners_of(mesh, j));
+    if (pair.meets() && (pair.depth() > 0.0 || pair.back_to_back(0.0)))
+      found.push_back({i, j});
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 std::vector<Complaint> complaints(const SelfIntersections& found, const std::string& place) {

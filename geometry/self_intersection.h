@@ -14,6 +14,7 @@
 #include "geometry/mesh_parts.h"
 #include "geometry/triangle_mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,6 +36,9 @@ struct SelfIntersections {
 /// @param tolerance  depth below which a cut is a touch [mm], >= 0
 [[nodiscard]] SelfIntersections
 self_intersections(const TriangleMesh& mesh, const MeshParts& parts, double tolerance);
+
+/// The pairs that cut each other or lie back to back, however little and of whatever parts, sorted.
+[[nodiscard]] std::vector<std::array<std::int32_t, 2>> cutting_pairs(const TriangleMesh& mesh);
 
 /// Why this surface cannot serve as a tool; empty if nothing cuts.
 [[nodiscard]] std::vector<Complaint> complaints(const SelfIntersections& found,

@@ -54,13 +54,15 @@ ball_at(const RigidSurface& surface, const Vec3& x, const Vec3& n, double most) 
 std::vector<WallWidth> wall_widths(const TriangleMesh& mesh, double most) {
   const SurfacePtr surface = make_triangle_surface(mesh);
   std::vector<WallWidth> widths;
-  for (const auto& triangle : mesh.triangles) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& triangle = mesh.triangles[t];
     const Vec3 middle =
         (corner(mesh, triangle, 0) + corner(mesh, triangle, 1) + corner(mesh, triangle, 2)) / 3.0;
     const Vec3 doubled = doubled_area(mesh, triangle), normal = doubled.stableNormalized();
     for (const double side : {-1.0, 1.0})
       if (const std::optional<double> width = ball_at(*surface, middle, side * normal, most))
-        widths.push_back({middle, *width, 0.5 * doubled.norm()});
+        widths.push_back(
+            {static_cast<std::int32_t>(t), middle, *width, 0.5 * doubled.norm(), side > 0.0});
   }
   return widths;
 }

@@ -7,15 +7,18 @@
 #include "geometry/base/vector.h"
 #include "geometry/triangle_mesh.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace billet::geometry {
 
 /// A place on a surface, and the width of the wall or of the gap there.
 struct WallWidth {
-  Vec3 at;      ///< the middle of a triangle [mm]
+  std::int32_t triangle;
+  Vec3 at;      ///< its middle [mm]
   double width; ///< [mm]
   double area;  ///< of the triangle [mm^2]
+  bool outside; ///< the width of a gap
 };
 
 /// Widths below `most` of walls and gaps, by the largest balls that touch the surface at the

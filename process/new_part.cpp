@@ -1,6 +1,7 @@
 // The part as it is meshed anew: its boundary, sizes, and tools that nodes lie on. (P.14)
 
 #include "geometry/base/error.h"
+#include "geometry/closed_creases.h"
 #include "geometry/solid_remesher.h"
 #include "mechanics/mesh_locator.h"
 #include "mechanics/rate_gradient.h"
@@ -63,6 +64,32 @@ RemeshedPart remesh_finely_enough(const Scene& scene,
       sizes.min *= 0.5;
     }
   }
+}
+
+/// What `make` gives. A fold is welded only where there is no mesh otherwise: first where its walls
+/// cross, then where it is narrower than sides of a new mesh are long.
+///
+/// @param weld  (near, shortest) -> folds that were welded; shortest side of the new mesh
+template <class Make, class Weld>
+NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest) {
+  constexpr std::array<double, 4> nears{0.0, 0.1, 0.3, 1.0}; // of the shortest
+  std::vector<Lap> laps;
+  std::size_t tried = 0;
+  while (true)
+    try {
+      NewPart part = make();
+      part.laps = std::move(laps);
+      return part;
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry)
+        throw;
+      const std::size_t before = laps.size();
+      while (laps.size() == before && tried < nears.size())
+        for (const auto& fold : weld(nears[tried++] * shortest, shortest))
+          laps.push_back(lap(fold));
+      if (laps.size() == before)
+        throw;
+    }
 }
 
 } // namespace
@@ -204,27 +231,10 @@ NewPart Process::new_part(const std::vector<geometry::SizeAt>& at) const {
 
 NewPart Process::new_plane_part(const std::vector<geometry::SizeAt>& at) const {
   PartBoundary boundary = part_boundary(scene_, positions(), touching_tools(), scene_.remesh->keep);
-  std::vector<geometry::ClosedFold> folds;
-  // A fold is welded only where there is no mesh otherwise: first where its walls cross, then where
-  // it is narrower than sides of a new mesh are long.
-  constexpr std::array<double, 4> nears{0.0, 0.1, 0.3, 1.0}; // of the shortest
-  const double shortest = usual_sizes().min;
-  std::size_t tried = 0;
-  while (true)
-    try {
-      NewPart part = new_plane_part_within(boundary, at);
-      part.folds = std::move(folds);
-      return part;
-    } catch (const Error& error) {
-      if (error.fault() != Fault::geometry)
-        throw;
-      std::vector<geometry::ClosedFold> welded;
-      while (welded.empty() && tried < nears.size())
-        welded = weld_folds(boundary, nears[tried++] * shortest, shortest);
-      if (welded.empty())
-        throw;
-      folds.insert(folds.end(), welded.begin(), welded.end());
-    }
+  return welded_where_needed(
+      [&] { return new_plane_part_within(boundary, at); },
+      [&](double near, double shortest) { return weld_folds(boundary, near, shortest); },
+      usual_sizes().min);
 }
 
 NewPart Process::new_plane_part_within(const PartBoundary& boundary,
@@ -287,7 +297,15 @@ NewPart Process::new_plane_part_within(const PartBoundary& boundary,
 }
 
 NewPart Process::new_solid_part() const {
-  const SolidPart old = solid_part(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  SolidPart old = solid_part(scene_, positions(), touching_tools(), scene_.remesh->keep);
+  return welded_where_needed([&] { return new_solid_part_within(old); },
+                             [&](double near, double shortest) {
+                               return geometry::flatten_creases(old.boundary, near, shortest);
+                             },
+                             usual_sizes().min);
+}
+
+NewPart Process::new_solid_part_within(const SolidPart& old) const {
   const auto neighbours = std::make_shared<const ContactNeighbours>(
       old, surface_ ? surface_->face_coordinates() : std::vector<Vec2>());
   const auto supported = [&](std::span<const std::int32_t> parts, Vec3 x, const Vec3& on) {

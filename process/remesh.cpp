@@ -90,7 +90,7 @@ std::string Process::remesh(const std::string& cause,
   report.elements[0] = scene_.mesh.n_elements();
   report.nodes[0] = scene_.mesh.n_points();
   report.quality.before = worst_quality(scene_.mesh, positions());
-  report.folds = part.folds;
+  report.laps = part.laps;
   CarriedOver carried = carry_over(part.part);
   carried.sources = exchange_mesh(std::move(part), carried);
   const double exchanged = seconds_now();
@@ -277,7 +277,7 @@ void Process::start_from(const CarriedState& at,
   const RunState& to = at.state;
   time_ = to.time;
   x_ = to.x;
-  if (report.folds.empty()) // what lay in a lap that has been welded is gone
+  if (report.laps.empty()) // what lay in a lap that has been welded is gone
     restore_volume(at.before.volume, to.contact, sources);
   trial_x_ = x_;
   bulk_->adopt(x_, to.states, to.temperatures, to.plastic_work);

@@ -49,11 +49,11 @@ std::vector<std::string> RemeshReport::complaints() const {
   };
   check("volume", volume.change(), volume_budget);
   check("plastic work", work_change(), work_budget);
-  for (const geometry::ClosedFold& fold : folds)
-    lines.push_back(fmt::format(
-        "warning: remeshing {} welded a fold, {:.3g} deep, whose walls met near ({:.6g}, {:.6g}): "
-        "the part there is a lap, which the mesh no longer shows",
-        number, fold.depth(), fold.at.x(), fold.at.y()));
+  for (const Lap& lap : laps)
+    lines.push_back(
+        fmt::format("warning: remeshing {} welded a fold, {:.3g} deep, whose walls met near {}: "
+                    "the part there is a lap, which the mesh no longer shows",
+                    number, lap.depth, lap.place));
   if (balanced)
     check("force on a tool", force_jump(), force_budget);
   else

@@ -1,9 +1,11 @@
 // When the part is meshed anew. (P.15)
 
+#include "geometry/closed_creases.h"
 #include "mechanics/mesh_check.h"
 #include "mechanics/mesh_edges.h"
 #include "process/remeshing.h"
 #include "process/run.h"
+#include "process/solid_part.h"
 
 #include <fmt/format.h>
 
@@ -125,17 +127,23 @@ std::vector<ContactZone> Process::zones_of_contact() const {
   return contact_zones(part_boundary(scene_, positions(), touching_tools(), {}));
 }
 
-std::vector<geometry::ClosedFold> Process::crossings() const {
-  if (scene_.mesh.dimension() != 2)
-    return {};
+std::vector<Lap> Process::laps() const {
   constexpr double noticed = 0.25; // of an element: in a hollow corner of a die sides touch
   const std::vector<int> none(scene_.contact_faces.size(), -1);
-  PartBoundary boundary = part_boundary(scene_, positions(), none, {});
-  std::vector<geometry::ClosedFold> folds = weld_folds(boundary, 0.0, 0.0);
-  std::erase_if(folds, [this](const geometry::ClosedFold& fold) {
-    return fold.depth() < noticed * mean_side(scene_.mesh);
-  });
-  return folds;
+  const double element = mean_side(scene_.mesh);
+  std::vector<Lap> found;
+  if (scene_.mesh.dimension() == 2) {
+    PartBoundary boundary = part_boundary(scene_, positions(), none, {});
+    for (const geometry::ClosedFold& fold : weld_folds(boundary, 0.0, 0.0))
+      found.push_back(lap(fold));
+  } else {
+    SolidPart part = solid_part(scene_, positions(), none, {});
+    for (const geometry::ClosedCrease& crease :
+         geometry::flatten_creases(part.boundary, 0.0, noticed * element))
+      found.push_back(lap(crease));
+  }
+  std::erase_if(found, [&](const Lap& each) { return each.depth < noticed * element; });
+  return found;
 }
 
 std::vector<ContactZone> Process::poorly_resolved_tools() const {

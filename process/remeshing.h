@@ -4,6 +4,7 @@
 
 #include "contact/contact_term.h"
 #include "mechanics/mesh.h"
+#include "process/lap.h"
 #include "process/part_boundary.h"
 
 #include <functional>
@@ -26,7 +27,7 @@ struct NewPart {
   std::function<std::vector<contact::PointSource>(const contact::ContactSurface&,
                                                   std::span<const double> x)>
       sources;
-  std::vector<geometry::ClosedFold> folds = {}; ///< of the old boundary that were welded
+  std::vector<Lap> laps = {}; ///< of the old boundary that were welded
 };
 
 /// A tool that comes to touch on sides too long for what it touches.

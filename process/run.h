@@ -15,6 +15,7 @@
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
+#include "process/lap.h"
 #include "process/part_boundary.h"
 #include "process/scene.h"
 
@@ -35,6 +36,7 @@ namespace billet::process {
 struct NewPart;
 struct RemeshedPart;
 struct RunState;
+struct SolidPart;
 struct CarriedOver;
 struct FirstTouch;
 struct OutgrownSide;
@@ -117,18 +119,18 @@ struct RemeshReport {
   Pair quality;                    ///< scaled Jacobian of the worst element [-]
   int again = 0; ///< increments of the past that were solved again on the new mesh
   // Of the state carried over: where these began, or now.
-  Pair volume;                             ///< [mm^3]
-  Pair plastic_work;                       ///< of the field of plastic strain [N mm]
-  double work_of_run = 0.0;                ///< plastic, until now [N mm]
-  Pair mean_strain;                        ///< plastic, over the volume [-]
-  Pair largest_strain;                     ///< plastic [-]
-  std::vector<Pair> forces;                ///< on each tool, now [N]
-  double energy = 0.0;                     ///< lost by carrying the state over [N mm]
-  double residual = 0.0;                   ///< of the state carried over, relative [-]
-  bool balanced = false;                   ///< equilibrium was restored before time went on
-  int returned = 0;                        ///< points put back onto the yield surface
-  double seconds = 0.0;                    ///< it took [s]
-  std::vector<geometry::ClosedFold> folds; ///< of the boundary that were welded
+  Pair volume;              ///< [mm^3]
+  Pair plastic_work;        ///< of the field of plastic strain [N mm]
+  double work_of_run = 0.0; ///< plastic, until now [N mm]
+  Pair mean_strain;         ///< plastic, over the volume [-]
+  Pair largest_strain;      ///< plastic [-]
+  std::vector<Pair> forces; ///< on each tool, now [N]
+  double energy = 0.0;      ///< lost by carrying the state over [N mm]
+  double residual = 0.0;    ///< of the state carried over, relative [-]
+  bool balanced = false;    ///< equilibrium was restored before time went on
+  int returned = 0;         ///< points put back onto the yield surface
+  double seconds = 0.0;     ///< it took [s]
+  std::vector<Lap> laps;    ///< that were welded
 
   /// Change of the plastic work over itself, or a thousandth of the run's if that is more: a state
   /// from the time of first touch has next to none [-].
@@ -253,7 +255,7 @@ public:
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
   /// Places where the boundary of a plane part crosses itself by more than a quarter of an element;
   /// empty in space.
-  [[nodiscard]] std::vector<geometry::ClosedFold> crossings() const;
+  [[nodiscard]] std::vector<Lap> laps() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
   /// Remeshings of the run, in their order.
@@ -447,6 +449,7 @@ private:
   [[nodiscard]] NewPart new_plane_part_within(const PartBoundary& boundary,
                                               const std::vector<geometry::SizeAt>& at) const;
   [[nodiscard]] NewPart new_solid_part() const;
+  [[nodiscard]] NewPart new_solid_part_within(const SolidPart& boundary) const;
   /// The tool that touches each contact face; -1: none.
   [[nodiscard]] std::vector<int> touching_tools() const;
   /// What the case asks for, and what it leaves open from the mesh at the start [mm].

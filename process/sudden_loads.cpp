@@ -83,12 +83,18 @@ bool grow(TimeFunction& function, const Growth& growth) {
   return true;
 }
 
-/// Increments end where a growth does: the work of loads is summed by trapezoids.
-void land(Scene& scene, double time) {
+/// Increments end where a growth does, and on the way there: the work of loads is summed by
+/// trapezoids, and metal that begins to flow late moves most of the way under most of the load.
+void land(Scene& scene, const Growth& growth) {
+  constexpr int parts = 4;
   std::vector<double>& times = scene.landing_times;
-  const auto at = std::lower_bound(times.begin(), times.end(), time);
-  if (at == times.end() || *at != time)
-    times.insert(at, time);
+  for (int i = 1; i <= parts; ++i) {
+    const double time =
+        i == parts ? growth.whole : growth.begin + i * (growth.whole - growth.begin) / parts;
+    const auto at = std::lower_bound(times.begin(), times.end(), time);
+    if (at == times.end() || *at != time)
+      times.insert(at, time);
+  }
 }
 
 } // namespace
@@ -103,9 +109,9 @@ void grow_sudden_loads(Scene& scene) {
   }
   for (Support& support : scene.supports)
     grows |= grow(support.displacement, at_start);
-  std::vector<double> landings;
+  std::vector<Growth> landings;
   if (grows)
-    landings.push_back(at_start.whole);
+    landings.push_back(at_start);
   std::vector<std::vector<Window>> of_tools;
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
     of_tools.push_back(windows(scene, scene.tools[t], t));
@@ -128,11 +134,11 @@ void grow_sudden_loads(Scene& scene) {
       if (motion.torque)
         tool_grows |= grow(motion.torque->load, growth);
       if (tool_grows)
-        landings.push_back(growth.whole);
+        landings.push_back(growth);
     }
   }
-  for (const double time : landings)
-    land(scene, time);
+  for (const Growth& growth : landings)
+    land(scene, growth);
 }
 
 } // namespace billet::process

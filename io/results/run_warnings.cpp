@@ -117,11 +117,11 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "is clear",
         process.scene().tools[intruder.tool].name, intruder.time, content_->units.time,
         intruder.where));
-  for (const geometry::ClosedFold& fold : process.crossings())
+  for (const process::Lap& lap : process.laps())
     lines.push_back(fmt::format(
-        "warning: at the end the boundary of the part crosses itself near ({:.6g}, {:.6g}), {:.3g} "
-        "{} deep: metal has folded over and does not feel itself; {}",
-        fold.at.x(), fold.at.y(), fold.depth(), content_->units.length,
+        "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "
+        "metal has folded over and does not feel itself; {}",
+        lap.place, lap.depth, content_->units.length,
         content_->remesh ? "the next new mesh would have welded the lap"
                          : "a [remesh] section welds laps and says where"));
   if (worn_)

@@ -1,0 +1,29 @@
+// Metal that has folded over until the walls of the crease meet: a lap.
+//
+// Units   those of the case. Theory: docs/theory/geometry.md (G.54), (G.55).
+
+#pragma once
+
+#include "geometry/closed_creases.h"
+#include "geometry/closed_folds.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace billet::process {
+
+struct Lap {
+  std::string place; ///< where the walls met, as messages say it
+  double depth;      ///< of the crease [mm]
+};
+
+[[nodiscard]] inline Lap lap(const geometry::ClosedFold& fold) {
+  return {fmt::format("({:.6g}, {:.6g})", fold.at.x(), fold.at.y()), fold.depth()};
+}
+[[nodiscard]] inline Lap lap(const geometry::ClosedCrease& crease) {
+  return {fmt::format("({:.6g}, {:.6g}, {:.6g})", crease.at.x(), crease.at.y(), crease.at.z()),
+          crease.depth};
+}
+
+} // namespace billet::process
