@@ -39,12 +39,14 @@ bool ContactTerm::restart_calmed() {
   std::vector<std::vector<char>> calmed;
   bool any = false;
   for (const ToolState& state : states_) {
-    std::vector<char>& points = calmed.emplace_back(state.calmed.size(), char{0});
+    std::vector<char>& points = calmed.emplace_back(state.calmed);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Traction& now = state.trial[k];
-      points[k] = state.changes[k] >= restless_changes &&
-                  (now.status == Status::open || now.limit > now.pressure);
-      any = any || points[k] != 0;
+      if (points[k] != 0 || state.changes[k] < restless_changes ||
+          !(now.status == Status::open || now.limit > now.pressure))
+        continue;
+      points[k] = 1;
+      any = true;
     }
   }
   restart();

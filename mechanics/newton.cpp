@@ -37,7 +37,9 @@ double largest(std::span<const double> v) {
 /// A trial that still is this far off after so many iterations has lost its way: a shorter
 /// increment costs less than going on. (N.5) Measured on the Lippmann billet: tries that come
 /// through are below both marks, nearly all others never do.
-bool hopeless(int iterations, double relative_residual) {
+bool hopeless(Approach approach, int iterations, double relative_residual) {
+  if (approach == Approach::patiently)
+    return false;
   return (iterations >= 10 && relative_residual > 0.3) ||
          (iterations >= 14 && relative_residual > 1e-2);
 }
@@ -69,8 +71,19 @@ void harden(Softening& softening) {
 
 /// Times the usual number.
 int iterations_for(Approach approach) {
-  constexpr int softly = 2, gently = 4;
-  return approach == Approach::gently ? gently : approach == Approach::softly ? softly : 1;
+  constexpr int softly = 2, gently = 4, patiently = 4;
+  switch (approach) {
+  case Approach::softly:
+    return softly;
+  case Approach::gently:
+    return gently;
+  case Approach::patiently:
+    return patiently;
+  case Approach::directly:
+  case Approach::from_solution:
+    break;
+  }
+  return 1;
 }
 
 } // namespace
@@ -394,7 +407,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
         softening.slip == 1.0 && relative <= allowed && next <= small_correction;
     if ((solved_well || (softening.slip == 1.0 && at_rounding(relative))) && missing() == 0.0)
       return NewtonReport{iteration - 1, relative, norms->scale};
-    if (hopeless(iteration - 1 - hardened, relative))
+    if (hopeless(approach, iteration - 1 - hardened, relative))
       return Failure{"no convergence"};
     before = relative;
     // After an event - a contact that opens or closes, a line search - nothing but the new

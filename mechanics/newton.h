@@ -63,6 +63,7 @@ enum class Approach {
   directly,      ///< from a first guess
   softly,        ///< from a first guess, by way of the solution with a softer resistance to slip
   gently,        ///< from the start of the increment, with a softer resistance to penetration, too
+  patiently,     ///< from a first guess, however long it takes: metal snaps, no increment is short
   from_solution, ///< from what solves terms that have changed a little since; goes on recording
 };
 

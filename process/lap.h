@@ -7,8 +7,6 @@
 #include "geometry/closed_creases.h"
 #include "geometry/closed_folds.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 namespace billet::process {
@@ -18,12 +16,7 @@ struct Lap {
   double depth;      ///< of the crease [mm]
 };
 
-[[nodiscard]] inline Lap lap(const geometry::ClosedFold& fold) {
-  return {fmt::format("({:.6g}, {:.6g})", fold.at.x(), fold.at.y()), fold.depth()};
-}
-[[nodiscard]] inline Lap lap(const geometry::ClosedCrease& crease) {
-  return {fmt::format("({:.6g}, {:.6g}, {:.6g})", crease.at.x(), crease.at.y(), crease.at.z()),
-          crease.depth};
-}
+[[nodiscard]] Lap lap(const geometry::ClosedFold& fold);
+[[nodiscard]] Lap lap(const geometry::ClosedCrease& crease);
 
 } // namespace billet::process

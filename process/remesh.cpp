@@ -416,7 +416,7 @@ int Process::solve_again(const RunState& end) {
     std::string why;
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (try_increment(step, mechanics::Approach::directly, why) ||
-        (failures > 0 && try_softened(step, why))) {
+        (failures > 0 && try_softened(step, false, why))) {
       commit(step);
       if (lands)
         time_ = landing;

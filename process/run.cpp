@@ -129,7 +129,7 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
   return solved;
 }
 
-bool Process::try_softened(double dt, std::string& why) {
+bool Process::try_softened(double dt, bool patiently, std::string& why) {
   const auto may_help = [this] { // what has been solved and refused has the same solution again
     return contact_ && !refused_as_too_deep_ && !refused_inside_out_;
   };
@@ -147,10 +147,25 @@ bool Process::try_softened(double dt, std::string& why) {
        {mechanics::Approach::softly, mechanics::Approach::gently})
     if (may_help() && try_increment(dt, approach, why))
       return true;
+  if (may_help() && try_calmed(dt, mechanics::Approach::directly, why))
+    return true;
+  // Metal that snaps off an edge has far to go in any increment.
+  return patiently && may_help() &&
+         (try_increment(dt, mechanics::Approach::patiently, why) ||
+          try_calmed(dt, mechanics::Approach::patiently, why));
+}
+
+bool Process::try_calmed(double dt, mechanics::Approach approach, std::string& why) {
   // Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
   // does not.
-  return may_help() && contact_->restart_calmed() &&
-         solve_increment(dt, mechanics::Approach::directly, why);
+  constexpr int most_rounds = 4; // calm points may leave others restless
+  for (int round = 0; round < most_rounds && contact_->restart_calmed(); ++round) {
+    if (solve_increment(dt, approach, why))
+      return true;
+    if (refused_as_too_deep_ || refused_inside_out_)
+      break;
+  }
+  return false;
 }
 
 std::string Process::restless_points() const {
@@ -369,6 +384,11 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   std::string unmeshed; // why the last remeshing was not possible
   int failures = 0;
   int refusals = 0;
+  // Shorter increments have been in vain, or there are none.
+  const auto is_last_way = [&](int in_vain, double step) {
+    constexpr int many = 6;
+    return in_vain == many || 0.5 * step < *limit.min;
+  };
   bool rested = false;
   while (time_ < stage.end) {
     if (stop_requested(observers))
@@ -390,7 +410,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     std::string why = leap(scene_, stage, time_, time_ + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
-                        (failures > 0 && try_softened(step, why)))) {
+                        (failures > 0 && try_softened(step, is_last_way(failures, step), why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(*sooner);

@@ -316,7 +316,11 @@ private:
   /// @return what it misses; empty: no more than it may
   [[nodiscard]] std::string misses_too_much(double dt, double length) const;
   /// By way of softer contact, after an increment has failed. (N.10)
-  [[nodiscard]] bool try_softened(double dt, std::string& why);
+  ///
+  /// @param patiently  with as many iterations as it takes, in the end
+  [[nodiscard]] bool try_softened(double dt, bool patiently, std::string& why);
+  /// Likewise, with less friction where points go from stick to slip and back.
+  [[nodiscard]] bool try_calmed(double dt, mechanics::Approach approach, std::string& why);
   /// Whether an increment that Newton has solved may be accepted.
   [[nodiscard]] bool plausible(double dt, double force_scale, std::string& why) const;
   [[nodiscard]] bool is_squeezed() const;
