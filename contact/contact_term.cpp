@@ -189,10 +189,19 @@ ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::T
   return before > 0.0 ? after / (after - before) : 1.0;
 }
 
+Vec3 ContactTerm::spin(std::size_t t, const mechanics::Trial& trial) const {
+  const geometry::Motion& motion = tools_[t].motion;
+  if (!motion.rotation || rests_[t] != 0)
+    return Vec3::Zero();
+  const double angle = motion.angle(trial.time) - motion.angle(trial.time_old);
+  return angle * (pose(t, trial.time, trial.x).rotation.transpose() * motion.axis());
+}
+
 int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool keep) {
   const Tool& tool = tools_[t];
   ToolState& state = states_[t];
   const Penalty penalty = this->penalty();
+  const Vec3 spin = this->spin(t, trial);
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
@@ -220,6 +229,7 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
       in.multiplier = carried(state, k);
       in.strength = strength(tool.friction, k);
       in.calmed = state.calmed[k] != 0;
+      in.turn = spin;
       if (even != nullptr)
         in.shared = shared_pressure(*even, k);
       state.trial[k] = traction(tool.friction, penalty, old, in, surface_->scheme());

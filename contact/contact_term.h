@@ -263,6 +263,9 @@ private:
   [[nodiscard]] Penalty penalty() const;
   /// Pressure that needs no penetration: the multiplier, and what a softer penalty on the way to a
   /// solution leaves of the pressure at the start of the increment [MPa]. (N.10)
+  /// How far a tool's prescribed rotation turns it in the increment, as a vector in its frame
+  /// [rad].
+  [[nodiscard]] Vec3 spin(std::size_t tool, const mechanics::Trial& trial) const;
   [[nodiscard]] double carried(const ToolState& state, std::size_t point) const;
   /// Gap below which a point touches, but for a multiplier: rounding of coordinates [mm].
   [[nodiscard]] double touching_gap(std::size_t point) const;

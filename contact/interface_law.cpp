@@ -39,6 +39,28 @@ ArcExcess arc_excess(double cosine) {
   return arc;
 }
 
+/// Where the tool spins in the tangent plane a point that keeps its speed in space goes along an
+/// arc of that angle in the tool's frame: what it slides with is the arc's length along its end,
+/// not its chord. (C.5a)
+void bend(Sliding& s, const Vec3& turn, const Vec3& n, const Mat3& H) {
+  constexpr double most = 1.5; // beyond a whole increment no longer tells where it was
+  const double a = std::clamp(-0.5 * turn.dot(n), -most, most);
+  if (a == 0.0)
+    return;
+  const double sine = std::sin(a), cosine = std::cos(a);
+  const double f = a / sine; // arc over chord
+  const double df = (sine - a * cosine) / (sine * sine);
+  const Vec3 across = n.cross(s.path);
+  Mat3 dacross;
+  for (int j = 0; j < 3; ++j)
+    dacross.col(j) = n.cross(s.dpath_dx.col(j)) + H.col(j).cross(s.path);
+  const Vec3 dpath_da = (df * cosine - f * sine) * s.path + (df * sine + f * cosine) * across;
+  const Eigen::RowVector3d da = std::abs(a) < most ? Eigen::RowVector3d(-0.5 * turn.transpose() * H)
+                                                   : Eigen::RowVector3d::Zero();
+  s.dpath_dx = f * (cosine * s.dpath_dx + sine * dacross) + dpath_da * da;
+  s.path = f * (cosine * s.path + sine * across);
+}
+
 /// @param share  of the increment in which the point touches
 Sliding sliding(const PointHistory& old, const InterfaceInput& at, double share = 1.0) {
   const Vec3& n = at.projection.normal;
@@ -60,6 +82,7 @@ Sliding sliding(const PointHistory& old, const InterfaceInput& at, double share 
                 arc.value * along * dq;
   s.path *= share;
   s.dpath_dx *= share;
+  bend(s, share * at.turn, n, H);
   return s;
 }
 
@@ -149,6 +172,8 @@ void add_shear(const Friction& friction,
     dturned = turn_derivative(old.shear, old.normal, n, foot.dnormal_dx);
   }
   const InFrame shear = in_frame(frame, out.turned, dturned);
+  // The slip turned with the point: so did the shear of a point that slid all the time.
+  out.turned = Eigen::AngleAxisd(-at.turn.dot(n), n) * out.turned;
   const InFrame path = in_frame(frame, s.path, s.dpath_dx);
   const SlipStep step{shear.v, path.v, stiffness, old.limit, state};
   const SlipResult end =

@@ -64,7 +64,9 @@ struct Traction {
   Vec3 dtraction_dk = Vec3::Zero(); ///< by the strength of the material beneath [-]
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
   double limit = 0.0;               ///< largest shear at this pressure [MPa]
-  Vec3 turned = Vec3::Zero();       ///< the old shear in the new tangent plane [MPa]
+  /// The old shear in the new tangent plane, as far to the slip as it was when the increment began
+  /// [MPa].
+  Vec3 turned = Vec3::Zero();
 };
 
 /// A pressure that follows from the gaps of all points of a face. (C.45)
@@ -86,7 +88,8 @@ struct InterfaceInput {
   double noise = 0.0;      ///< of a gap: what coordinates of their size cannot tell [mm]
   double touching = 0.0; ///< share of the increment in which a point that was open rubs (C.42) [-]
   std::optional<SharedPressure> shared = std::nullopt; ///< in place of the point's own
-  bool calmed = false; ///< no more shear than pressure, as where a point touches (F.3)
+  Vec3 turn = Vec3::Zero(); ///< of the tool in the increment, its motion's own, tool frame [rad]
+  bool calmed = false;      ///< no more shear than pressure, as where a point touches (F.3)
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.

@@ -10,7 +10,9 @@
 
 namespace billet::process {
 
-double EnergyBalance::error() const { return scale() > 0.0 ? std::abs(missing()) / scale() : 0.0; }
+double EnergyBalance::error() const {
+  return scale() > nothing ? std::abs(missing()) / scale() : 0.0;
+}
 
 double EnergyBalance::largest_since(const EnergyBalance& before) const {
   return std::max({std::abs(external - before.external), std::abs(elastic - before.elastic),

@@ -53,6 +53,7 @@ struct EnergyBalance {
   double remeshing = 0.0;   ///< lost where a state was carried to a new mesh
   double enforcement = 0.0; ///< of external, what no tool's motion did (C.23)
   double most = 0.0;        ///< that any of the first five has been: springback gives it all back
+  double nothing = 0.0;     ///< no more than rounding makes of a part at rest
 
   /// external less the sum of the rest [N mm].
   [[nodiscard]] double missing() const {
@@ -279,6 +280,10 @@ private:
   /// How deep and where the workpiece lies inside a tool now; empty: no more than chords of faces
   /// do.
   [[nodiscard]] std::string overlap(std::size_t tool, double time) const;
+  /// Likewise, of the workpiece's boundary alone.
+  [[nodiscard]] std::string depth_in(std::size_t tool, double time) const;
+  /// Whether all places of a tool that are nearest to the workpiece's faces lie in the workpiece.
+  [[nodiscard]] bool lies_within(std::size_t tool, double time) const;
   void make_terms();
   [[nodiscard]] contact::DriveScale drive_scale() const;
   void check_drives() const;

@@ -4,6 +4,7 @@
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/loads.h"
+#include "mechanics/mesh_locator.h"
 #include "process/remeshing.h"
 #include "process/run.h"
 #include "process/sudden_loads.h"
@@ -87,6 +88,8 @@ void Process::make_terms() {
     terms_.push_back(grounding_.get());
   }
   newton_->set_force_floor(force_floor(time_));
+  constexpr double rounding = 1e-16; // of E times the volume: strains of 1e-8
+  energy_.nothing = rounding * scene_.material.elasticity.young * bulk_->reference_volume();
 }
 
 double Process::body_stiffness() const {
@@ -125,11 +128,40 @@ void Process::check_overlap() const {
 }
 
 std::string Process::overlap(std::size_t tool, double time) const {
+  std::string where = depth_in(tool, time);
+  return where.empty() && lies_within(tool, time) ? "the tool lies wholly within it" : where;
+}
+
+bool Process::lies_within(std::size_t tool, double time) const {
+  const mechanics::MeshLocator locator(scene_.mesh, positions());
+  const geometry::Pose pose = contact_->pose(tool, time, x_);
+  bool any = false;
+  for (Index f = 0; f < surface_->n_faces(); ++f)
+    for (const Vec3& x : surface_->samples(x_, f, 1)) {
+      const Vec3 at = pose.to_tool(x);
+      geometry::Projection foot;
+      scene_.tools[tool].surface->project(std::span(&at, 1), body_size(scene_.mesh),
+                                          std::span(&foot, 1));
+      if (!foot.found())
+        continue;
+      constexpr double clear = 0.02, inside = 1e-6; // of the element beneath
+      const double depth = surface_->depth(f);
+      if (foot.gap < clear * depth ||
+          locator.locate(pose.to_space(foot.foot)).distance > inside * depth)
+        return false;
+      any = true;
+    }
+  return any;
+}
+
+std::string Process::depth_in(std::size_t tool, double time) const {
   // A chord of a curved face may lie a little inside a tool that touches its nodes; a sharp tool
   // that was brought to the contact points of a face may lie deeper between them.
   const bool brought = tool < scene_.touch.size() && scene_.touch[tool] != 0;
   const double allowed_share = brought ? 0.5 : 0.02; // of the element beneath
   const geometry::Pose pose = contact_->pose(tool, time, x_);
+  double deepest = 0.0;
+  Vec3 at = Vec3::Zero();
   for (Index f = 0; f < surface_->n_faces(); ++f) {
     std::vector<Vec3> points = surface_->samples(x_, f);
     for (Vec3& p : points)
@@ -137,13 +169,14 @@ std::string Process::overlap(std::size_t tool, double time) const {
     std::vector<geometry::Projection> feet(points.size());
     scene_.tools[tool].surface->project(points, body_size(scene_.mesh), feet);
     for (std::size_t i = 0; i < feet.size(); ++i)
-      if (-feet[i].gap > allowed_share * surface_->depth(f)) {
-        const Vec3 at = pose.to_space(points[i]);
-        return fmt::format("{:.6g} deep at ({:.6g}, {:.6g}, {:.6g})", -feet[i].gap, at[0], at[1],
-                           at[2]);
+      if (-feet[i].gap > std::max(deepest, allowed_share * surface_->depth(f))) {
+        deepest = -feet[i].gap;
+        at = pose.to_space(points[i]);
       }
   }
-  return {};
+  return deepest > 0.0
+             ? fmt::format("{:.6g} deep at ({:.6g}, {:.6g}, {:.6g})", deepest, at[0], at[1], at[2])
+             : std::string();
 }
 
 contact::DriveScale Process::drive_scale() const {

@@ -55,7 +55,8 @@ IncrementLimits Process::limits(double length) const {
   constexpr double shortest_of_blow = 1e-3; // of its first increment
   const double smallest =
       given.min.value_or(std::min(smallest_share * length, shortest_of_blow * begins));
-  const double largest = given.max.value_or(default_longest(length));
+  const double asked = std::max(given.first.value_or(0.0), given.min.value_or(0.0));
+  const double largest = given.max.value_or(std::max(default_longest(length), asked));
   const double first = given.first.value_or(std::min(default_first(length), begins));
   return {std::clamp(first, std::min(smallest, largest), largest), smallest, largest};
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace billet::io {
@@ -78,6 +79,21 @@ void check_range(const At& at, const HanselSpittelFlow& law, double T) {
         law.m3 + law.m8 * T));
 }
 
+/// The default hardness of a law that gives an initial yield stress at a temperature.
+void settle_hardness(Case& content) {
+  const auto found = content.materials.find(content.workpiece.material);
+  if (found == content.materials.end() || found->second.hardness || !found->second.flow ||
+      !content.temperature)
+    return;
+  const auto* const law = std::get_if<JohnsonCookFlow>(&*found->second.flow);
+  if (law == nullptr || !(law->T_melt > law->T_room))
+    return; // complained about already
+  const double T = (*content.temperature - law->T_room) / (law->T_melt - law->T_room);
+  const double yield = law->A * (1.0 - std::pow(std::clamp(T, 0.0, 1.0), law->m));
+  if (yield > 0.0)
+    found->second.hardness = 3.0 * yield;
+}
+
 /// The temperature is there for a law that asks for it, and one that it can take.
 void check_temperature(const At& root, const Case& content) {
   const auto found = content.materials.find(content.workpiece.material);
@@ -145,10 +161,12 @@ void settle_end(const At& root, Case& content) {
 }
 
 void check_increments(const At& root, const Case& content) {
-  const std::optional<double>& first = content.time.increments.first;
-  const std::optional<At> at = child(child(child(root, "time"), "increments"), "first");
-  if (at && first && content.time.end > 0.0 && *first > content.time.end)
-    at->complain_found(fmt::format("no more than the end {}", content.time.end));
+  const Increments& given = content.time.increments;
+  const std::optional<At> table = child(child(root, "time"), "increments");
+  for (const auto& [key, value] : {std::pair("first", given.first), std::pair("min", given.min)})
+    if (const std::optional<At> at = child(table, key);
+        at && value && content.time.end > 0.0 && *value > content.time.end)
+      at->complain_found(fmt::format("no more than the end {}", content.time.end));
 }
 
 void check_frame_times(const At& root, const Case& content) {
@@ -167,6 +185,7 @@ void check_whole(const At& root, Case& content) {
   refuse_same_names(root, "stage");
   check_material(root, content);
   check_temperature(root, content);
+  settle_hardness(content);
   check_stage_tools(root);
   check_stage_ends(root, content);
   settle_end(root, content);

@@ -21,8 +21,10 @@ void RunWriter::note_unmet_tools(const process::Process& process,
   if (process.contact() == nullptr)
     return;
   unmet_.resize(process.scene().tools.size());
-  for (std::size_t t = 0; t < unmet_.size(); ++t)
+  for (std::size_t t = 0; t < unmet_.size(); ++t) {
+    unmet_[t].acts = unmet_[t].acts || process.contact()->acts(t, report.time);
     unmet_[t].met = unmet_[t].met || process.contact()->lies_on(t);
+  }
   Unmet& deepest = unmet_[report.penetration.tool];
   constexpr double noticed = 2e-3; // of the element beneath
   if (report.penetration_share > noticed) {
@@ -42,6 +44,12 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
           "hollow that sides are too long for; take smaller elements there",
           unmet_[t].time, content_->units.time, process.scene().tools[t].name, unmet_[t].depth,
           content_->units.length));
+  for (std::size_t t = 0; t < unmet_.size(); ++t)
+    if (unmet_[t].acts && !unmet_[t].met && unmet_[t].depth == 0.0 &&
+        process.time() == process.scene().stages.back().end)
+      lines.push_back(fmt::format("warning: tool {} has not touched the workpiece: does it move "
+                                  "far enough, and the right way?",
+                                  process.scene().tools[t].name));
   if (const auto refused = process.refusals(); !refused.empty())
     lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
                                 "first at t = {:.6g} {}: {}",
@@ -54,11 +62,8 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "contact.form = \"compatible\") lessens it",
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
   constexpr double budget = 0.005;
-  constexpr double rounding = 1e-16; // of E times the volume
-  const double nothing =
-      rounding * process.bulk().material().elasticity.young * process.bulk().reference_volume();
   if (const process::EnergyBalance& energy = process.energy();
-      energy.error() > budget && std::abs(energy.missing()) > nothing)
+      energy.error() > budget && std::abs(energy.missing()) > energy.nothing)
     lines.push_back(fmt::format(
         "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
         "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "

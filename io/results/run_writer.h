@@ -78,6 +78,7 @@ private:
   double largest_share_ = 0.0;
   /// Of a tool that no contact point has met so far.
   struct Unmet {
+    bool acts = false; ///< it has, at some time
     bool met = false;
     double depth = 0.0; ///< of the deepest point of a face found in it [mm]
     double time = 0.0;  ///< when one was found first [s]

@@ -130,9 +130,11 @@ inline Traction traction_at(const geometry::RigidSurface& surface,
                             const PointHistory& old,
                             const Vec3& x,
                             const SlipScheme& scheme = {},
-                            double touching = 0.0) {
+                            double touching = 0.0,
+                            const Vec3& turn = Vec3::Zero()) {
   InterfaceInput at{x, foot_of(surface, x), test_shear_yield};
   at.touching = touching;
+  at.turn = turn;
   return traction(friction, test_penalty, old, at, scheme);
 }
 
