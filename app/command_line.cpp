@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <span>
 
 namespace billet::app {
 
@@ -18,15 +19,32 @@ struct Option {
   std::string_view help;
 };
 
+/// Of `render`, which passes them on to billet-render.
+constexpr Option render_options[] = {
+    {"--field", "NAME", "coloured by a field (von_mises); NAME:x is a component"},
+    {"--time", "T|last", "the frame nearest to that time (last)"},
+    {"--range", "LOW:HIGH", "of the colours (that of the frame)"},
+    {"--flow-lines", "N", "N + N lines that were straight before the run (in the plane)"},
+    {"--mirror", "", "both halves (--no-mirror: one; axisymmetric scenes show both)"},
+    {"--output", "FILE.png", "the picture (picture.png)"},
+    {"--size", "WxH", "of the picture in pixels (1200x900)"},
+    {"--title", "TEXT", "above the picture"},
+};
+
 constexpr Option unit_option = {"--unit", "UNIT", "the unit of an STL's numbers: shown in mm"};
 
-constexpr Option all_options[] = {
-    {"-o", "DIR", "results go to DIR (default: results/<case name>)"},
+/// Of commands that read a case.
+constexpr Option case_options[] = {
     {"--set", "KEY=VALUE", "overrides a key of the case, e.g. tool.punch.friction.m=0.2"},
+    {"--allow-outside", "", "the case may name files outside its folder"},
+};
+
+/// Of `run` alone; `check` takes them, so that the same words may follow, and has no use for them.
+constexpr Option run_options[] = {
+    {"-o", "DIR", "results go to DIR (default: results/<case name>)"},
     {"--threads", "N", "threads for assembly and contact search (default: all)"},
     {"--quiet", "", "no progress on standard error, warnings alone"},
     {"--profile", "", "print where the time went"},
-    {"--allow-outside", "", "the case may name files outside its folder"},
     {"--resume", "", "goes on from a checkpoint (not available in this version)"},
 };
 
@@ -62,13 +80,22 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
 
 const Option& find_option(const std::string& word, const Command& command) {
   std::vector<std::string> known;
-  if (command.name == "info" && word == unit_option.name)
-    return unit_option;
-  for (const Option& option : all_options) {
-    if (option.name == word)
-      return option;
-    known.emplace_back(option.name);
+  const Option* found = nullptr;
+  const auto look_in = [&](std::span<const Option> options) {
+    for (const Option& option : options) {
+      if (option.name == word)
+        found = &option;
+      known.emplace_back(option.name);
+    }
+  };
+  if (command.name == "info") {
+    look_in(std::span(&unit_option, 1));
+  } else {
+    look_in(case_options);
+    look_in(run_options);
   }
+  if (found != nullptr)
+    return *found;
   throw Error(Fault::usage, "", fmt::format("billet {}: unknown option '{}'", command.name, word),
               io::suggestion(word, known));
 }
@@ -142,15 +169,25 @@ std::string help(const Command& command) {
   std::string text =
       fmt::format("billet {} {}\n\n{}\n", command.name, command.usage, command.summary);
   const auto line = [](const Option& option) {
-    return fmt::format("  {:16s} {}\n", fmt::format("{} {}", option.name, option.value),
+    return fmt::format("  {:18s} {}\n", fmt::format("{} {}", option.name, option.value),
                        option.help);
   };
-  if (command.name == "run" || command.name == "check") {
-    text += '\n';
-    for (const Option& option : all_options)
+  text += '\n';
+  const auto add = [&](std::span<const Option> options) {
+    for (const Option& option : options)
       text += line(option);
-  } else if (command.name == "info")
-    text += '\n' + line(unit_option);
+  };
+  if (command.name == "info") {
+    text += line(unit_option);
+  } else if (command.name == "render") {
+    add(render_options);
+  } else {
+    add(case_options);
+    if (command.name == "run")
+      add(run_options);
+    else
+      text += "  options of billet run are taken, and have no effect\n";
+  }
   return text;
 }
 

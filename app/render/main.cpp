@@ -33,6 +33,7 @@ int main(int count, char** values) {
     }
     require_display();
     options.curves ? billet::render::draw_chart(options) : billet::render::draw_scene(options);
+    std::printf("picture: %s\n", options.output.c_str());
     return 0;
   } catch (const billet::Error& error) {
     std::fprintf(stderr, "billet-render: %s\n", error.what());

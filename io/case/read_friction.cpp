@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace billet::io {
 
@@ -121,6 +123,56 @@ void read_real_contact(TableReader& table, RealContact& real_contact, double& f)
     table.required("f", f, as_number, fraction_number);
 }
 
+/// By what a modifier multiplies a law's shear at most.
+double most_factor(const Friction& friction) {
+  double most = 1.0;
+  for (const auto& [sliding, factor] : friction.evolution)
+    most = std::max(most, factor);
+  return most;
+}
+
+/// The largest share of the law's shear that slides of any direction meet.
+double most_of_tensor(const Friction& friction) {
+  if (!friction.tensor)
+    return 1.0;
+  const auto& Q = *friction.tensor;
+  // The larger singular value of a matrix of two by two.
+  const double sum = Q[0][0] * Q[0][0] + Q[0][1] * Q[0][1] + Q[1][0] * Q[1][0] + Q[1][1] * Q[1][1];
+  const double det = Q[0][0] * Q[1][1] - Q[0][1] * Q[1][0];
+  return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4.0 * det * det))));
+}
+
+/// No modifier asks for more shear than the metal carries.
+void refuse_beyond_strength(TableReader& table, const Friction& friction) {
+  // A number for k may be that of a film: no more is known of it.
+  const auto is_of_metal = [](const ShearStrength& k) {
+    return !std::holds_alternative<double>(k);
+  };
+  double share = 0.0; // of k, at most
+  if (const auto* const tresca = std::get_if<TrescaFriction>(&friction.law))
+    share = is_of_metal(tresca->k) ? tresca->m : 0.0;
+  else if (const auto* const asperity = std::get_if<AsperityFriction>(&friction.law))
+    share = is_of_metal(asperity->k) ? asperity->m_local : 0.0;
+  else if (const auto* const shaw = std::get_if<ShawFriction>(&friction.law))
+    share = is_of_metal(shaw->k) ? 1.0 : 0.0;
+  else if (const auto* const coulomb = std::get_if<CoulombFriction>(&friction.law))
+    share = coulomb->cap && is_of_metal(*coulomb->cap) ? 1.0 : 0.0;
+  constexpr double rounding = 1e-12;
+  const bool is_capped = std::holds_alternative<CoulombFriction>(friction.law); // after the factor
+  const double grown = share * (is_capped ? 1.0 : most_factor(friction));
+  if (const std::optional<At> at = table.find("evolution"); at && grown > 1.0 + rounding)
+    at->complain(fmt::format("its largest factor takes the shear to {:.4g} k, more than the metal "
+                             "carries",
+                             grown),
+                 fmt::format("give factors of {:.4g} at most", 1.0 / share));
+  else if (const std::optional<At> tensor = table.find("tensor");
+           tensor && share > 0.0 && grown * most_of_tensor(friction) > 1.0 + rounding)
+    tensor->complain(fmt::format("it takes the shear to {:.4g} k in one direction, more than the "
+                                 "metal carries",
+                                 grown * most_of_tensor(friction)),
+                     "give a smaller tensor, or a smaller coefficient");
+}
+
 /// Modifiers that a law has no use for would silently do nothing; shares of k end at 1.
 void refuse_unfit(TableReader& table, const Friction& friction) {
   const FrictionLaw& law = friction.law;
@@ -188,6 +240,7 @@ std::optional<Friction> as_friction(const At& at) {
     direction->complain("is the first axis of a 'tensor', which is missing");
   if (has_law) {
     refuse_unfit(table, friction);
+    refuse_beyond_strength(table, friction);
     table.finish();
   }
   return friction;

@@ -299,6 +299,38 @@ TEST(InterfaceLaw, GivesTheSamePressureAtAnApexHoweverManySteps) {
   }
 }
 
+TEST(InterfaceLaw, SlidesAlongTheArcOfAToolThatSpins) {
+  // A point at rest 5 mm off the axis of a plate that turns 0.3 rad an increment.
+  const auto plate = geometry::make_plane({0, 0, 0}, {0, 0, 1});
+  constexpr double turn = 0.3, radius = 5.0, depth = 0.02;
+  constexpr int steps = 6;
+  const Coulomb law{.mu = 0.1};
+  PointHistory old = closed_history(*plate, Vec3(radius, 0, 0), depth, Vec3::Zero());
+  const double limit = 0.1 * depth * test_penalty.normal;
+  old.limit = limit;
+  double work = 0.0;
+  for (int i = 1; i <= steps; ++i) {
+    const double at = -turn * i; // in the tool's frame
+    const Vec3 x(radius * std::cos(at), radius * std::sin(at), -depth);
+    const Traction t = traction_at(*plate, law, old, x, {}, 0.0, Vec3(0, 0, turn));
+    ASSERT_EQ(t.status, Status::slip);
+    // The shear goes with the plate, at a right angle to the radius.
+    const Vec3 along(-std::sin(at), std::cos(at), 0.0);
+    EXPECT_NEAR(t.shear.norm(), limit, 1e-9 * limit);
+    EXPECT_LT(t.shear.cross(along).norm(), 2e-3 * limit) << "what is elastic lags";
+    old.sliding += t.slip.norm();
+    const ShearBalance balanced = balance(test_penalty, old, t, old.sliding, 1.0);
+    work += balanced.friction_work;
+    old.position = x;
+    old.shear = t.shear;
+    old.limit = t.limit;
+    old.stiffness = balanced.stiffness;
+    old.slips = true;
+  }
+  EXPECT_NEAR(old.sliding, radius * turn * steps, 1e-3 * radius * turn * steps);
+  EXPECT_NEAR(work, limit * radius * turn * steps, 2e-3 * limit * radius * turn * steps);
+}
+
 TEST(InterfaceLaw, NeverGainsEnergyOnARandomWalk) {
   const auto ball = geometry::make_sphere({0, 0, 0}, 0.5, false);
   std::mt19937 generator(5);
