@@ -1,5 +1,6 @@
 #include "geometry/closed_creases.h"
 
+#include "geometry/base/box.h"
 #include "geometry/base/index.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/edge_table.h"
@@ -245,6 +246,16 @@ void forget_creases(SolidBoundary& boundary, std::span<const std::int32_t> inner
 }
 
 } // namespace
+
+std::optional<ClosedCrease> cut_at(const TriangleMesh& mesh) {
+  const std::vector<std::int32_t> at = walls(mesh, 0.0);
+  if (at.empty())
+    return std::nullopt;
+  Box box;
+  for (const std::int32_t t : at)
+    box.add(middle(mesh, idx(t)));
+  return ClosedCrease{0.5 * (box.low + box.high), 0.5 * (box.high - box.low).norm()};
+}
 
 std::vector<ClosedCrease> flatten_creases(SolidBoundary& boundary, double near, double rest) {
   const TriangleMesh& mesh = boundary.mesh;

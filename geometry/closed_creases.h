@@ -10,7 +10,9 @@
 
 #include "geometry/base/vector.h"
 #include "geometry/solid_boundary.h"
+#include "geometry/triangle_mesh.h"
 
+#include <optional>
 #include <vector>
 
 namespace billet::geometry {
@@ -35,5 +37,8 @@ struct ClosedCrease {
 /// @pre the boundary is closed and manifold
 [[nodiscard]] std::vector<ClosedCrease>
 flatten_creases(SolidBoundary& boundary, double near, double rest);
+
+/// Where triangles cut each other, all of them as one crease: half as deep as what cuts is long.
+[[nodiscard]] std::optional<ClosedCrease> cut_at(const TriangleMesh& mesh);
 
 } // namespace billet::geometry

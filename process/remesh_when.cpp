@@ -141,6 +141,8 @@ std::vector<Lap> Process::laps() const {
     for (const geometry::ClosedCrease& crease :
          geometry::flatten_creases(part.boundary, 0.0, noticed * element))
       found.push_back(lap(crease));
+    if (const auto crease = geometry::cut_at(part.boundary.mesh)) // too deep to be drawn flat
+      found.push_back(lap(*crease));
   }
   std::erase_if(found, [&](const Lap& each) { return each.depth < noticed * element; });
   return found;

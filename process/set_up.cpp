@@ -145,9 +145,10 @@ bool Process::lies_within(std::size_t tool, double time) const {
       if (!foot.found())
         continue;
       constexpr double clear = 0.02, inside = 1e-6; // of the element beneath
+      // A little beneath the tool's surface: one that touches a face has that outside.
       const double depth = surface_->depth(f);
-      if (foot.gap < clear * depth ||
-          locator.locate(pose.to_space(foot.foot)).distance > inside * depth)
+      const Vec3 beneath = pose.to_space(foot.foot - clear * depth * foot.normal);
+      if (foot.gap < clear * depth || locator.locate(beneath).distance > inside * depth)
         return false;
       any = true;
     }

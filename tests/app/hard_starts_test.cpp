@@ -148,6 +148,108 @@ TEST_F(HardStarts, ARollTakesAStripThatIsPushedMoreSlowly) {
     EXPECT_LE(table.value(row, "pusher.force_x"), 0.0) << "it pushes or stays behind";
 }
 
+TEST_F(HardStarts, AStripIsRolledThatSticksToItsRoll) {
+  // Sticking, behind the roll's lowest point surfaces that part snap: it stopped there.
+  const Outcome outcome = run(R"(
+analysis = "plane-strain"
+workpiece = { element = "quad8", material = "steel", mesh = { box = [[-13, 0], [-6.4, 1]], cells = [30, 1] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "perfect", yield = 346 }
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "roll"
+surface = { circle = { centre = [0, 100.8], radius = 100 } }
+motion = { rotation = { point = [0, 100.8], speed = 0.1 } }
+friction = { law = "sticking" }
+[[tool]]
+name = "pusher"
+surface = { plane = { point = [-13, 0], normal = [1, 0] } }
+motion = { displacement = [[0, 0, 0], [0.2, 2, 0]] }
+[time]
+end = 1.1
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  double force = 0.0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    force = std::max(force, table.value(row, "roll.force_y"));
+  std::printf("%zu increments, %.0f N/mm at most\n", table.rows.size(), force);
+  EXPECT_GT(force, 3000.0);
+  EXPECT_LT(force, 7000.0);
+}
+
+TEST_F(HardStarts, ATurningPlateRubsAlongItsSpeedWhateverTheIncrements) {
+  // A bar of 10 x 2 x 3 under 100 MPa on a plate that turns about the bar's end by 0.6 rad an
+  // increment. Coulomb: the mean direction of the speed beneath the bar.
+  const Outcome outcome = run(R"(
+analysis = "3d"
+workpiece = { element = "hex8", material = "steel", mesh = { box = [[0, 0, 0], [10, 2, 3]], cells = [5, 1, 2] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+[[support]]
+where = "all"
+fix = ["x", "z"]
+[[load]]
+where = "y = 2"
+pressure = 100
+[[tool]]
+name = "plate"
+surface = { plane = { point = [0, 0, 0], normal = [0, 1, 0] } }
+motion = { rotation = { point = [0, 0, 0], axis = [0, 1, 0], speed = 6 } }
+friction = { law = "coulomb", mu = 0.1 }
+[time]
+end = 1
+increments = { first = 0.1, max = 0.1 }
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  const std::size_t last = table.rows.size() - 1;
+  // The mean of (-z, x)/r over the bar's face by Gauss' rule of 400 x 400 points: 10 N per unit.
+  double x = 0.0, z = 0.0;
+  constexpr int n = 400;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double at_x = 10.0 * (i + 0.5) / n, at_z = 3.0 * (j + 0.5) / n;
+      x += at_z / std::hypot(at_x, at_z) / (n * n);
+      z -= at_x / std::hypot(at_x, at_z) / (n * n);
+    }
+  const double normal = 3000.0;
+  EXPECT_NEAR(table.value(last, "plate.force_x"), -0.1 * normal * x, 0.02 * 0.1 * normal);
+  EXPECT_NEAR(table.value(last, "plate.force_z"), -0.1 * normal * z, 0.02 * 0.1 * normal);
+  const double torque = table.value(last, "plate.torque_y");
+  const double turned = 6.0 - 0.3; // the pressure grows over the first tenth
+  EXPECT_NEAR(table.value(last, "friction_work"), std::abs(torque) * turned,
+              5e-3 * std::abs(torque) * turned);
+}
+
+TEST_F(HardStarts, AToolThatNeverTouchesIsTold) {
+  const Outcome outcome = run(edited(upsetting, {{"velocity = [0, -1]", "velocity = [0, 1]"}}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("tool punch has not touched the workpiece"), std::string::npos);
+  EXPECT_NE(outcome.out.find("balance 0.00e+00"), std::string::npos) << outcome.out;
+  EXPECT_LT(history().rows.size(), 60u);
+}
+
+TEST_F(HardStarts, AToolWithinTheWorkpieceIsRefused) {
+  const Outcome outcome =
+      run(edited(upsetting, {{"plane = { point = [0, 7.5], normal = [0, -1] }",
+                              "circle = { centre = [2.5, 3.75], radius = 1 }"}}));
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("the tool lies wholly within it"), std::string::npos) << outcome.err;
+}
+
+TEST_F(HardStarts, IncrementsAreAsLongAsAskedForAtLeast) {
+  const Outcome outcome = run(edited(upsetting, {{"first = 0.02, max = 0.02", "min = 0.05"}}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(history().rows.size(), 2u);
+  const Outcome refused = run(edited(upsetting, {{"first = 0.02, max = 0.02", "min = 0.2"}}));
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("no more than the end 0.1"), std::string::npos) << refused.err;
+}
+
 TEST_F(HardStarts, ALooseStripIsTippedByATiltedDieAndPressedFlat) {
   // It lies on the lower die; the upper one, turned by 0.3 degrees, meets one end.
   const Outcome outcome = run(R"(

@@ -1,16 +1,19 @@
 // Remeshing from case file to results: the ledger, frames before and after, warnings.
 
+#include "geometry/base/vector.h"
 #include "tests/app/tables.h"
 #include "tests/support/case_texts.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -178,6 +181,65 @@ end = 1
   const auto anew = run(pressed + "[remesh]\nwhen = { interval = 0.25 }\n", "anew");
   EXPECT_TRUE(warns(anew, "welded a fold, 4.1")) << "4 deep";
   EXPECT_FALSE(warns(anew, "crosses itself"));
+}
+
+using RemeshingLong = Remeshing;
+
+TEST_F(RemeshingLong, ANotchInSpaceThatClosesIsDrawnFlatOrTold) {
+  // A block of 6 x 6 x 3 with a notch of 0.6 x 1 across its top.
+  const std::vector<Vec2> outline{{0, 0}, {6, 0}, {6, 6}, {3.3, 6}, {3, 5}, {2.7, 6}, {0, 6}};
+  constexpr std::size_t tip = 4;
+  constexpr double depth = 3.0;
+  std::string stl = "solid notched\n";
+  const auto facet = [&](std::initializer_list<Vec3> corners) {
+    stl += "facet normal 0 0 0\nouter loop\n";
+    for (const Vec3& x : corners)
+      stl += fmt::format("vertex {} {} {}\n", x.x(), x.y(), x.z());
+    stl += "endloop\nendfacet\n";
+  };
+  const auto at = [&](std::size_t i, double z) {
+    const Vec2& x = outline[i % outline.size()];
+    return Vec3(x.x(), x.y(), z);
+  };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    facet({at(i, 0), at(i + 1, 0), at(i + 1, depth)});
+    facet({at(i, 0), at(i + 1, depth), at(i, depth)});
+    if (i == tip || i + 1 == tip)
+      continue;
+    facet({at(tip, depth), at(i, depth), at(i + 1, depth)});
+    facet({at(tip, 0), at(i + 1, 0), at(i, 0)});
+  }
+  write_text(folder_.path() / "notched.stl", stl + "endsolid notched\n");
+  const auto pressed = [](const std::string& end) {
+    return R"(
+analysis = "3d"
+workpiece = { element = "tet10", material = "steel", mesh = { stl = "notched.stl", size = 1.2 } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 300 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[support]]
+where = "z = 0"
+fix = ["z"]
+[[support]]
+where = "x = 6"
+move = { x = [[0, 0], [1, -1.5]] }
+[time]
+end = )" + end;
+  };
+  EXPECT_TRUE(warns(run(pressed("0.3\n"), "kept"), "the boundary of the part crosses itself near"));
+  const auto anew = run(
+      pressed("0.45\n[remesh]\nwhen = { interval = 0.25 }\nsize = { default = 1.2 }\n"), "anew");
+  EXPECT_TRUE(warns(anew, "remeshing 1 welded a fold"));
+  EXPECT_FALSE(warns(anew, "crosses itself"));
+  const ResultTable table = read_table(anew / "history.csv");
+  const double volume = table.value(table.rows.size() - 1, "volume");
+  EXPECT_NEAR(volume, table.value(0, "volume"), 2e-3 * volume);
 }
 
 TEST_F(Remeshing, WritesItsLedger) {

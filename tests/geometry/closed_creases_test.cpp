@@ -172,6 +172,10 @@ TEST(ClosedCreases, AWallThroughTheOppositeOneIsNone) {
   ASSERT_TRUE(cuts_itself(boundary));
   EXPECT_TRUE(flatten_creases(boundary, 0.0, 0.5).empty());
   EXPECT_EQ(boundary.mesh.points, before);
+  const auto found = cut_at(boundary.mesh);
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->at - Vec3(5.0, 5.0, 0.0)).norm(), 1.0);
+  EXPECT_FALSE(cut_at(block().mesh));
 }
 
 } // namespace
