@@ -190,12 +190,13 @@ void require_agreement(const process::Scene& scene,
       if (is_new || equal(scene.supports[known->second].displacement, support.displacement))
         continue;
       const Vec3& at = scene.mesh.points[idx(node)];
-      throw Error(Fault::case_file, place,
-                  fmt::format("[[support]] {} and {} prescribe different displacements in {} at "
-                              "({:.6g}, {:.6g}, {:.6g}), which belongs to both",
-                              number[known->second], number[s], "xyz"[support.component], at[0],
-                              at[1], at[2]),
-                  "leave that place out of one of them by its where, or the direction");
+      throw Error(
+          Fault::case_file, place,
+          fmt::format("support.{} and support.{} prescribe different displacements in {} at "
+                      "({:.6g}, {:.6g}, {:.6g}), which belongs to both",
+                      number[known->second], number[s], "xyz"[support.component], at[0], at[1],
+                      at[2]),
+          "leave that place out of one of them by its where, or the direction");
     }
   }
 }
@@ -204,7 +205,7 @@ void add_supports(const Case& content,
                   Selector& select,
                   const std::string& place,
                   process::Scene& scene) {
-  std::vector<std::size_t> number; // in the case file, from 1
+  std::vector<std::size_t> number; // in the case file
   for (std::size_t s = 0; s < content.supports.size(); ++s) {
     const Support& support = content.supports[s];
     const std::vector<Index> nodes = select.nodes(support.where);
@@ -215,7 +216,7 @@ void add_supports(const Case& content,
         scene.supports.push_back({nodes, c, *support.move[idx(c)]});
       else
         continue;
-      number.push_back(s + 1);
+      number.push_back(s);
     }
   }
   require_agreement(scene, number, place);

@@ -410,7 +410,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     std::string why = leap(scene_, stage, time_, time_ + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
-                        (failures > 0 && try_softened(step, is_last_way(failures, step), why)))) {
+                        ((failures > 0 || is_last_way(failures, step)) &&
+                         try_softened(step, is_last_way(failures, step), why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(*sooner);

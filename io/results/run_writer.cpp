@@ -445,6 +445,11 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
       process.scene().remesh
           ? "what may help: smaller elements there (remesh.size), a check of the tools' motion\n"
           : "what may help: a finer mesh there, a [remesh] section, a check of the tools' motion\n";
+  if (process.scene().increments.min)
+    text +=
+        fmt::format("time.increments.min = {:.4g} allows none shorter: leave it out, and the run "
+                    "finds its own\n",
+                    *process.scene().increments.min);
   if (driven_by_load(process.scene()))
     text += "a load drives this part: it may be at the most that the part bears (it necks, bulges, "
             "buckles or leaves the tool); a prescribed motion in its place goes on beyond\n";

@@ -226,7 +226,7 @@ std::vector<Broken> wrong_scenes() {
           "supports_that_contradict_each_other",
           {{"fix   = [\"y\"]", "fix   = [\"x\", \"y\"]"},
            {"fix   = [\"x\"]", "fix   = [\"x\"]\nmove  = { y = [[0, 0], [1, 0.1]] }"}},
-          {"case.toml", "[[support]] 1 and 2 prescribe different displacements in y at (0, 0, 0)"}),
+          {"case.toml", "support.0 and support.1 prescribe different displacements in y at (0, 0, 0)"}),
       lacking("plane_without_nodes", {{"where = \"y = 0\"", "where = \"y = 0.3\""}},
               {"case.toml:18:9", "support.1.where: no node of the mesh lies on y = 0.3"}),
       lacking("set_of_a_box", {{"where = \"y = 0\"", "where = \"set:bottom\""}},

@@ -174,7 +174,8 @@ TEST(ClosedCreases, AWallThroughTheOppositeOneIsNone) {
   EXPECT_EQ(boundary.mesh.points, before);
   const auto found = cut_at(boundary.mesh);
   ASSERT_TRUE(found);
-  EXPECT_LT((found->at - Vec3(5.0, 5.0, 0.0)).norm(), 1.0);
+  EXPECT_NEAR(found->at.x(), 5.0, 0.5);
+  EXPECT_NEAR(found->at.y(), 5.0, 0.5);
   EXPECT_FALSE(cut_at(block().mesh));
 }
 
