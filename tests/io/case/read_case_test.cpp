@@ -124,6 +124,10 @@ TEST(ReadCase, takes_the_temperature_that_a_law_asks_for_in_any_unit) {
   EXPECT_NEAR(law.rate0, 1.0, 1e-15);
   EXPECT_NEAR(law.T_room, 20.0, 1e-12);
   EXPECT_NEAR(law.T_melt, 1082.85, 1e-12);
+  // The default is three times the yield stress at that temperature.
+  const double share = std::pow(80.0 / (1082.85 - 20.0), 1.09);
+  EXPECT_NEAR(*content.materials.at("lead").hardness, 3.0 * 90.0 * (1.0 - share), 1e-9);
+  EXPECT_FALSE(read("temperature = 1200\n" + text).materials.at("lead").hardness) << "molten";
 }
 
 TEST(ReadCase, takes_heating_with_density_and_heat_capacity) {
