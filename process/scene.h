@@ -57,7 +57,11 @@ struct IncrementLimits {
 };
 
 /// First and longest increment of a stage where the case does not say [s]. (P.1)
-[[nodiscard]] constexpr double default_first(double length) { return length / 100.0; }
+/// Metal that follows the rate of flow resists at once: the trapezoid of the first increment's work
+/// misses half of it.
+[[nodiscard]] constexpr double default_first(double length, bool follows_rate) {
+  return length / (follows_rate ? 1000.0 : 100.0);
+}
 [[nodiscard]] constexpr double default_longest(double length) { return length / 50.0; }
 
 /// Share of a stage over which the forces of a tool fade that leaves where it begins, or within it.

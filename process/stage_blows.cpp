@@ -57,7 +57,8 @@ IncrementLimits Process::limits(double length) const {
       given.min.value_or(std::min(smallest_share * length, shortest_of_blow * begins));
   const double asked = std::max(given.first.value_or(0.0), given.min.value_or(0.0));
   const double largest = given.max.value_or(std::max(default_longest(length), asked));
-  const double first = given.first.value_or(std::min(default_first(length), begins));
+  const double first = given.first.value_or(
+      std::min(default_first(length, mechanics::follows_rate(scene_.material.flow)), begins));
   return {std::clamp(first, std::min(smallest, largest), largest), smallest, largest};
 }
 

@@ -49,7 +49,8 @@ double whole_at(const Scene& scene, double begin, bool hands_over) {
   for (const double time : scene.landing_times)
     if (time > begin)
       landing = std::min(landing, time);
-  const double first = scene.increments.first.value_or(default_first(end - start));
+  const double first = scene.increments.first.value_or(
+      default_first(end - start, mechanics::follows_rate(scene.material.flow)));
   return begin + step_towards(landing - begin, first);
 }
 
