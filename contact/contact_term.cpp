@@ -165,8 +165,10 @@ void ContactTerm::foretell(std::span<const double> x) {
 
 void ContactTerm::forget_foretold() {
   foretold_.clear();
-  for (ToolState& state : states_)
+  for (ToolState& state : states_) {
     std::fill(state.touching.begin(), state.touching.end(), std::nullopt);
+    state.turn.clear();
+  }
 }
 
 double
@@ -189,19 +191,46 @@ ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::T
   return before > 0.0 ? after / (after - before) : 1.0;
 }
 
-Vec3 ContactTerm::spin(std::size_t t, const mechanics::Trial& trial) const {
-  const geometry::Motion& motion = tools_[t].motion;
-  if (!motion.rotation || rests_[t] != 0)
-    return Vec3::Zero();
-  const double angle = motion.angle(trial.time) - motion.angle(trial.time_old);
-  return angle * (pose(t, trial.time, trial.x).rotation.transpose() * motion.axis());
+std::vector<Vec3> ContactTerm::turns(std::size_t t, const mechanics::Trial& trial) const {
+  std::vector<Vec3> turns(idx(surface_->n_faces()), Vec3::Zero());
+  if (foretold_.empty() || pattern_->dim != 3)
+    return turns;
+  const geometry::Pose pose = this->pose(
+      t, trial.time, held_[t] != 0 || rests_[t] != 0 ? trial.x_old : std::span(foretold_));
+  const auto n = idx(surface_->points());
+  const std::vector<PointHistory>& history = states_[t].history;
+  for (std::size_t f = 0; f < turns.size(); ++f) {
+    std::vector<Vec3> before, after;
+    Vec3 middle_before = Vec3::Zero(), middle_after = Vec3::Zero();
+    for (std::size_t k = f * n; k < (f + 1) * n; ++k) {
+      before.push_back(history[k].position);
+      after.push_back(pose.to_tool(foretold_positions_[k]));
+      middle_before += before.back() / double(n);
+      middle_after += after.back() / double(n);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      before[i] -= middle_before;
+      after[i] -= middle_after;
+    }
+    const Vec3 normal = before[0].cross(before[1]).stableNormalized();
+    double sine = 0.0, cosine = 0.0; // of the turn that fits the points best, times their distances
+    for (std::size_t i = 0; i < n; ++i) {
+      sine += normal.dot(before[i].cross(after[i]));
+      cosine += before[i].dot(after[i]);
+    }
+    constexpr double noticed = 0.01; // rad: what turns by less acts along its chord
+    if (const double turn = std::atan2(sine, cosine); std::abs(turn) > noticed)
+      turns[f] = -turn * normal;
+  }
+  return turns;
 }
 
 int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool keep) {
   const Tool& tool = tools_[t];
   ToolState& state = states_[t];
   const Penalty penalty = this->penalty();
-  const Vec3 spin = this->spin(t, trial);
+  if (state.turn.empty())
+    state.turn = turns(t, trial);
   int changes = 0;
   for (std::size_t k = 0; k < state.trial.size(); ++k) {
     const Status before = state.trial[k].status;
@@ -229,7 +258,7 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
       in.multiplier = carried(state, k);
       in.strength = strength(tool.friction, k);
       in.calmed = state.calmed[k] != 0;
-      in.turn = spin;
+      in.turn = state.turn[idx(face_of(k))];
       if (even != nullptr)
         in.shared = shared_pressure(*even, k);
       state.trial[k] = traction(tool.friction, penalty, old, in, surface_->scheme());

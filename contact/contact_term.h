@@ -242,6 +242,9 @@ private:
     std::vector<PointHistory> history;
     std::vector<double> multiplier;              ///< of the trial [MPa]
     std::vector<std::optional<double>> touching; ///< shares of the increment, those asked for
+    /// How it is foretold to turn against each face, as vectors in its frame [rad]; empty: not yet
+    /// asked for.
+    std::vector<Vec3> turn;
     std::vector<Traction> trial;
     std::vector<Vec3> position; ///< tried, tool frame
     std::vector<geometry::Projection> foot;
@@ -263,9 +266,6 @@ private:
   [[nodiscard]] Penalty penalty() const;
   /// Pressure that needs no penetration: the multiplier, and what a softer penalty on the way to a
   /// solution leaves of the pressure at the start of the increment [MPa]. (N.10)
-  /// How far a tool's prescribed rotation turns it in the increment, as a vector in its frame
-  /// [rad].
-  [[nodiscard]] Vec3 spin(std::size_t tool, const mechanics::Trial& trial) const;
   [[nodiscard]] double carried(const ToolState& state, std::size_t point) const;
   /// Gap below which a point touches, but for a multiplier: rounding of coordinates [mm].
   [[nodiscard]] double touching_gap(std::size_t point) const;
@@ -297,6 +297,8 @@ private:
   /// and tool foretells at its beginning, whatever the trial; 0: they would not meet. (C.42)
   [[nodiscard]] double
   touching_share(std::size_t tool, std::size_t point, const mechanics::Trial& trial) const;
+  /// How a tool turns against the faces in the increment if all goes on as it does. (C.5a)
+  [[nodiscard]] std::vector<Vec3> turns(std::size_t tool, const mechanics::Trial& trial) const;
   void forget_foretold();
   /// Counts the gaps of straight faces anew from where faces agree. (C.43)
   void level_faces(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);

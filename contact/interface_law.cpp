@@ -39,13 +39,20 @@ ArcExcess arc_excess(double cosine) {
   return arc;
 }
 
-/// Where the tool spins in the tangent plane a point that keeps its speed in space goes along an
-/// arc of that angle in the tool's frame: what it slides with is the arc's length along its end,
-/// not its chord. (C.5a)
+constexpr double most_half_turn = 1.5; // beyond a whole increment no longer tells where it was
+
+/// By how much the end of a path is turned from its chord about the normal.
+double half_turn(const Vec3& turn, const Vec3& n) {
+  return std::clamp(-0.5 * turn.dot(n), -most_half_turn, most_half_turn);
+}
+
+/// Where tool and face turn against each other in the tangent plane a point goes along an arc of
+/// that angle in the tool's frame: what it slides with is the arc's length along its end, not its
+/// chord. (C.5a)
 void bend(Sliding& s, const Vec3& turn, const Vec3& n, const Mat3& H) {
-  constexpr double most = 1.5; // beyond a whole increment no longer tells where it was
-  const double a = std::clamp(-0.5 * turn.dot(n), -most, most);
-  if (a == 0.0)
+  const double a = half_turn(turn, n);
+  constexpr double none = 1e-9;
+  if (std::abs(a) < none)
     return;
   const double sine = std::sin(a), cosine = std::cos(a);
   const double f = a / sine; // arc over chord
@@ -55,8 +62,9 @@ void bend(Sliding& s, const Vec3& turn, const Vec3& n, const Mat3& H) {
   for (int j = 0; j < 3; ++j)
     dacross.col(j) = n.cross(s.dpath_dx.col(j)) + H.col(j).cross(s.path);
   const Vec3 dpath_da = (df * cosine - f * sine) * s.path + (df * sine + f * cosine) * across;
-  const Eigen::RowVector3d da = std::abs(a) < most ? Eigen::RowVector3d(-0.5 * turn.transpose() * H)
-                                                   : Eigen::RowVector3d::Zero();
+  const Eigen::RowVector3d da = std::abs(a) < most_half_turn
+                                    ? Eigen::RowVector3d(-0.5 * turn.transpose() * H)
+                                    : Eigen::RowVector3d::Zero();
   s.dpath_dx = f * (cosine * s.dpath_dx + sine * dacross) + dpath_da * da;
   s.path = f * (cosine * s.path + sine * across);
 }
@@ -173,7 +181,7 @@ void add_shear(const Friction& friction,
   }
   const InFrame shear = in_frame(frame, out.turned, dturned);
   // The slip turned with the point: so did the shear of a point that slid all the time.
-  out.turned = Eigen::AngleAxisd(-at.turn.dot(n), n) * out.turned;
+  out.turned = Eigen::AngleAxisd(2.0 * half_turn(at.turn, n), n) * out.turned;
   const InFrame path = in_frame(frame, s.path, s.dpath_dx);
   const SlipStep step{shear.v, path.v, stiffness, old.limit, state};
   const SlipResult end =

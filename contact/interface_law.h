@@ -88,7 +88,7 @@ struct InterfaceInput {
   double noise = 0.0;      ///< of a gap: what coordinates of their size cannot tell [mm]
   double touching = 0.0; ///< share of the increment in which a point that was open rubs (C.42) [-]
   std::optional<SharedPressure> shared = std::nullopt; ///< in place of the point's own
-  Vec3 turn = Vec3::Zero(); ///< of the tool in the increment, its motion's own, tool frame [rad]
+  Vec3 turn = Vec3::Zero(); ///< of the tool against the face in the increment, tool frame [rad]
   bool calmed = false;      ///< no more shear than pressure, as where a point touches (F.3)
 };
 

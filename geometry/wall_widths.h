@@ -14,11 +14,11 @@ namespace billet::geometry {
 
 /// A place on a surface, and the width of the wall or of the gap there.
 struct WallWidth {
-  std::int32_t triangle;
-  Vec3 at;      ///< its middle [mm]
-  double width; ///< [mm]
-  double area;  ///< of the triangle [mm^2]
-  bool outside; ///< the width of a gap
+  std::int32_t triangle; ///< of the surface
+  Vec3 at;               ///< its middle [mm]
+  double width;          ///< of the wall or of the gap [mm]
+  double area;           ///< of the triangle [mm^2]
+  bool outside;          ///< the width of a gap
 };
 
 /// Widths below `most` of walls and gaps, by the largest balls that touch the surface at the

@@ -415,8 +415,9 @@ int Process::solve_again(const RunState& end) {
     const bool lands = step == landing - time_;
     std::string why;
     refused_as_too_deep_ = refused_inside_out_ = false;
+    const bool is_shortest = 0.5 * step < shortest * length;
     if (try_increment(step, mechanics::Approach::directly, why) ||
-        (failures > 0 && try_softened(step, false, why))) {
+        ((failures > 0 || is_shortest) && try_softened(step, false, why))) {
       commit(step);
       if (lands)
         time_ = landing;

@@ -384,7 +384,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   std::string unmeshed; // why the last remeshing was not possible
   int failures = 0;
   int refusals = 0;
-  // Shorter increments have been in vain, or there are none.
+  // Shorter increments have been in vain, or there are none. Once in between: it takes long.
   const auto is_last_way = [&](int in_vain, double step) {
     constexpr int many = 6;
     return in_vain == many || 0.5 * step < *limit.min;

@@ -254,8 +254,8 @@ public:
   [[nodiscard]] std::span<const Intruder> intruders() const { return intruders_; }
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
-  /// Places where the boundary of a plane part crosses itself by more than a quarter of an element;
-  /// empty in space.
+  /// Places where the part's boundary crosses itself in creases deeper than a quarter of an
+  /// element.
   [[nodiscard]] std::vector<Lap> laps() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;

@@ -50,7 +50,8 @@ double whole_at(const Scene& scene, double begin, bool hands_over) {
     if (time > begin)
       landing = std::min(landing, time);
   const double first = scene.increments.first.value_or(
-      default_first(end - start, mechanics::follows_rate(scene.material.flow)));
+      std::max(default_first(end - start, mechanics::follows_rate(scene.material.flow)),
+               scene.increments.min.value_or(0.0)));
   return begin + step_towards(landing - begin, first);
 }
 
@@ -87,7 +88,10 @@ bool grow(TimeFunction& function, const Growth& growth) {
 /// Increments end where a growth does, and on the way there: the work of loads is summed by
 /// trapezoids, and metal that begins to flow late moves most of the way under most of the load.
 void land(Scene& scene, const Growth& growth) {
-  constexpr int parts = 4;
+  constexpr int usual_parts = 4;
+  const bool too_short =
+      (growth.whole - growth.begin) / usual_parts < scene.increments.min.value_or(0.0);
+  const int parts = too_short ? 1 : usual_parts;
   std::vector<double>& times = scene.landing_times;
   for (int i = 1; i <= parts; ++i) {
     const double time =

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace billet::io {
 
@@ -123,12 +124,20 @@ void read_real_contact(TableReader& table, RealContact& real_contact, double& f)
     table.required("f", f, as_number, fraction_number);
 }
 
-/// By what a modifier multiplies a law's shear at most.
+/// The largest factor by which an evolution multiplies a law's shear.
 double most_factor(const Friction& friction) {
-  double most = 1.0;
+  if (friction.evolution.empty())
+    return 1.0;
+  double most = 0.0;
   for (const auto& [sliding, factor] : friction.evolution)
     most = std::max(most, factor);
   return most;
+}
+
+/// The largest coefficient of a table, or the one that stands in its place.
+double most_coefficient(const Friction& friction, double alone) {
+  const std::vector<double>& values = friction.table.values;
+  return values.empty() ? alone : *std::max_element(values.begin(), values.end());
 }
 
 /// The largest share of the law's shear that slides of any direction meet.
@@ -150,27 +159,32 @@ void refuse_beyond_strength(TableReader& table, const Friction& friction) {
   };
   double share = 0.0; // of k, at most
   if (const auto* const tresca = std::get_if<TrescaFriction>(&friction.law))
-    share = is_of_metal(tresca->k) ? tresca->m : 0.0;
+    share = is_of_metal(tresca->k) ? most_coefficient(friction, tresca->m) : 0.0;
   else if (const auto* const asperity = std::get_if<AsperityFriction>(&friction.law))
-    share = is_of_metal(asperity->k) ? asperity->m_local : 0.0;
+    share = is_of_metal(asperity->k) ? most_coefficient(friction, asperity->m_local) : 0.0;
   else if (const auto* const shaw = std::get_if<ShawFriction>(&friction.law))
     share = is_of_metal(shaw->k) ? 1.0 : 0.0;
   else if (const auto* const coulomb = std::get_if<CoulombFriction>(&friction.law))
     share = coulomb->cap && is_of_metal(*coulomb->cap) ? 1.0 : 0.0;
   constexpr double rounding = 1e-12;
   const bool is_capped = std::holds_alternative<CoulombFriction>(friction.law); // after the factor
-  const double grown = share * (is_capped ? 1.0 : most_factor(friction));
-  if (const std::optional<At> at = table.find("evolution"); at && grown > 1.0 + rounding)
-    at->complain(fmt::format("its largest factor takes the shear to {:.4g} k, more than the metal "
-                             "carries",
-                             grown),
-                 fmt::format("give factors of {:.4g} at most", 1.0 / share));
-  else if (const std::optional<At> tensor = table.find("tensor");
-           tensor && share > 0.0 && grown * most_of_tensor(friction) > 1.0 + rounding)
+  const double factor = is_capped ? 1.0 : most_factor(friction);
+  const double most = share * factor * most_of_tensor(friction);
+  if (!(most > 1.0 + rounding))
+    return;
+  const std::optional<At> evolution = table.find("evolution"), tensor = table.find("tensor");
+  if (evolution && factor > 1.0)
+    evolution->complain(fmt::format("its largest factor takes the shear to {:.4g} k, more than "
+                                    "the metal carries",
+                                    most),
+                        fmt::format("give factors of {:.4g} at most", factor / most));
+  else if (tensor)
     tensor->complain(fmt::format("it takes the shear to {:.4g} k in one direction, more than the "
                                  "metal carries",
-                                 grown * most_of_tensor(friction)),
-                     "give a smaller tensor, or a smaller coefficient");
+                                 most),
+                     fmt::format("divide it by {:.4g}; the coefficient times that gives the same "
+                                 "below the metal's strength",
+                                 most));
 }
 
 /// Modifiers that a law has no use for would silently do nothing; shares of k end at 1.

@@ -14,6 +14,11 @@ namespace {
 
 constexpr double tolerated_penetration = 0.02; // of the element beneath
 
+bool moves(const geometry::Motion& motion) {
+  return motion.velocity || motion.displacement || motion.crank || motion.rotation ||
+         motion.force || motion.torque;
+}
+
 } // namespace
 
 void RunWriter::note_unmet_tools(const process::Process& process,
@@ -46,6 +51,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
           content_->units.length));
   for (std::size_t t = 0; t < unmet_.size(); ++t)
     if (unmet_[t].acts && !unmet_[t].met && unmet_[t].depth == 0.0 &&
+        moves(process.scene().tools[t].motion) &&
         process.time() == process.scene().stages.back().end)
       lines.push_back(fmt::format("warning: tool {} has not touched the workpiece: does it move "
                                   "far enough, and the right way?",

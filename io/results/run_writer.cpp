@@ -445,11 +445,13 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
       process.scene().remesh
           ? "what may help: smaller elements there (remesh.size), a check of the tools' motion\n"
           : "what may help: a finer mesh there, a [remesh] section, a check of the tools' motion\n";
-  if (process.scene().increments.min)
+  constexpr double of_no_more_use = 1e-5; // of the run: shorter ones would have failed as well
+  if (const std::optional<double>& min = process.scene().increments.min;
+      min && post.dt < 2.0 * *min && post.dt > of_no_more_use * process.scene().stages.back().end)
     text +=
         fmt::format("time.increments.min = {:.4g} allows none shorter: leave it out, and the run "
                     "finds its own\n",
-                    *process.scene().increments.min);
+                    *min);
   if (driven_by_load(process.scene()))
     text += "a load drives this part: it may be at the most that the part bears (it necks, bulges, "
             "buckles or leaves the tool); a prescribed motion in its place goes on beyond\n";

@@ -225,6 +225,36 @@ increments = { first = 0.1, max = 0.1 }
               5e-3 * std::abs(torque) * turned);
 }
 
+TEST_F(HardStarts, APartThatTurnsWithItsToolsHasNoTorqueFromThat) {
+  // It sticks to the lower plate; both turn alike, and the upper one presses it.
+  const Outcome outcome = run(R"(
+analysis = "3d"
+workpiece = { element = "hex8", material = "steel", mesh = { cylinder = { radius = 5, height = 4 }, cells = [2, 2] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 500 }
+[[tool]]
+name = "bottom"
+surface = { plane = { point = [0, 0, 0], normal = [0, 0, 1] } }
+motion = { rotation = { point = [0, 0, 0], axis = [0, 0, 1], speed = 6 } }
+friction = { law = "sticking" }
+[[tool]]
+name = "top"
+surface = { plane = { point = [0, 0, 4], normal = [0, 0, -1] } }
+motion = { displacement = [[0, 0, 0, 0], [0.2, 0, 0, -0.4]], rotation = { point = [0, 0, 0], axis = [0, 0, 1], speed = 6 } }
+friction = { law = "coulomb", mu = 0.1 }
+[time]
+end = 0.2
+increments = { first = 0.01, max = 0.01 }
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  const std::size_t last = table.rows.size() - 1;
+  const double force = std::abs(table.value(last, "top.force_z"));
+  EXPECT_GT(force, 20e3);
+  EXPECT_LT(std::abs(table.value(last, "top.torque_z")), 1e-4 * 0.1 * force * 5.0);
+}
+
 TEST_F(HardStarts, AToolThatNeverTouchesIsTold) {
   const Outcome outcome = run(edited(upsetting, {{"velocity = [0, -1]", "velocity = [0, 1]"}}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
