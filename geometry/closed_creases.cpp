@@ -49,7 +49,7 @@ std::vector<std::int32_t> walls(const TriangleMesh& mesh, double near) {
   std::set<std::int32_t> found;
   for (const auto& pair : cutting_pairs(mesh))
     found.insert(pair.begin(), pair.end());
-  if (found.empty() && near > 0.0)
+  if (found.empty() && near > 0.0 && complaints(health(mesh), "").empty())
     for (const WallWidth& gap : wall_widths(mesh, near))
       if (gap.outside)
         found.insert(gap.triangle);
@@ -67,12 +67,9 @@ public:
     for (std::size_t t = 0; t < boundary.mesh.triangles.size(); ++t)
       for (const std::int32_t p : boundary.mesh.triangles[t])
         around_[idx(p)].push_back(static_cast<std::int32_t>(t));
-    const std::set<std::array<std::int32_t, 2>> lines = [&] {
-      std::set<std::array<std::int32_t, 2>> ordered;
-      for (const auto& [a, b] : boundary.lines)
-        ordered.insert({std::min(a, b), std::max(a, b)});
-      return ordered;
-    }();
+    std::set<std::array<std::int32_t, 2>> lines; // the smaller point first
+    for (const auto& [a, b] : boundary.lines)
+      lines.insert({std::min(a, b), std::max(a, b)});
     for_each_edge(edge_uses(boundary.mesh), [&](std::span<const EdgeUse> uses) {
       const std::int32_t a = uses.front().low, b = uses.front().high;
       beside_[idx(a)].push_back(b);
@@ -223,6 +220,7 @@ std::vector<ClosedCrease> creases_of(const TriangleMesh& before,
       depth = std::max(depth, (after.points[idx(p)] - before.points[idx(p)]).norm());
     }
   std::vector<ClosedCrease> creases;
+  creases.reserve(found.size());
   for (const auto& [root, crease] : found)
     creases.push_back({crease.sum / crease.n, crease.depth});
   return creases;

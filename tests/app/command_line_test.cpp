@@ -47,6 +47,10 @@ TEST_F(CommandLine, help_and_version_answer_on_standard_output) {
     EXPECT_TRUE(help.prints(piece)) << piece;
   for (const char* piece : {"-o DIR", "--set KEY=VALUE", "--threads N", "--quiet"})
     EXPECT_TRUE(run({"run", "--help"}).prints(piece)) << piece;
+  for (const char* piece : {"--flow-lines N", "--size WxH", "picture.png"})
+    EXPECT_TRUE(run({"render", "--help"}).prints(piece)) << piece;
+  EXPECT_FALSE(run({"check", "--help"}).prints("--profile"));
+  EXPECT_FALSE(run({"info", "--help"}).prints("--threads"));
   const Outcome version = run({"--version"});
   EXPECT_EQ(version.status, 0);
   EXPECT_TRUE(version.out.starts_with("billet ")) << version.out;
@@ -95,6 +99,8 @@ TEST_F(CommandLine, mistakes_end_with_status_2_and_say_what_to_do) {
            {{"run", ""}, "a file is missing"},
            {{"run", "tiny.toml", "more.toml"}, "'more.toml' is too many"},
            {{"run", "tiny.toml", "--thread", "2"}, "did you mean '--threads'?"},
+           {{"info", "tiny.toml", "--threads", "2"}, "unknown option '--threads'"},
+           {{"info", "tiny.toml", "--uni", "mm"}, "did you mean '--unit'?"},
            {{"run", "tiny.toml", "--threads", "0"}, "at least 1, not '0'"},
            {{"run", "tiny.toml", "--threads", "-3"}, "at least 1, not '-3'"},
            {{"run", "tiny.toml", "--threads", "two"}, "at least 1, not 'two'"},

@@ -275,6 +275,14 @@ TEST_F(HardStarts, IncrementsAreAsLongAsAskedForAtLeast) {
   const Outcome outcome = run(edited(upsetting, {{"first = 0.02, max = 0.02", "min = 0.05"}}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(history().rows.size(), 2u);
+  // Half of the height at once, on six elements.
+  const Outcome failed =
+      run(edited(upsetting, {{"end = 0.1\nincrements = { first = 0.02, max = 0.02 }",
+                              "end = 6\nincrements = { min = 6 }"}}));
+  EXPECT_EQ(failed.status, 5);
+  EXPECT_NE(whole_file(folder_.path() / "out" / "failure" / "post_mortem.txt")
+                .find("time.increments.min = 6 allows none shorter"),
+            std::string::npos);
   const Outcome refused = run(edited(upsetting, {{"first = 0.02, max = 0.02", "min = 0.2"}}));
   EXPECT_EQ(refused.status, 3);
   EXPECT_NE(refused.err.find("no more than the end 0.1"), std::string::npos) << refused.err;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <random>
 
 namespace billet::geometry::self_intersection_test {
@@ -97,6 +99,16 @@ TEST(SelfIntersection, SheetsThroughEachOtherAreCutsWithTheirPlace) {
   EXPECT_NEAR((*found.cut_at - Vec3(0.25, 0.225, 0.0)).norm(), 0.0, 0.05);
   ASSERT_EQ(complaints(found, "die.stl").size(), 1U);
   EXPECT_NE(complaints(found, "die.stl")[0].text().find("(0.25"), std::string::npos);
+}
+
+TEST(SelfIntersection, PairsThatCutAreListedWhateverTheirParts) {
+  const std::vector<std::array<std::int32_t, 2>> one{{0, 1}};
+  EXPECT_EQ(
+      cutting_pairs(pair_of(flat, {Vec3(0.2, 0.2, -1), Vec3(0.3, 0.2, -1), Vec3(0.25, 0.25, 1)})),
+      one);
+  EXPECT_TRUE(cutting_pairs(cube()).empty());
+  // Overlapping bodies may; their boundaries cut each other nevertheless.
+  EXPECT_FALSE(cutting_pairs(with(cube(), cube(), Vec3(0.5, 0.4, 0.3))).empty());
 }
 
 TEST(SelfIntersection, ACutShallowerThanTheToleranceIsATouch) {

@@ -39,6 +39,15 @@ bool lands(const Scene& scene, double time) {
   return std::count(scene.landing_times.begin(), scene.landing_times.end(), time) == 1;
 }
 
+TEST(SuddenLoads, GrowInIncrementsNoShorterThanMayBe) {
+  Scene scene = scene_of({1.0});
+  add_press(scene, TimeFunction(100.0), {1});
+  scene.increments.min = 0.05;
+  grow_sudden_loads(scene);
+  EXPECT_DOUBLE_EQ(load(scene, 0, 0.025), 50.0);
+  EXPECT_EQ(scene.landing_times, (std::vector<double>{0.05, 1.0}));
+}
+
 TEST(SuddenLoads, GrowOverTheFirstIncrementAndAreThenWhatTheyWere) {
   Scene scene = scene_of({1.0});
   add_press(scene, TimeFunction({{0.0, 100.0}, {1.0, 200.0}}), {1});
@@ -57,7 +66,8 @@ TEST(SuddenLoads, GrowOverTheFirstIncrementAndAreThenWhatTheyWere) {
   EXPECT_DOUBLE_EQ(scene.supports[0].displacement(0.005), -0.15);
   EXPECT_EQ(scene.supports[0].displacement(1.0), -0.3);
   EXPECT_EQ(scene.supports[1].displacement.points().size(), 1U);
-  EXPECT_TRUE(lands(scene, 0.01));
+  for (const double quarter : {0.0025, 0.005, 0.0075, 0.01})
+    EXPECT_TRUE(lands(scene, quarter)) << quarter;
 }
 
 TEST(SuddenLoads, GrowNoLongerThanTheCaseLetsTheFirstIncrementBe) {
