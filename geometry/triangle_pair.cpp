@@ -136,6 +136,8 @@ bool TrianglePair::clearly_folded() const {
 }
 
 bool TrianglePair::meet_exactly() const {
+  if (exact(a_).is_degenerate() || exact(b_).is_degenerate())
+    return false; // without area there is nothing that could cut
   const auto a = [&](std::size_t k) { return exact(a_[at_a_[k]]); };
   const auto b = [&](std::size_t k) { return exact(b_[at_b_[k]]); };
   if (shared_ == 2)
