@@ -17,13 +17,19 @@ constexpr double off_inside = 0.5;
 
 ContactState ContactTerm::state() const {
   // Tries that failed on this mesh say nothing about contact on another one.
-  ContactState state{enabled_, held_, work_, std::max(stiffening_old_, stiffening_next_), {}};
-  for (const ToolState& tool : states_)
+  ContactState state{enabled_, held_, work_, std::max(stiffening_old_, stiffening_next_), {}, {}};
+  for (const ToolState& tool : states_) {
     state.history.push_back(tool.history);
+    const auto corners = tool.corners.corners();
+    state.corners.emplace_back(corners.begin(), corners.end());
+  }
   return state;
 }
 
-void ContactTerm::go_on_from(const ContactState& before, std::span<const PointSource> sources) {
+void ContactTerm::go_on_from(const ContactState& before,
+                             std::span<const PointSource> sources,
+                             std::span<const double> x,
+                             double time) {
   enabled_ = before.enabled;
   held_ = before.held;
   work_ = before.work;
@@ -39,6 +45,9 @@ void ContactTerm::go_on_from(const ContactState& before, std::span<const PointSo
       state.multiplier[k] = state.history[k].multiplier;
       state.touches = state.touches || state.history[k].closed();
     }
+    state.corners.go_on_from(before.corners[t], *surface_, pose(t, time, x), x, penalty().normal);
+    for (const CornerContact::Corner& corner : state.corners.corners())
+      state.touches = state.touches || corner.history.closed();
   }
 }
 

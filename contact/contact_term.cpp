@@ -1,5 +1,6 @@
 #include "contact/contact_term.h"
 
+#include "contact/fading.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/elements/faces.h"
 
@@ -25,11 +26,6 @@ using mechanics::FacePoint;
 constexpr double rounding = 1e-10;
 constexpr double rounding_of_touch = 1e-9;
 
-/// What an increment leaves of the offset that a point had on a new mesh at least, and the share of
-/// the way gone by which it shrinks at most: faster, the tool would seem to draw back. (C.41)
-constexpr double fading = 0.5;
-constexpr double fading_by_way = 0.25;
-
 /// Points a task should have at least.
 constexpr std::size_t grain = 256;
 
@@ -39,12 +35,6 @@ Mat3 without_coupling(const Mat3& D, const Vec3& n) {
   const Mat3 plane = Mat3::Identity() - n * n.transpose();
   const Mat3 tangential = plane * D * plane;
   return n.dot(D * n) * n * n.transpose() + 0.5 * (tangential + tangential.transpose());
-}
-
-/// @param way  gone in the increment [mm]
-double faded(double offset, double way) {
-  const double size = std::abs(offset);
-  return std::copysign(std::max(fading * size, size - fading_by_way * way), offset);
 }
 
 /// What rounding makes of a gap that is zero [mm].
@@ -70,7 +60,9 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
       closed_(tools.size()), drives_(drive_unknowns(tools)), scale_(drives) {
   const std::size_t n = surface.n_points();
   states_.resize(tools.size());
-  for (ToolState& state : states_) {
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    ToolState& state = states_[t];
+    state.corners = CornerContact(surface, *tools[t].surface);
     state.history.resize(n);
     state.multiplier.resize(n, 0.0);
     state.touching.resize(n);
@@ -249,6 +241,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     if (!acts(t, trial.time)) {
       std::fill(states_[t].trial.begin(), states_[t].trial.end(), Traction{});
+      states_[t].corners.part();
       continue;
     }
     const geometry::Pose place = pose(t, trial.time, trial.x);
@@ -264,6 +257,7 @@ Outcome<mechanics::Assembled> ContactTerm::assemble(const mechanics::Trial& tria
     system.kept_contacts = system.kept_contacts || pulls(states_[t]);
     sum(states_[t], place);
     states_[t].stabilization.add(*surface_, *pattern_, trial.x, system);
+    press_corners(t, place, trial, system);
   }
   scatter(trial.x, system);
   add_strength(trial, system);
@@ -399,6 +393,11 @@ double ContactTerm::longest_way(const ToolState& state,
       longest = std::max({longest, (pose.to_space(before) - pose_old.to_space(before)).norm(),
                           (positions_[k] - pose_old.to_space(before)).norm()});
   }
+  for (const CornerContact::Corner& corner : state.corners.corners())
+    if (corner.trial.foot)
+      longest = std::max(
+          {longest, corner.trial.traction.slip.norm(),
+           (pose.to_space(corner.shape.centre) - pose_old.to_space(corner.shape.centre)).norm()});
   return longest;
 }
 
@@ -418,6 +417,10 @@ ContactTerm::forces_of_tool(std::size_t t, const mechanics::Trial& trial) const 
       add(before, state.force[k], way_old.of(pose_old.to_space(state.history[k].position)));
     if (state.trial[k].status != Status::open)
       add(now, areas_[k] * (pose.rotation * state.trial[k].traction), way.of(positions_[k]));
+  }
+  for (const CornerContact::Corner& corner : state.corners.corners()) {
+    add(before, corner.committed.force, way_old.of(corner.committed.place));
+    add(now, corner.trial.force, way.of(corner.trial.place));
   }
   return {before, now};
 }
@@ -508,6 +511,7 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   }
   if (!meridian)
     loads_[t].torque -= state.stabilization.moment(*surface_, trial.x);
+  commit_corners(t, trial, gone);
   stabilize(t, pose, trial.x);
 }
 
@@ -517,8 +521,12 @@ void ContactTerm::retreat(std::size_t tool, double distance) {
 }
 
 bool ContactTerm::lies_on(std::size_t tool) const {
-  return std::any_of(states_[tool].history.begin(), states_[tool].history.end(),
-                     [](const PointHistory& history) { return history.closed(); });
+  const ToolState& state = states_[tool];
+  const auto corners = state.corners.corners();
+  return std::any_of(state.history.begin(), state.history.end(),
+                     [](const PointHistory& history) { return history.closed(); }) ||
+         std::any_of(corners.begin(), corners.end(),
+                     [](const CornerContact::Corner& corner) { return corner.history.closed(); });
 }
 
 bool ContactTerm::leaves(std::size_t tool, double time) const {
@@ -541,6 +549,7 @@ std::vector<double> ContactTerm::release(std::size_t tool) {
     }
   });
   state.stabilization.add_forces(*surface_, forces);
+  state.corners.release(*surface_, forces);
   state.stabilization.clear();
   state.even.clear();
   std::fill(state.even_at.begin(), state.even_at.end(), -1);

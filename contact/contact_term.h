@@ -12,6 +12,7 @@
 
 #include "contact/closed_point.h"
 #include "contact/contact_surface.h"
+#include "contact/corner_contact.h"
 #include "contact/face_pressure.h"
 #include "contact/face_stabilization.h"
 #include "contact/interface_law.h"
@@ -76,8 +77,9 @@ struct ContactState {
   std::vector<char> enabled; ///< tools that may act, one flag a tool
   std::vector<char> held;    ///< driven tools that stay where they are, likewise
   ContactWork work;
-  double stiffening = 1.0;                        ///< penalty over that of the case [-]
-  std::vector<std::vector<PointHistory>> history; ///< shape (n_tools, n_points)
+  double stiffening = 1.0;                                 ///< penalty over that of the case [-]
+  std::vector<std::vector<PointHistory>> history;          ///< shape (n_tools, n_points)
+  std::vector<std::vector<CornerContact::Corner>> corners; ///< of tools, shape (n_tools, theirs)
 };
 
 /// How the free degrees of freedom of driven tools enter the equations: as lengths, so that one
@@ -125,7 +127,11 @@ public:
   /// tools act. After `start`.
   ///
   /// @param sources  for each of this term's points those of the other's that it lies between
-  void go_on_from(const ContactState& before, std::span<const PointSource> sources);
+  /// @param x        where the nodes are, shape (n_dofs + n_extra) [mm]
+  void go_on_from(const ContactState& before,
+                  std::span<const PointSource> sources,
+                  std::span<const double> x,
+                  double time);
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
                                                        mechanics::System& system) override;
@@ -198,6 +204,10 @@ public:
   [[nodiscard]] std::vector<PointResult> results() const;
   /// What the points closed on each tool did in the last committed increment, shape (n_tools).
   [[nodiscard]] std::span<const std::vector<ClosedPoint>> closed() const { return closed_; }
+  /// What the corners of a tool press on in the committed state. (C.46)
+  [[nodiscard]] std::span<const CornerContact::Corner> corners(std::size_t tool) const {
+    return states_[tool].corners.corners();
+  }
   /// Area in contact of the last committed trial [mm^2].
   [[nodiscard]] double area() const { return area_; }
   /// Penetration at the last assembled trial, over whole faces.
@@ -214,7 +224,8 @@ public:
   /// Those at the beginning and at the end of the increment of the last trial.
   [[nodiscard]] std::array<ForcesOfTool, 2> forces_of_tool(std::size_t tool,
                                                            const mechanics::Trial& trial) const;
-  /// Whether a point lies on a tool in the committed state, with or without pressure.
+  /// Whether a point lies on a tool, or on a corner of it, in the committed state, with or without
+  /// pressure.
   [[nodiscard]] bool lies_on(std::size_t tool) const;
   /// Whether a tool touches in the committed state but will not act at `time`.
   [[nodiscard]] bool leaves(std::size_t tool, double time) const;
@@ -257,6 +268,7 @@ private:
     Mat3 committed_rotation = Mat3::Identity(); ///< likewise at the last committed one
     double stored = 0.0;                        ///< energy in its penalties and springs [N mm]
     FaceStabilization stabilization;
+    CornerContact corners;
     std::vector<EvenFace> even; ///< in the order of faces; set at the end of an increment
     std::vector<Index> even_at; ///< of a face in `even`, -1: it is not there; shape (n_faces)
     bool touches = false;       ///< in the committed state
@@ -337,6 +349,15 @@ private:
                                      double time,
                                      std::span<const double> x,
                                      const Vec3& position) const;
+  /// Adds what a tool's corners do. (C.46)
+  void press_corners(std::size_t tool,
+                     const geometry::Pose& pose,
+                     const mechanics::Trial& trial,
+                     mechanics::System& system);
+  /// Takes their works and forces into the books.
+  ///
+  /// @param gone  by points that touch, in the increment [mm]
+  void commit_corners(std::size_t tool, const mechanics::Trial& trial, double gone);
   /// Whether a free degree of freedom follows its load now.
   [[nodiscard]] bool follows(const DriveUnknown& drive, double time) const {
     return acts(drive.tool, time) && rests_[drive.tool] == 0 &&

@@ -32,6 +32,8 @@ void ContactTerm::restart() {
     std::fill(state.calmed.begin(), state.calmed.end(), char{0});
     for (std::size_t k = 0; k < state.history.size(); ++k)
       state.multiplier[k] = state.history[k].multiplier;
+    for (CornerContact::Corner& corner : state.corners.corners())
+      corner.multiplier = corner.history.multiplier;
   }
 }
 
@@ -56,9 +58,12 @@ bool ContactTerm::restart_calmed() {
 }
 
 void ContactTerm::augment() {
-  for (ToolState& state : states_)
+  for (ToolState& state : states_) {
     for (std::size_t k = 0; k < state.trial.size(); ++k)
       state.multiplier[k] = std::max(0.0, state.trial[k].pressure);
+    for (CornerContact::Corner& corner : state.corners.corners())
+      corner.multiplier = corner.trial.traction.pressure;
+  }
 }
 
 double ContactTerm::stored(const Traction& now, double multiplier) const {

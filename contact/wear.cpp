@@ -105,6 +105,9 @@ void Wear::add(const ContactTerm& contact, std::span<const double> x, double tim
         pressed_way += edge_of_contact(before->pressure, before->to - before->from, before->normal);
       wear_off(t, at, pressed_way, place, Vec3::Zero());
     }
+    for (const CornerContact::Corner& corner : contact.corners(t))
+      if (corner.committed.foot && !corner.committed.traction.slip.isZero(0.0))
+        wear_off(t, corner.committed, place);
     if (contact.acts(t, time))
       leave(t, closed, place);
     last_[t] = closed;
@@ -142,6 +145,30 @@ void Wear::wear_off(std::size_t tool,
   const double depth = law.workpiece->depth(pressed_way); // (W.4)
   workpiece_[tool]->depth[at.point] += depth;
   workpiece_[tool]->volume += depth * at.area;
+}
+
+// The corner stays where it is on the tool; what it wears off the workpiece is laid where the
+// closest contact point is.
+void Wear::wear_off(std::size_t tool, const CornerPress& press, const Place& place) {
+  const PairWear& law = *tools_[tool].wear;
+  const double pressed_way = press.mean_pressure * press.traction.slip.norm();
+  const Vec3 foot = place.pose.to_tool(press.place);
+  const Vec2& n = press.foot->normal;
+  const Vec3 normal = place.pose.rotation.transpose() * Vec3(n.x(), n.y(), 0.0);
+  const std::size_t point = nearest_point(*surface_, *press.foot);
+  const Footprint beside = in_frame(surface_->footprint(place.x, point), place.pose);
+  const Vec3 along = 0.25 * (beside.corners[1] - beside.corners[0]).norm() *
+                     Vec3::UnitZ().cross(normal); // half of its piece, on both sides
+  const Footprint footprint{{foot - along, foot + along}, 2};
+  maps_[tool]->add({footprint, foot, normal, Vec3::Zero(), law.tool.depth(pressed_way) * press.area,
+                    Vec3::Zero(), tools_[tool].reference});
+  if (!law.workpiece)
+    return;
+  const double volume = law.workpiece->depth(pressed_way) * press.area;
+  std::vector<double> areas(surface_->n_points());
+  surface_->areas(place.x, areas);
+  workpiece_[tool]->depth[point] += volume / areas[point];
+  workpiece_[tool]->volume += volume;
 }
 
 std::vector<double> Wear::workpiece_depth() const {

@@ -1,3 +1,4 @@
+#include "geometry/base/angle.h"
 #include "geometry/base/error.h"
 #include "geometry/base/limits.h"
 #include "geometry/profile.h"
@@ -34,6 +35,7 @@ public:
 
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] DisplayMesh display(const Box& window, bool planar) const override;
+  [[nodiscard]] std::vector<ToolCorner> corners(double angle) const override;
 
 private:
   struct Nearest {
@@ -87,6 +89,31 @@ DisplayMesh ProfileSurface::display(const Box& /*window*/, bool /*planar*/) cons
   if (profile_.closed)
     mesh.lines.push_back({n - 1, 0});
   return mesh;
+}
+
+std::vector<ToolCorner> ProfileSurface::corners(double angle) const {
+  std::vector<ToolCorner> corners;
+  const auto in_space = [](const Vec2& v) { return Vec3(v.x(), v.y(), 0.0); };
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const ProfilePiece& piece = pieces_[i];
+    if (piece.radius > 0.0 && piece.sweep > angle) {
+      // Its halves turn by less than half a turn, whatever the arc.
+      const Vec2 middle = (piece.point(0.5) - piece.centre).normalized();
+      corners.push_back({in_space(piece.centre), piece.radius, in_space(normal_of(piece.tangent_a)),
+                         in_space(middle)});
+      corners.push_back({in_space(piece.centre), piece.radius, in_space(middle),
+                         in_space(normal_of(piece.tangent_b))});
+    }
+    if (i + 1 == pieces_.size() && !profile_.closed)
+      break;
+    const ProfilePiece& next = pieces_[(i + 1) % pieces_.size()];
+    const double turn =
+        std::atan2(cross(piece.tangent_b, next.tangent_a), piece.tangent_b.dot(next.tangent_a));
+    if (turn > angle)
+      corners.push_back({in_space(piece.b), 0.0, in_space(normal_of(piece.tangent_b)),
+                         in_space(normal_of(next.tangent_a))});
+  }
+  return corners;
 }
 
 void ProfileSurface::do_project(std::span<const Vec3> points,

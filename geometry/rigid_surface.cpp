@@ -12,4 +12,6 @@ void RigidSurface::project(std::span<const Vec3> points,
   do_project(points, reach, out);
 }
 
+std::vector<ToolCorner> RigidSurface::corners(double /*angle*/) const { return {}; }
+
 } // namespace billet::geometry

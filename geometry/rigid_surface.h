@@ -42,6 +42,14 @@ struct DisplayMesh {
   std::vector<std::array<std::int32_t, 3>> triangles; ///< in space
 };
 
+/// A convex corner or a rounding of a tool in the plane. (G.56)
+struct ToolCorner {
+  Vec3 centre = Vec3::Zero(); ///< of the rounding; of a sharp one the corner itself [mm]
+  double radius = 0.0;        ///< 0: sharp [mm]
+  Vec3 from = Vec3::Zero();   ///< unit normals of the tool on both sides of it, turning left
+  Vec3 to = Vec3::Zero();     ///< by less than half a turn
+};
+
 /// Boundary of a rigid tool, oriented outwards.
 class RigidSurface {
 public:
@@ -63,6 +71,10 @@ public:
 
   /// Smallest axis-aligned box that holds the surface, tool frame [mm]; unbounded for a plane.
   [[nodiscard]] virtual Box bounds() const = 0;
+
+  /// Its convex corners and roundings that turn by more than `angle` [rad], of those made of lines
+  /// and arcs; others have none. (G.56)
+  [[nodiscard]] virtual std::vector<ToolCorner> corners(double angle) const;
 
   /// The part of the surface inside `window`, for pictures. (in the plane: lines with z = 0)
   ///

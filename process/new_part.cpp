@@ -96,10 +96,13 @@ NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest)
 
 std::vector<int> Process::touching_tools() const {
   std::vector<int> touching(scene_.contact_faces.size(), -1);
-  if (contact_)
-    for (std::size_t t = 0; t < scene_.tools.size(); ++t)
-      for (const contact::ClosedPoint& at : contact_->closed()[t])
-        touching[at.point / idx(surface_->points())] = static_cast<int>(t);
+  for (std::size_t t = 0; contact_ && t < scene_.tools.size(); ++t) {
+    for (const contact::ClosedPoint& at : contact_->closed()[t])
+      touching[at.point / idx(surface_->points())] = static_cast<int>(t);
+    for (const contact::CornerContact::Corner& corner : contact_->corners(t))
+      if (const auto& foot = corner.committed.foot)
+        touching[idx(foot->face)] = static_cast<int>(t);
+  }
   return touching;
 }
 

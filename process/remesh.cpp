@@ -101,6 +101,7 @@ std::string Process::remesh(const std::string& cause,
   mesh_quality_ = worst_quality(scene_.mesh, positions());
   mesh_aspect_ = aspect();
   mesh_excess_ = most_outgrown_side().excess;
+  knows_corner_ = has_met_corner();
   refused_quality_ = 1.0;
   mesh_strain_.clear();
   for (const mechanics::PointState& point : bulk_->states())
@@ -291,7 +292,7 @@ void Process::start_from(const CarriedState& at,
   energy_.grounding = to.grounding;
   if (contact_) {
     contact_->start(x_, time_);
-    contact_->go_on_from(to.contact, sources);
+    contact_->go_on_from(to.contact, sources, x_, time_);
   }
   Stock after = stock_of(*bulk_, to);
   after.volume = bulk_->volume(x_);

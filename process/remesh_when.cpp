@@ -39,6 +39,10 @@ constexpr double most_aspect = 10.0, most_stretch = 2.0;
 /// than those of the mesh when it was new were, cut off the edge that they lie on.
 constexpr double most_excess = 1.6;
 
+/// A mesh on which a corner bears this share of a tool's force, but which was made before it or
+/// before the metal flowed round it, is replaced when that has strained it so much.
+constexpr double most_of_corner = 0.3, bitten = 0.25;
+
 std::vector<Vec3> as_points(std::span<const double> x, int dim) {
   std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -109,6 +113,34 @@ OutgrownSide Process::most_outgrown_side() const {
     const double excess = length / std::max(min, length * std::min(1.0, turn / turned));
     if (excess > most.excess)
       most = {excess, turned, tool};
+  }
+  return most;
+}
+
+double Process::strain_since_mesh() const {
+  double grown = 0.0;
+  for (std::size_t k = 0; k < mesh_strain_.size(); ++k)
+    grown = std::max(grown, bulk_->states()[k].plastic_strain - mesh_strain_[k]);
+  return grown;
+}
+
+bool Process::has_met_corner() const {
+  double most = 0.0;
+  for (const mechanics::PointState& point : bulk_->states())
+    most = std::max(most, point.plastic_strain);
+  return most > bitten && most_at_corner().share > most_of_corner;
+}
+
+CornerLoad Process::most_at_corner() const {
+  CornerLoad most;
+  for (std::size_t t = 0; contact_ && t < scene_.tools.size(); ++t) {
+    double at_points = 0.0, at_corner = 0.0;
+    for (const contact::ClosedPoint& at : contact_->closed()[t])
+      at_points += at.area * at.pressure;
+    for (const contact::CornerContact::Corner& corner : contact_->corners(t))
+      at_corner += corner.committed.area * corner.history.pressure;
+    if (at_corner > most.share * (at_points + at_corner))
+      most = {at_corner / (at_points + at_corner), t};
   }
   return most;
 }
@@ -222,13 +254,12 @@ std::string Process::remeshing_due() const {
   if (settings.penetration ? penetration_.bound > *settings.penetration
                            : penetration_.share > std::max(deep, 2.0 * mesh_share_))
     return fmt::format("penetration {:.3g}", penetration_.bound);
-  if (settings.strain) {
-    double grown = 0.0;
-    for (std::size_t k = 0; k < mesh_strain_.size(); ++k)
-      grown = std::max(grown, bulk_->states()[k].plastic_strain - mesh_strain_[k]);
-    if (grown > *settings.strain)
-      return fmt::format("plastic strain {:.2g} since the last mesh", grown);
-  }
+  const double grown = strain_since_mesh();
+  if (settings.strain && grown > *settings.strain)
+    return fmt::format("plastic strain {:.2g} since the last mesh", grown);
+  if (grown > bitten && !knows_corner_)
+    if (const CornerLoad load = most_at_corner(); load.share > most_of_corner)
+      return fmt::format("{} presses with a corner", scene_.tools[load.tool].name);
   if (const std::optional<ContactZone> zone = zone_to_refine())
     return fmt::format("{} touches on {}", scene_.tools[idx(zone->tool)].name, sides_of(*zone));
   return {};

@@ -43,6 +43,12 @@ struct OutgrownSide {
   std::size_t tool = 0; ///< that it touches
 };
 
+/// A tool that presses with its corners. (C.46)
+struct CornerLoad {
+  double share = 0.0; ///< of its pressure that they bear [-]
+  std::size_t tool = 0;
+};
+
 /// What a run goes on from at the end of an increment.
 struct RunState {
   double time = 0.0;     ///< [s]

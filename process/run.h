@@ -40,6 +40,7 @@ struct SolidPart;
 struct CarriedOver;
 struct FirstTouch;
 struct OutgrownSide;
+struct CornerLoad;
 struct CarriedState;
 
 /// Energies of the run so far [N mm].
@@ -410,6 +411,13 @@ private:
   [[nodiscard]] std::optional<ContactZone> zone_to_refine() const;
   /// Notes what remeshing needs to know of the first mesh.
   void start_remeshing();
+  /// Of the present mesh since it was made, the largest growth of plastic strain [-].
+  [[nodiscard]] double strain_since_mesh() const;
+  /// The tool that presses with a corner more than with all its contact points beside it, by the
+  /// share of the corner; none: share 0.
+  [[nodiscard]] CornerLoad most_at_corner() const;
+  /// Whether metal has flowed round a corner that bears much of a tool's force.
+  [[nodiscard]] bool has_met_corner() const;
   /// Longest over shortest edge of the most slender element [-].
   [[nodiscard]] double aspect() const;
   /// The side in contact that is the most too long for the tool beneath it; excess 0: there is
@@ -559,6 +567,7 @@ private:
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
   double mesh_aspect_ = 1.0;             ///< likewise, the largest of its elements [-]
   double mesh_excess_ = 0.0;             ///< likewise, of the side most outgrown [-]
+  bool knows_corner_ = false;            ///< it was made when metal flowed round one
   double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;               ///< likewise
   std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]

@@ -80,7 +80,7 @@ struct Exchange {
     anew.time_old = old.time_old;
     anew.term.start(anew.x, anew.time_old);
     sources = sources_between(old, anew);
-    anew.term.go_on_from(old.term.state(), sources);
+    anew.term.go_on_from(old.term.state(), sources, anew.x, anew.time_old);
   }
   /// The mean over the two sources of a quantity of points.
   [[nodiscard]] double between(std::size_t k,

@@ -152,7 +152,7 @@ TEST(FirstTouch, CountsFromWhereANewMeshHasLeftThePoint) {
     std::vector<PointSource> sources;
     for (std::size_t k = 0; k < anew.surface.n_points(); ++k)
       sources.push_back(PointSource::between(k, k, 0.0));
-    anew.term.go_on_from(old.term.state(), sources);
+    anew.term.go_on_from(old.term.state(), sources, anew.x, 1.0);
     anew.term.foretell(moved(anew, {0.01, -sinks}));
     const std::vector<double> pressed = moved(anew, {0.01, -1e-3});
     anew.assemble(pressed, 2.0);

@@ -260,6 +260,36 @@ TEST(Profile, ARadiusTooSmallForItsChordIsRefusedButRoundingIsNot) {
   EXPECT_TRUE(flaw({0, 0}, {{2, std::nan("")}}).has_value());
 }
 
+TEST(Profile, CornersAreThoseThatPointOutOfTheTool) {
+  // A notch and a point that turn by a right angle, a kink of 5 degrees, a rounding of half a turn.
+  Profile p;
+  p.start = {0, 0};
+  p.segments = {{{4, 0}},
+                {{4, 2}},                                       // a point at (4, 0)
+                {{6, 2}},                                       // a notch at (4, 2)
+                {{6, 4}, 1.0},                                  // half a turn about (6, 3)
+                {{2, 4}},                                       // points at both of its ends: none
+                {{0, 4.0 - 2.0 * std::tan(5.0 * pi / 180.0)}}}; // a kink
+  p.closed = true;
+  constexpr double angle = 10.0 * pi / 180.0;
+  const std::vector<ToolCorner> corners = make_profile(p)->corners(angle);
+  ASSERT_EQ(corners.size(), 5u);
+  EXPECT_TRUE(corners[0].centre.isApprox(Vec3(4, 0, 0)));
+  EXPECT_EQ(corners[0].radius, 0.0);
+  EXPECT_TRUE(corners[0].from.isApprox(-Vec3::UnitY()));
+  EXPECT_TRUE(corners[0].to.isApprox(Vec3::UnitX()));
+  for (const std::size_t half : {1, 2}) {
+    EXPECT_TRUE(corners[half].centre.isApprox(Vec3(6, 3, 0), 1e-9)) << half;
+    EXPECT_EQ(corners[half].radius, 1.0);
+  }
+  EXPECT_TRUE(corners[1].to.isApprox(Vec3::UnitX())) << "its middle";
+  EXPECT_TRUE(corners[2].from.isApprox(corners[1].to));
+  EXPECT_TRUE(corners[3].centre.isApprox(Vec3(0, 4.0 - 2.0 * std::tan(5.0 * pi / 180.0), 0)));
+  EXPECT_TRUE(corners[4].centre.isApprox(Vec3(0, 0, 0), 1e-12)) << "where it closes";
+  EXPECT_EQ(make_profile(p)->corners(4.0 * pi / 180.0).size(), 6u) << "with the kink";
+  EXPECT_TRUE(make_profile(reversed(p))->corners(angle).size() == 1u) << "the notch";
+}
+
 TEST(Profile, TheClosingLineIsAddedOnlyWhereItIsMissing) {
   const std::vector<Vec2> open{{0, 0}, {1, 0}, {1, 1}}, shut{{0, 0}, {1, 0}, {1, 1}, {1e-14, 0}};
   const SurfacePtr a = make_profile(polygon(open, true)), b = make_profile(polygon(shut, true));

@@ -260,8 +260,12 @@ TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
     double worst = 1.0, largest = 0.0;
     for (const Entry& entry : done.recorder.entries)
       worst = std::min(worst, entry.report.min_quality);
+    // The first mesh has not seen how metal flows round the tip, a side of it is stiff beneath it.
     for (const RemeshReport& r : done.process->remeshings())
-      largest = std::max(largest, r.force_jump());
+      if (!r.cause.ends_with("presses with a corner"))
+        largest = std::max(largest, r.force_jump());
+      else
+        EXPECT_LT(r.time, 0.02);
     std::printf(
         "  wedge of %.0f degrees to a side: %zu meshes, quality at least %.2f, force changed "
         "by at most %.1f %%\n",
@@ -271,7 +275,7 @@ TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
     EXPECT_EQ(first.forces[0].before, 0.0);
     EXPECT_TRUE(done.process->refusals().empty());
     EXPECT_GT(worst, 0.05);
-    EXPECT_LT(largest, 0.15); // 0.5 on sides of 0.25, on which the first new mesh was made before
+    EXPECT_LT(largest, 0.12); // 0.5 on sides of 0.25, on which the first new mesh was made before
   }
 }
 
