@@ -23,6 +23,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -116,6 +117,11 @@ public:
   /// Whether a point is closed on a tool in the committed state.
   [[nodiscard]] bool closed_on(std::size_t tool, std::size_t point) const {
     return states_[tool].history[point].closed();
+  }
+  /// How deep its pressure needs a point to lie in a tool, in the committed state [mm].
+  [[nodiscard]] double depth_of_pressure(std::size_t tool, std::size_t point) const {
+    const PointHistory& history = states_[tool].history[point];
+    return std::max(0.0, history.pressure - history.multiplier) / penalty().normal;
   }
   /// What a point bears on a tool in the last trial, in the tool's frame.
   [[nodiscard]] const Traction& tried(std::size_t tool, std::size_t point) const {

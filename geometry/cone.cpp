@@ -16,10 +16,12 @@ struct Ray {
   double cos;
   double sin;
 
-  [[nodiscard]] MeridianPoint at(double h, double r) const {
+  [[nodiscard]] MeridianPoint at(Wide wide_h, Wide wide_r) const {
+    const auto h = static_cast<double>(wide_h), r = static_cast<double>(wide_r);
     if (h * cos + r * sin > 0.0) {
       const double n_r = cos;
-      return {r * cos - h * sin, -sin, n_r, 0.0, r > 0.0 ? n_r / r : 0.0};
+      return {static_cast<double>(wide_r * cos - wide_h * sin), -sin, n_r, 0.0,
+              r > 0.0 ? n_r / r : 0.0};
     }
     const double d = std::hypot(h, r); // behind the apex, which is the closest point
     if (d > 0.0)

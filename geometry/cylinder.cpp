@@ -12,8 +12,9 @@ struct StraightLine {
   double radius;
   bool flat = false; // of a scene in the plane: the box has no thickness
 
-  [[nodiscard]] MeridianPoint at(double /*h*/, double r) const {
-    return {r - radius, 0.0, 1.0, 0.0, r > 0.0 ? 1.0 / r : 0.0};
+  [[nodiscard]] MeridianPoint at(Wide /*h*/, Wide r) const {
+    const double hoop = r > 0.0 ? 1.0 / static_cast<double>(r) : 0.0;
+    return {static_cast<double>(r - radius), 0.0, 1.0, 0.0, hoop};
   }
   [[nodiscard]] double size() const { return radius; }
   [[nodiscard]] Box bounds(const Axis& axis) const {

@@ -195,9 +195,14 @@ PlaneProjection ProfileSurface::at(const Vec2& x, const Nearest& nearest) const 
 
 // (G.9)
 PlaneProjection ProfileSurface::on_arc(const Vec2& x, const ProfilePiece& piece) const {
-  const Vec2 v = x - piece.centre;
-  const double distance = v.norm(), turn = std::copysign(1.0, piece.radius);
-  const double gap = turn * (distance - std::abs(piece.radius));
+  // With more digits: a large arc's distances leave none for the gap.
+  const Eigen::Matrix<long double, 2, 1> wide =
+      x.cast<long double>() - piece.centre.cast<long double>();
+  const long double wide_distance = wide.norm();
+  const Vec2 v = wide.cast<double>();
+  const auto distance = static_cast<double>(wide_distance);
+  const double turn = std::copysign(1.0, piece.radius);
+  const double gap = turn * static_cast<double>(wide_distance - std::abs(piece.radius));
   // At the centre the middle of the arc is as close as any other point of it.
   if (distance <= 4.0 * epsilon * std::abs(piece.radius))
     return {gap, turn * (piece.point(0.5) - piece.centre).normalized()};

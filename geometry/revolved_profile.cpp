@@ -139,7 +139,7 @@ void RevolvedProfile::do_project(std::span<const Vec3> points,
                                  std::span<Projection> out) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const AxisCoordinates c = axis_coordinates(axis_, points[i], size_);
-    const Vec3 x(c.h, c.r, 0.0);
+    const Vec3 x(static_cast<double>(c.h), static_cast<double>(c.r), 0.0);
     Projection p;
     p.patch = out[i].patch;
     section_->project({&x, 1}, reach, {&p, 1});
@@ -147,12 +147,13 @@ void RevolvedProfile::do_project(std::span<const Vec3> points,
     if (!p.found())
       continue;
     // Within rounding of the axis the mirror image may be the nearer one.
-    const double side = p.foot.y() < -c.r ? -1.0 : 1.0;
+    const double side = p.foot.y() < -x.y() ? -1.0 : 1.0;
     const Vec2 s(-p.normal.y(), p.normal.x());
     MeridianPoint at{p.gap, p.normal.x(), side * p.normal.y(), 0.0, 0.0};
     at.k_meridian = s.dot(p.dnormal_dx.topLeftCorner<2, 2>() * s);
-    if (c.r > 0.0)
-      at.k_hoop = at.n_r / c.r;
+    at.gap += at.n_h * static_cast<double>(c.h - x.x()) + at.n_r * static_cast<double>(c.r - x.y());
+    if (x.y() > 0.0)
+      at.k_hoop = at.n_r / x.y();
     else if (at.n_r == 0.0) // a pole: all meridians curve alike
       at.k_hoop = at.k_meridian;
     out[i] = revolved(axis_, c.e_r, points[i], at, false);

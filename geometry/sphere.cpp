@@ -14,11 +14,14 @@ namespace {
 struct HalfCircle {
   double radius;
 
-  [[nodiscard]] MeridianPoint at(double h, double r) const {
-    const double d = std::hypot(h, r);
+  [[nodiscard]] MeridianPoint at(Wide h, Wide r) const {
+    const Wide distance = std::hypot(h, r);
+    const auto gap = static_cast<double>(distance - radius);
+    const auto d = static_cast<double>(distance);
     if (d <= 4.0 * std::numeric_limits<double>::epsilon() * radius)
-      return {d - radius, 0.0, 1.0, 0.0, 0.0}; // at the centre every direction is as good
-    return {d - radius, h / d, r / d, 1.0 / d, 1.0 / d};
+      return {gap, 0.0, 1.0, 0.0, 0.0}; // at the centre every direction is as good
+    return {gap, static_cast<double>(h / distance), static_cast<double>(r / distance), 1.0 / d,
+            1.0 / d};
   }
   [[nodiscard]] double size() const { return radius; }
   [[nodiscard]] Box bounds(const Axis& axis) const {

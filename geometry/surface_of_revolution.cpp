@@ -64,13 +64,17 @@ Axis make_axis(const Vec3& origin, const Vec3& direction) {
 }
 
 AxisCoordinates axis_coordinates(const Axis& axis, const Vec3& point, double size) {
-  const Vec3 v = point - axis.origin;
-  const double h = v.dot(axis.direction);
-  const Vec3 radial = v - h * axis.direction;
-  const double r = radial.norm();
+  using WideVector = Eigen::Matrix<Wide, 3, 1>;
+  const WideVector v = point.cast<Wide>() - axis.origin.cast<Wide>();
+  const WideVector direction = axis.direction.cast<Wide>();
+  const Wide h = v.dot(direction);
+  const WideVector radial = v - h * direction;
+  const Wide r = radial.norm();
   // Below this the direction of `radial` is rounding.
-  const bool on_axis = r <= 4.0 * epsilon * std::max(std::abs(h), size);
-  return on_axis ? AxisCoordinates{h, 0.0, axis.perpendicular} : AxisCoordinates{h, r, radial / r};
+  const double little = 4.0 * epsilon * std::max(std::abs(static_cast<double>(h)), size);
+  if (r <= little)
+    return {h, 0.0L, axis.perpendicular};
+  return {h, r, (radial / r).cast<double>()};
 }
 
 Projection revolved(const Axis& axis,

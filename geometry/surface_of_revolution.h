@@ -19,6 +19,11 @@
 
 namespace billet::geometry {
 
+/// Distances from the axis or centre of a large tool are known to 1e-16 of its size, penetrations
+/// are a 1e-11th of it: a roll of 1000 m lets one see its noise in the forces. So gaps are
+/// differences of numbers with more digits.
+using Wide = long double;
+
 /// A line with a direction: where a meridian is turned.
 struct Axis {
   Vec3 origin = Vec3::Zero();         ///< (h, r) = (0, 0) [mm]
@@ -43,8 +48,8 @@ struct MeridianPoint {
 /// `line(low, high)` gives points (h, r) along the meridian for drawing, metal on the right of the
 /// way, of the part with low <= h <= high if it is endless. shape (n)
 template <class M>
-concept Meridian = std::copyable<M> && requires(const M& m, double x, const Axis& axis) {
-  { m.at(x, x) } -> std::same_as<MeridianPoint>;
+concept Meridian = std::copyable<M> && requires(const M& m, double x, Wide y, const Axis& axis) {
+  { m.at(y, y) } -> std::same_as<MeridianPoint>;
   { m.size() } -> std::same_as<double>;
   { m.bounds(axis) } -> std::same_as<Box>;
   { m.line(x, x) } -> std::same_as<std::vector<Vec2>>;
@@ -59,8 +64,8 @@ concept Meridian = std::copyable<M> && requires(const M& m, double x, const Axis
 
 /// Height and distance of `point`, and the radial unit vector.
 struct AxisCoordinates {
-  double h;
-  double r;
+  Wide h; ///< [mm]
+  Wide r; ///< [mm]
   Vec3 e_r;
 };
 

@@ -16,12 +16,15 @@ struct Circle {
   double major;
   double minor;
 
-  [[nodiscard]] MeridianPoint at(double h, double r) const {
-    const double d = std::hypot(h, r - major);
+  [[nodiscard]] MeridianPoint at(Wide h, Wide r) const {
+    const Wide distance = std::hypot(h, r - major);
+    const auto gap = static_cast<double>(distance - minor);
+    const auto d = static_cast<double>(distance);
     if (d <= 4.0 * std::numeric_limits<double>::epsilon() * major)
-      return {d - minor, 0.0, 1.0, 0.0, 1.0 / major};
-    const double n_r = (r - major) / d;
-    return {d - minor, h / d, n_r, 1.0 / d, r > 0.0 ? n_r / r : 0.0};
+      return {gap, 0.0, 1.0, 0.0, 1.0 / major};
+    const auto n_r = static_cast<double>((r - major) / distance);
+    const double hoop = r > 0.0 ? n_r / static_cast<double>(r) : 0.0;
+    return {gap, static_cast<double>(h / distance), n_r, 1.0 / d, hoop};
   }
   [[nodiscard]] double size() const { return major; }
   [[nodiscard]] Box bounds(const Axis& axis) const {

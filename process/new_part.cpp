@@ -36,6 +36,21 @@ double touching_share(const contact::ContactTerm& contact,
   return std::clamp(2.0 * closed - 1.0, 0.0, 1.0);
 }
 
+/// How deep the pressures of old points let a place lie in a tool: as deep as the part is when it
+/// is meshed anew. On the tool instead, the part would be swollen by as much, and what each new
+/// mesh is off by would fade with the slide (C.41) and take the force along.
+double pressed_depth(const contact::ContactTerm& contact,
+                     std::size_t tool,
+                     const contact::PointSource& source) {
+  double depth = 0.0, closed = 0.0;
+  for (std::size_t k = 0; k < source.points.size(); ++k)
+    if (source.weights[k] > 0.0 && contact.closed_on(tool, source.points[k])) {
+      closed += source.weights[k];
+      depth += source.weights[k] * contact.depth_of_pressure(tool, source.points[k]);
+    }
+  return closed > 0.0 ? depth / closed : 0.0;
+}
+
 /// Length of the old side that holds a place [mm].
 double chord_at(const PartBoundary& boundary, const geometry::BoundaryPlace& place) {
   const std::vector<Vec2>& corners = boundary.loops[idx(place.loop)].corners;
@@ -176,17 +191,18 @@ Process::onto_tool(std::size_t tool, const Vec3& x, const WayToTool& way) const 
     scene_.tools[tool].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
     if (!foot.found() || (step == 0 && foot.gap > way.most_gap))
       return std::nullopt;
-    Vec3 move = pose.to_space(foot.foot) - there;
+    const double gap = foot.gap + way.depth;
+    Vec3 move = -gap * (pose.rotation * foot.normal);
     if (way.fixed == 0)
       return Vec3(there + move);
-    if (std::abs(foot.gap) <= near * side_)
+    if (std::abs(gap) <= near * side_)
       return there;
     for (int i = 0; i < 3; ++i)
       if ((way.fixed >> static_cast<unsigned>(i) & 1U) != 0)
         move[i] = 0.0;
-    if (move.norm() < flat * std::abs(foot.gap))
+    if (move.norm() < flat * std::abs(gap))
       return std::nullopt;
-    there += foot.gap * foot.gap / move.squaredNorm() * move; // into the tangent plane of the foot
+    there += gap * gap / move.squaredNorm() * move; // into the tangent plane of the foot
   }
   return std::nullopt;
 }
@@ -202,7 +218,9 @@ Vec3 Process::settled(const contact::PointSource& source,
     // What touches with nothing near it stays, but not inside the tool.
     const bool touches = tool.value_or(static_cast<int>(t)) == static_cast<int>(t);
     const double gap = touches ? way.most_gap * touching_share(*contact_, t, source) : 0.0;
-    if (const std::optional<Vec3> there = onto_tool(t, result, {gap, way.fixed}))
+    const double depth = pressed_depth(*contact_, t, source);
+    if (const std::optional<Vec3> there =
+            onto_tool(t, result, {.most_gap = gap, .depth = depth, .fixed = way.fixed}))
       result = *there;
   }
   return result;
@@ -260,7 +278,7 @@ NewPart Process::new_plane_part_within(const PartBoundary& boundary,
       if (fixed == both)
         return x;
       return settled(stops->around(place), in_space(x), attached.tool,
-                     {off * chord_at(boundary, place), fixed})
+                     {.most_gap = off * chord_at(boundary, place), .fixed = fixed})
           .head<2>();
     };
   geometry::RemeshSizes sizes = remesh_sizes();
@@ -331,7 +349,8 @@ NewPart Process::new_solid_part_within(const SolidPart& old) const {
     // On a support and a tool at once: a few turns lead to where they meet.
     constexpr int turns = 4;
     for (int i = 0; may_touch && i < turns; ++i)
-      result = supported(parts, settled(neighbours->around(on), result, {}, {side_}), on);
+      result =
+          supported(parts, settled(neighbours->around(on), result, {}, {.most_gap = side_}), on);
     return result;
   };
   RemeshedPart part = remesh_part(scene_, old, solid_sizes(), settle);

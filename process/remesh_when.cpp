@@ -39,8 +39,8 @@ constexpr double most_aspect = 10.0, most_stretch = 2.0;
 /// than those of the mesh when it was new were, cut off the edge that they lie on.
 constexpr double most_excess = 1.6;
 
-/// A mesh on which a corner bears this share of a tool's force, but which was made before it or
-/// before the metal flowed round it, is replaced when that has strained it so much.
+/// A mesh on which a corner bears this share of a tool's force, but which was made before metal was
+/// strained so much, knows nothing of how it flows round the corner: it is replaced when it is.
 constexpr double most_of_corner = 0.3, bitten = 0.25;
 
 std::vector<Vec3> as_points(std::span<const double> x, int dim) {
@@ -122,13 +122,6 @@ double Process::strain_since_mesh() const {
   for (std::size_t k = 0; k < mesh_strain_.size(); ++k)
     grown = std::max(grown, bulk_->states()[k].plastic_strain - mesh_strain_[k]);
   return grown;
-}
-
-bool Process::has_met_corner() const {
-  double most = 0.0;
-  for (const mechanics::PointState& point : bulk_->states())
-    most = std::max(most, point.plastic_strain);
-  return most > bitten && most_at_corner().share > most_of_corner;
 }
 
 CornerLoad Process::most_at_corner() const {
@@ -257,7 +250,9 @@ std::string Process::remeshing_due() const {
   const double grown = strain_since_mesh();
   if (settings.strain && grown > *settings.strain)
     return fmt::format("plastic strain {:.2g} since the last mesh", grown);
-  if (grown > bitten && !knows_corner_)
+  const double strained =
+      mesh_strain_.empty() ? 0.0 : *std::max_element(mesh_strain_.begin(), mesh_strain_.end());
+  if (grown > bitten && strained < bitten)
     if (const CornerLoad load = most_at_corner(); load.share > most_of_corner)
       return fmt::format("{} presses with a corner", scene_.tools[load.tool].name);
   if (const std::optional<ContactZone> zone = zone_to_refine())

@@ -416,8 +416,6 @@ private:
   /// The tool that presses with a corner more than with all its contact points beside it, by the
   /// share of the corner; none: share 0.
   [[nodiscard]] CornerLoad most_at_corner() const;
-  /// Whether metal has flowed round a corner that bears much of a tool's force.
-  [[nodiscard]] bool has_met_corner() const;
   /// Longest over shortest edge of the most slender element [-].
   [[nodiscard]] double aspect() const;
   /// The side in contact that is the most too long for the tool beneath it; excess 0: there is
@@ -482,6 +480,7 @@ private:
   /// How a node of the new boundary may go to a tool.
   struct WayToTool {
     double most_gap = 0.0; ///< that it is off a tool that it touches [mm]
+    double depth = 0.0;    ///< in the tool at which it may stay, as its pressure needs [mm]
     unsigned fixed = 0;    ///< components that stay: 1 for x, 2 for y, 4 for z
   };
   /// The nearest point of a tool that the node may go to; none: it is out of reach or further off.
@@ -567,7 +566,6 @@ private:
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
   double mesh_aspect_ = 1.0;             ///< likewise, the largest of its elements [-]
   double mesh_excess_ = 0.0;             ///< likewise, of the side most outgrown [-]
-  bool knows_corner_ = false;            ///< it was made when metal flowed round one
   double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;               ///< likewise
   std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]

@@ -1,5 +1,6 @@
 #include "geometry/analytic_surfaces.h"
 #include "geometry/base/error.h"
+#include "geometry/profile.h"
 #include "tests/geometry/surface_checks.h"
 
 #include <Eigen/Geometry>
@@ -295,6 +296,35 @@ TEST(AnalyticSurfaces, ValuesOutOfRangeAreRefused) {
   EXPECT_THROW((void)make_torus(zero, Vec3::UnitX(), 1.0, 1.0, false), Error);
   EXPECT_NO_THROW((void)make_plane(zero, 1e-200 * Vec3::UnitX()));
   EXPECT_EQ(projection(*make_plane(zero, 1e-200 * Vec3::UnitX()), {2, 0, 0}).gap, 2.0);
+}
+
+TEST(AnalyticSurfaces, LargeOnesLeaveGapsTheirDigits) {
+  // Beneath the origin; distances from the middle are known to 1e-9 only, gaps to 1e-14.
+  constexpr double R = 1e7;
+  Profile arc; // a flat piece of the circle
+  arc.start = {10.0, 0.0};
+  arc.segments = {{Vec2(-10.0, 0.0), R}};
+  std::vector<std::pair<std::string, SurfacePtr>> large;
+  large.emplace_back("circle", make_circle({0, -R, 0}, R, false));
+  large.emplace_back("cylinder", make_cylinder({0, -R, 0}, Vec3::UnitZ(), R, false));
+  large.emplace_back("sphere", make_sphere({0, -R, 0}, R, false));
+  large.emplace_back("torus", make_torus({0, -R - 10.0, 0}, Vec3::UnitZ(), R, 10.0, false));
+  large.emplace_back("arc", make_profile(arc));
+  for (const auto& [name, surface] : large) {
+    double offset = 0.0; // how high its top is, known to the digits of its middle
+    double worst = 0.0;
+    for (int i = 0; i <= 40; ++i) {
+      const double x = 0.05 * i - 1.0, y = 1e-7 * i;
+      const double gap = projection(*surface, Vec3(x, y, 0.0)).gap;
+      const double expected = y + 0.5 * x * x / R;
+      if (i == 0)
+        offset = gap - expected;
+      worst = std::max(worst, std::abs(gap - expected - offset));
+    }
+    std::printf("  %s: %.1e off\n", name.c_str(), worst);
+    EXPECT_LT(worst, 1e-11) << name; // an arc knows its middle to 1e-5 along it
+    EXPECT_LT(std::abs(offset), 1e-5) << name;
+  }
 }
 
 } // namespace
