@@ -89,12 +89,32 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     contact_->restart();
   if (solve_increment(dt, approach, why))
     return true;
-  if (!grounding_ || grounding_->share() == 1.0)
+  if (!grounding_)
     return false;
-  grounding_->set_share(1.0); // what held the part so far may have gone
+  const auto solved_with = [&](double share) {
+    grounding_->set_share(share);
+    if (contact_)
+      contact_->restart();
+    return solve_increment(dt, approach, why);
+  };
+  const double share = grounding_->share();
+  if (share != 1.0 && solved_with(1.0)) // what held the part so far may have gone
+    return true;
+  // Forces that fade keep their directions: a bent sheet between them may be about to turn over.
+  if (time_ < fading_until_ && !touched())
+    for (const double stiffer : {10.0, 100.0, 1e3})
+      if (stiffer > share && solved_with(stiffer))
+        return true;
+  grounding_->set_share(1.0);
+  return false;
+}
+
+bool Process::touched() const {
   if (contact_)
-    contact_->restart();
-  return solve_increment(dt, approach, why);
+    for (std::size_t t = 0; t < scene_.tools.size(); ++t)
+      if (contact_->lies_on(t))
+        return true;
+  return false;
 }
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {

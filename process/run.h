@@ -308,6 +308,8 @@ private:
   /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
   [[nodiscard]] std::vector<double> foretold(double dt) const;
   [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
+  /// Whether any tool does.
+  [[nodiscard]] bool touched() const;
   /// Likewise, with contact as it has been started for the try.
   [[nodiscard]] bool solve_increment(double dt, mechanics::Approach approach, std::string& why);
   /// Whether a tool's force falls so far in the increment just tried that half of its work, with

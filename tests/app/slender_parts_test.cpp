@@ -319,5 +319,40 @@ end = 1
   EXPECT_LT(energy()["relative_error"].get<double>(), 1e-3);
 }
 
+// The forces of the tools fade in their directions: the sheet between them may be about to turn
+// over, and the run stopped at 1.16 of 2 s.
+TEST_F(SlenderParts, AThinSheetWithoutSupportsSpringsBack) {
+  const Outcome outcome = run(R"(
+analysis = "plane-strain"
+workpiece = { element = "quad8", material = "s", mesh = { box = [[-30, 0], [30, 0.2]], cells = [60, 2] } }
+[material.s]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "swift", K = 500, eps0 = 0.002, n = 0.15 }
+[[tool]]
+name = "punch"
+surface = { circle = { centre = [0, 2.2], radius = 2 } }
+motion = { displacement = [[0, 0, 0], [1, 0, -15]] }
+friction = { law = "coulomb", mu = 0.1 }
+[[tool]]
+name = "right"
+surface = { circle = { centre = [20, -2], radius = 2 } }
+friction = { law = "coulomb", mu = 0.1 }
+[[tool]]
+name = "left"
+surface = { circle = { centre = [-20, -2], radius = 2 } }
+friction = { law = "coulomb", mu = 0.1 }
+[[stage]]
+name = "bend"
+end = 1
+[[stage]]
+name = "let go"
+end = 2
+unload = true
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  constexpr double supported = 0.08245; // twice that of the half of it on a support
+  EXPECT_NEAR(energy()["elastic_energy"].get<double>(), supported, 2e-3 * supported);
+}
+
 } // namespace
 } // namespace billet::test::slender_parts_test
