@@ -40,7 +40,7 @@ void Process::meet_newcomers(const Stage& stage, double until) {
     if (force && !force->blow)
       come_to_touch(t, std::max(time_, scene_.tools[t].active_from));
     else
-      note_intruder(t, until);
+      note_intruder(t);
   }
 }
 
@@ -62,18 +62,19 @@ void Process::come_to_touch(std::size_t tool, double time) {
   remembered_.clear(); // states in which the tool is elsewhere
 }
 
-void Process::note_intruder(std::size_t tool, double until) {
-  std::string where = overlap(tool, std::max(time_, scene_.tools[tool].active_from));
+void Process::note_intruder(std::size_t tool) {
+  const double from = std::max(time_, scene_.tools[tool].active_from);
+  std::string where = overlap(tool, from);
   if (where.empty())
     return;
   const auto known =
       std::find_if(intruders_.begin(), intruders_.end(), [&](const Intruder& intruder) {
-        return intruder.tool == tool && intruder.time == until;
+        return intruder.tool == tool && intruder.time == from;
       });
   if (known != intruders_.end()) // the increment has become shorter since, and others went before
     known->increment = increment_;
   else
-    intruders_.push_back({tool, until, std::move(where), increment_});
+    intruders_.push_back({tool, from, std::move(where), increment_});
 }
 
 std::string Process::intruders_now() const {

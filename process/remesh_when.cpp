@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -181,9 +182,28 @@ std::vector<ContactZone> Process::poorly_resolved_tools() const {
       known->second = zone;
   std::vector<ContactZone> poor;
   for (const auto& [tool, zone] : longest)
-    if (zone.too_short())
+    if (zone.too_short() && indents(zone))
       poor.push_back(zone);
   return poor;
+}
+
+// A strip that is bent touches its tools along lines, whatever the mesh; its force is that of the
+// bend. With the half width of elastic contact in the plane, 2 F' / E deep to within a logarithm.
+bool Process::indents(const ContactZone& zone) const {
+  constexpr double of_strength = 0.5, of_work = 0.01;
+  double force = 0.0, area = 0.0, weakest = std::numeric_limits<double>::infinity();
+  for (const contact::ClosedPoint& at : contact_->closed()[idx(zone.tool)]) {
+    force += at.area * at.pressure;
+    area += at.area;
+    weakest = std::min(weakest, bulk_->trial_strength(surface_->beneath(at.point)));
+  }
+  for (const contact::CornerContact::Corner& corner : contact_->corners(idx(zone.tool)))
+    force += corner.committed.area * corner.history.pressure;
+  if (!(area > 0.0))
+    return force > 0.0;
+  const double pressure = force / area;
+  const double work = force * pressure * zone.length / scene_.material.elasticity.young;
+  return pressure > of_strength * weakest || work > of_work * (energy_.elastic + energy_.plastic);
 }
 
 bool Process::can_be_refined(const ContactZone& zone) const {

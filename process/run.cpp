@@ -471,7 +471,9 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       tried.clear();
       if (stop_requested(observers))
         return RunStatus::stopped;
-      if (const std::string cause = remeshing_due(); !cause.empty() && time_ < stage.end) {
+      // While forces fade no mesh is made, so one that is due then comes before tools return.
+      const bool goes_on = time_ < stage.end || (stage.unload && &stage != &scene_.stages.back());
+      if (const std::string cause = remeshing_due(); !cause.empty() && goes_on) {
         unmeshed = remesh(cause, observers);
         if (!unmeshed.empty())
           refusal_event_ = fmt::format("  no new mesh ({}): {}", cause, unmeshed);

@@ -260,6 +260,9 @@ public:
   [[nodiscard]] std::vector<Lap> laps() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
+  /// Whether what a tool does in a zone is to indent: pressure near the strength beneath, or an
+  /// indentation that takes part in the work.
+  [[nodiscard]] bool indents(const ContactZone& zone) const;
   /// Remeshings of the run, in their order.
   [[nodiscard]] std::span<const RemeshReport> remeshings() const { return remeshings_; }
   /// Sizes that the part would be meshed with now, in the plane or in space; the scene has settings
@@ -359,7 +362,7 @@ private:
   /// touch, others that lie in the workpiece are noted.
   void meet_newcomers(const Stage& stage, double until);
   void come_to_touch(std::size_t tool, double time);
-  void note_intruder(std::size_t tool, double until);
+  void note_intruder(std::size_t tool);
   /// Those that the increment that could not be solved would have met, for its post-mortem.
   [[nodiscard]] std::string intruders_now() const;
   enum class Progress { easy, laboured, none };

@@ -88,7 +88,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         content_->units.length));
   constexpr double most_lost = 0.02; // hub-forging-3d, of Coulomb's friction: 0.5 %
   if (const process::EnergyBalance& energy = process.energy();
-      std::abs(energy.remeshing) > most_lost * energy.scale())
+      std::abs(energy.remeshing) > std::max(energy.nothing, most_lost * energy.scale()))
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) was lost (negative: made) by carrying the "
         "part over to new meshes: energy in remesh.csv tells which; finer meshes lose less",
@@ -96,7 +96,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         content_->units.length));
   constexpr double unpaid = 0.02;
   if (const process::EnergyBalance& energy = process.energy();
-      std::abs(energy.enforcement) > unpaid * energy.scale())
+      std::abs(energy.enforcement) > std::max(energy.nothing, unpaid * energy.scale()))
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
         "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
@@ -122,12 +122,12 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
                          : "a finer mesh there or a [remesh] section mends that"));
   for (const process::Process::Intruder& intruder : process.intruders())
     lines.push_back(fmt::format(
-        "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: it was pushed "
-        "out "
-        "in one increment; a tool goes on its way while it does not act, so let it begin where it "
-        "is clear",
+        "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
+        "on its way while it does not act, so let it begin where it is clear",
         process.scene().tools[intruder.tool].name, intruder.time, content_->units.time,
-        intruder.where));
+        intruder.where,
+        process.time() <= intruder.time ? "it could not be pushed out in one increment"
+                                        : "it was pushed out in one increment"));
   for (const process::Lap& lap : process.laps())
     lines.push_back(fmt::format(
         "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "
