@@ -456,15 +456,32 @@ void note_single_file(const process::Scene& scene, std::vector<std::string>& not
         cells.size(), cells.front()));
 }
 
-/// Linear elements that are much longer than thick.
+/// Linear elements that are much longer than thick, or in a part that is.
 void note_flat_elements(const mechanics::Mesh& mesh, std::vector<std::string>& notes) {
   constexpr double flat = 8.0;
+  if (mechanics::is_quadratic(mesh.kind))
+    return;
   const double aspect = mechanics::largest_aspect(mesh, mesh.points);
-  if (!mechanics::is_quadratic(mesh.kind) && aspect > flat)
+  Box box;
+  for (const Vec3& p : mesh.points)
+    box.add(p);
+  const Vec3 extent = box.high - box.low;
+  const double longest = extent.maxCoeff();
+  double thinnest = longest;
+  for (int i = 0; i < mesh.dimension(); ++i)
+    thinnest = std::min(thinnest, extent[i]);
+  if (aspect > flat)
     notes.push_back(
         fmt::format("warning: elements of {} are up to {:.3g} times as long as thick: "
                     "they resist bending many times too much; quadratic elements do not",
                     mechanics::name(mesh.kind), aspect));
+  else if (longest > flat * thinnest)
+    notes.push_back(fmt::format(
+        "a part {:.3g} times as long as thick, of {}: where tools bend it, elements that are twice "
+        "as "
+        "long as thick resist by a quarter too much, four times by a third, and more layers do not "
+        "help; quadratic elements do",
+        longest / thinnest, mechanics::name(mesh.kind)));
 }
 
 /// Keys that are read and kept but change nothing here: said, not passed over.

@@ -148,9 +148,10 @@ std::vector<ReportRow> table(const FacetFile& file, const StlTool& tool) {
 }
 
 std::optional<std::string> size_warning(double die, double workpiece, std::string_view unit) {
-  constexpr double suspicious = 1000.0;
+  // A die as large as the workpiece that is off by 1000 is a little more than a 1000th of it.
+  constexpr double suspiciously_large = 1000.0, suspiciously_small = 1.0 / 300.0;
   const double ratio = die / workpiece;
-  if (ratio <= suspicious && ratio >= 1.0 / suspicious)
+  if (ratio <= suspiciously_large && ratio >= suspiciously_small)
     return std::nullopt;
   const UnitSystem system;
   std::string likely;

@@ -4,6 +4,7 @@
 #include "geometry/first_contact.h"
 #include "process/remeshing.h"
 #include "process/run.h"
+#include "process/tool_meetings.h"
 #include "process/touch.h"
 
 #include <fmt/format.h>
@@ -42,6 +43,13 @@ void Process::meet_newcomers(const Stage& stage, double until) {
     else
       note_intruder(t);
   }
+}
+
+std::vector<ToolMeeting> Process::overlapping_tools() const {
+  std::vector<geometry::Pose> poses;
+  for (std::size_t t = 0; contact_ && t < scene_.tools.size(); ++t)
+    poses.push_back(contact_->pose(t, time_, x_));
+  return contact_ ? overlaps_by_loads(scene_, time_, poses) : std::vector<ToolMeeting>{};
 }
 
 void Process::come_to_touch(std::size_t tool, double time) {

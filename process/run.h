@@ -42,6 +42,7 @@ struct FirstTouch;
 struct OutgrownSide;
 struct CornerLoad;
 struct CarriedState;
+struct ToolMeeting;
 
 /// Energies of the run so far [N mm].
 struct EnergyBalance {
@@ -258,6 +259,8 @@ public:
   /// Places where the part's boundary crosses itself in creases deeper than a quarter of an
   /// element.
   [[nodiscard]] std::vector<Lap> laps() const;
+  /// Tools that loads have driven into others, which do not feel it.
+  [[nodiscard]] std::vector<ToolMeeting> overlapping_tools() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
   /// Whether what a tool does in a zone is to indent: pressure near the strength beneath, or an

@@ -177,6 +177,9 @@ public:
        double size)
       : tools_{&a, &b}, bodies_{&body_a, &body_b}, solid_(solid), size_(size) {}
 
+  /// From now on they are where they have been taken to, whatever the time.
+  void place(const Pose& a, const Pose& b) { taken_ = {a, b}; }
+
   [[nodiscard]] double clearance(double time) const {
     return geometry::clearance(placed(0, time), placed(1, time));
   }
@@ -200,7 +203,10 @@ public:
 
 private:
   [[nodiscard]] PlacedBody placed(std::size_t i, double time) const {
-    return {*bodies_[i], tools_[i]->motion.pose(time)};
+    return {*bodies_[i], pose(i, time)};
+  }
+  [[nodiscard]] Pose pose(std::size_t i, double time) const {
+    return taken_ ? (*taken_)[i] : tools_[i]->motion.pose(time);
   }
 
   /// Places of tool i that lie in the other one, if that has an inside.
@@ -208,7 +214,7 @@ private:
     const contact::Tool& other = *tools_[1 - i];
     if (!solid_[1 - i])
       return;
-    const Pose here = tools_[i]->motion.pose(time), there = other.motion.pose(time);
+    const Pose here = pose(i, time), there = pose(1 - i, time);
     const std::vector<Vec3> all = places(bodies_[i]->drawing());
     std::vector<Vec3> points;
     for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / most_places)
@@ -224,6 +230,7 @@ private:
   std::array<const FacetBody*, 2> bodies_;
   std::array<bool, 2> solid_; ///< which have an inside
   double size_;
+  std::optional<std::array<Pose, 2>> taken_ = std::nullopt;
 };
 
 /// Follows one pair.
@@ -318,6 +325,26 @@ public:
     return std::nullopt;
   }
 
+  [[nodiscard]] std::optional<ToolMeeting>
+  overlap(std::size_t i, std::size_t j, double time, std::span<const Pose> poses) {
+    const contact::Tool &a = scene_.tools[i], &b = scene_.tools[j];
+    const std::vector<Span> spans = common_spans(scene_, i, j);
+    const auto now = std::find_if(spans.begin(), spans.end(), [&](const Span& span) {
+      return span.from <= time && time <= span.to;
+    });
+    if (now == spans.end() || !(driven(a) || driven(b)))
+      return std::nullopt;
+    const Drawn &body_a = drawn(i), &body_b = drawn(j);
+    Pair pair(a, b, body_a.body, body_b.body, {body_a.solid, body_b.solid}, window_.size());
+    if (pair.overlap(0.0).depth > tolerated_)
+      return std::nullopt; // meant, or told before anything was solved
+    pair.place(poses[i], poses[j]);
+    const geometry::Cut deepest = pair.overlap(time);
+    if (!(deepest.depth > tolerated_))
+      return std::nullopt;
+    return ToolMeeting{i, j, time, false, deepest.depth, deepest.place};
+  }
+
 private:
   struct Drawn {
     FacetBody body;
@@ -370,6 +397,17 @@ std::vector<ToolMeeting> tool_meetings(const Scene& scene) {
       if (const auto meeting = shop.meeting(i, j))
         meetings.push_back(*meeting);
   return meetings;
+}
+
+std::vector<ToolMeeting>
+overlaps_by_loads(const Scene& scene, double time, std::span<const Pose> poses) {
+  Shop shop(scene);
+  std::vector<ToolMeeting> overlaps;
+  for (std::size_t i = 0; i < scene.tools.size(); ++i)
+    for (std::size_t j = i + 1; j < scene.tools.size(); ++j)
+      if (const auto overlap = shop.overlap(i, j, time, poses))
+        overlaps.push_back(*overlap);
+  return overlaps;
 }
 
 } // namespace billet::process

@@ -13,6 +13,7 @@
 #include "process/scene.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace billet::process {
@@ -32,5 +33,11 @@ struct ToolMeeting {
 ///
 /// @param scene  with its tools brought to touch
 [[nodiscard]] std::vector<ToolMeeting> tool_meetings(const Scene& scene);
+
+/// Pairs that overlap where loads have taken them and did not when they began to act.
+///
+/// @param poses  of all tools at the time
+[[nodiscard]] std::vector<ToolMeeting>
+overlaps_by_loads(const Scene& scene, double time, std::span<const geometry::Pose> poses);
 
 } // namespace billet::process

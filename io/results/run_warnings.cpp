@@ -2,6 +2,7 @@
 
 #include "io/results/run_writer.h"
 #include "process/remeshing.h"
+#include "process/tool_meetings.h"
 
 #include <fmt/format.h>
 
@@ -120,6 +121,15 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         zone.length, content_->units.length,
         content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
                          : "a finer mesh there or a [remesh] section mends that"));
+  for (const process::ToolMeeting& overlap : process.overlapping_tools())
+    lines.push_back(fmt::format(
+        "warning: at the end tools '{}' and '{}' overlap by {:.3g} {} at ({:.6g}, {:.6g}, {:.6g}): "
+        "they do not feel each other, and nothing stops what a load drives once the part has left "
+        "it; what was found since is wrong: let it act no longer than it holds the part (stages, "
+        "active)",
+        process.scene().tools[overlap.first].name, process.scene().tools[overlap.second].name,
+        overlap.depth, content_->units.length, overlap.place[0], overlap.place[1],
+        overlap.place[2]));
   for (const process::Process::Intruder& intruder : process.intruders())
     lines.push_back(fmt::format(
         "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
@@ -140,8 +150,11 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "
         "what they say with them; {}",
         worn_->time, content_->units.time, worn_->min_quality, last_->min_quality,
-        content_->remesh ? "no new mesh could be made in time: the log says why"
-                         : "a [remesh] section would have replaced the mesh"));
+        !content_->remesh ? "a [remesh] section would have replaced the mesh"
+        : process.refusals().empty()
+            ? "new meshes were not better for long (remesh.csv: quality_after), sharp "
+              "edges of tools do that: a smaller remesh.size.min may help"
+            : "no new mesh could be made in time: the log says why"));
   if (squeezed_at_) {
     const double share = last_->volume / process.bulk().reference_volume();
     const double pressure = -process.bulk().material().elasticity.bulk() * std::log(share);

@@ -62,7 +62,11 @@ TEST_F(StlReport, TheFeatureAngleDecidesWhatIsAFeature) {
 
 TEST(SizeWarning, NamesTheUnitTheFileIsLikelyToBeIn) {
   EXPECT_FALSE(size_warning(100.0, 10.0, "mm").has_value());
-  EXPECT_FALSE(size_warning(1.0, 900.0, "mm").has_value());
+  EXPECT_FALSE(size_warning(1.0, 290.0, "mm").has_value());
+  EXPECT_FALSE(size_warning(900.0, 1.0, "mm").has_value());
+  EXPECT_NE(size_warning(0.016, 5.0, "mm").value_or("").find("is the file in m instead of mm?"),
+            std::string::npos)
+      << "a die as large as the workpiece, and a little more";
   const std::string metres = size_warning(0.09, 100.0, "mm").value_or("");
   EXPECT_NE(metres.find("1.11e+03 times smaller"), std::string::npos) << metres;
   EXPECT_NE(metres.find("is the file in m instead of mm?"), std::string::npos) << metres;

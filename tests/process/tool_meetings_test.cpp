@@ -257,5 +257,25 @@ TEST(ToolMeetings, RandomDiesAgreeWithSmallSteps) {
   EXPECT_GE(met, 5);
 }
 
+TEST(ToolMeetings, AreFoundWhereALoadHasTakenATool) {
+  // A holder 2 above a die; the load takes it through the die's face, or not as far.
+  contact::Tool holder = tool(rectangle({0, 2}, {3, 3}));
+  holder.motion.velocity.reset();
+  holder.motion.force = geometry::Drive{Vec3::Zero(), -Vec3::UnitY(), TimeFunction({{0.0, 1e3}})};
+  const Scene scene = scene_with(Analysis::plane_strain,
+                                 two(tool(rectangle({-1, -1}, {2, 0})), std::move(holder)), 1.0);
+  EXPECT_TRUE(tool_meetings(scene).empty()) << "nobody knows where it goes";
+  for (const auto& [travel, depth] : {std::pair{1.9, 0.0}, std::pair{2.3, 0.3}}) {
+    const std::vector<geometry::Pose> poses{scene.tools[0].motion.pose(0.5),
+                                            scene.tools[1].motion.pose(0.5, {.travel = travel})};
+    const auto overlaps = overlaps_by_loads(scene, 0.5, poses);
+    ASSERT_EQ(overlaps.size(), depth > 0.0 ? 1u : 0u) << travel;
+    if (depth > 0.0) {
+      EXPECT_NEAR(overlaps[0].depth, depth, 1e-9);
+      EXPECT_EQ(overlaps[0].second, 1u);
+    }
+  }
+}
+
 } // namespace
 } // namespace billet::process::tool_meetings_test
