@@ -101,6 +101,7 @@ std::string Process::remesh(const std::string& cause,
   mesh_quality_ = worst_quality(scene_.mesh, positions());
   mesh_aspect_ = aspect();
   mesh_excess_ = most_outgrown_side().excess;
+  mesh_coarse_ = coarse_contact();
   refused_quality_ = 1.0;
   mesh_strain_.clear();
   for (const mechanics::PointState& point : bulk_->states())

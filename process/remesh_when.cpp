@@ -44,6 +44,10 @@ constexpr double most_excess = 1.6;
 /// strained so much, knows nothing of how it flows round the corner: it is replaced when it is.
 constexpr double most_of_corner = 0.3, bitten = 0.25;
 
+/// Contact that has grown onto sides so many times longer than the case wants there, over this
+/// share of its length or area more than when the mesh was new.
+constexpr double most_of_wanted = 1.6, coarse_share = 0.25;
+
 std::vector<Vec3> as_points(std::span<const double> x, int dim) {
   std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -116,6 +120,26 @@ OutgrownSide Process::most_outgrown_side() const {
       most = {excess, turned, tool};
   }
   return most;
+}
+
+double Process::coarse_contact() const {
+  if (!scene_.remesh || !scene_.remesh->size_contact)
+    return 0.0;
+  const double longest = most_of_wanted * *scene_.remesh->size_contact;
+  const int dim = scene_.mesh.dimension();
+  const std::vector<Vec3> points = as_points(positions(), dim);
+  const std::vector<int> touching = touching_tools();
+  double all = 0.0, coarse = 0.0;
+  for (std::size_t f = 0; f < touching.size(); ++f) {
+    if (touching[f] < 0)
+      continue;
+    const auto& nodes = scene_.contact_faces[f].nodes;
+    const double side = (points[idx(nodes[1])] - points[idx(nodes[0])]).norm();
+    const double measure = dim == 2 ? side : side * side;
+    all += measure;
+    coarse += side > longest ? measure : 0.0;
+  }
+  return all > 0.0 ? coarse / all : 0.0;
 }
 
 double Process::strain_since_mesh() const {
@@ -275,6 +299,9 @@ std::string Process::remeshing_due() const {
   if (grown > bitten && strained < bitten)
     if (const CornerLoad load = most_at_corner(); load.share > most_of_corner)
       return fmt::format("{} presses with a corner", scene_.tools[load.tool].name);
+  if (coarse_contact() > coarse_share + mesh_coarse_)
+    return fmt::format("contact on sides longer than {:.3g}",
+                       most_of_wanted * *settings.size_contact);
   if (const std::optional<ContactZone> zone = zone_to_refine())
     return fmt::format("{} touches on {}", scene_.tools[idx(zone->tool)].name, sides_of(*zone));
   return {};

@@ -261,6 +261,8 @@ public:
   [[nodiscard]] std::vector<Lap> laps() const;
   /// Tools that loads have driven into others, which do not feel it.
   [[nodiscard]] std::vector<ToolMeeting> overlapping_tools() const;
+  /// Share of the contact that lies on sides longer than the case wants there [-].
+  [[nodiscard]] double coarse_contact() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
   /// Whether what a tool does in a zone is to indent: pressure near the strength beneath, or an
@@ -574,6 +576,7 @@ private:
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
   double mesh_aspect_ = 1.0;             ///< likewise, the largest of its elements [-]
   double mesh_excess_ = 0.0;             ///< likewise, of the side most outgrown [-]
+  double mesh_coarse_ = 0.0;             ///< likewise, coarse_contact() [-]
   double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
   int mesh_increment_ = 0;               ///< likewise
   std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]

@@ -279,6 +279,26 @@ TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
   }
 }
 
+TEST(Remeshing, KeepsTheSizeAtAContactThatGrows) {
+  // A round punch, whose contact grows from nothing to half of the block's face.
+  Scene scene = bar_on_block(8);
+  scene.tools[0] = moving_tool(
+      "punch", geometry::make_circle(Vec3(0.0, 24.0, 0.0), 12.0, false), -Vec3::UnitY());
+  scene.stages[0].end = 2.0;
+  scene.landing_times.clear();
+  scene.remesh = RemeshSettings{};
+  scene.remesh->size_contact = 0.4;
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  const auto& made = done.process->remeshings();
+  const auto for_size = std::count_if(made.begin(), made.end(), [](const RemeshReport& r) {
+    return r.cause == "contact on sides longer than 0.64";
+  });
+  EXPECT_GE(for_size, 1);
+  EXPECT_LE(made.size(), 8u);
+  EXPECT_LT(done.process->coarse_contact(), 0.5);
+}
+
 TEST(Remeshing, DoesNotFollowAContactThatShrinks) {
   Scene scene = bar_on_block(8);
   scene.tools[0].motion.velocity.reset();
