@@ -409,6 +409,10 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     constexpr int many = 6;
     return in_vain == many || 0.5 * step < *limit.min;
   };
+  // While tools draw back points part in rows: where the last increment was cut back, too, halves
+  // would be cut back and back.
+  int in_rows = 0;
+  const auto parts_in_rows = [&] { return in_rows > 0 && !retreating_.empty(); };
   bool rested = false;
   while (time_ < stage.end) {
     if (stop_requested(observers))
@@ -430,7 +434,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     std::string why = leap(scene_, stage, time_, time_ + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
-                        ((failures > 0 || is_last_way(failures, step)) &&
+                        ((failures > 0 || parts_in_rows() || is_last_way(failures, step)) &&
                          try_softened(step, is_last_way(failures, step), why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
@@ -467,6 +471,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       const bool easy = failures == 0 && last_iterations_ <= IncrementControl::easy_iterations;
       adapt_penalty(easy ? Progress::easy : Progress::laboured);
       control.accepted(step, last_iterations_, missed_since(before, (time_ - start) / length));
+      constexpr int remembered = 3;
+      in_rows = failures > 0 ? remembered : std::max(0, in_rows - 1);
       failures = refusals = 0;
       tried.clear();
       if (stop_requested(observers))

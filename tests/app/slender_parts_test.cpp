@@ -354,5 +354,44 @@ unload = true
   EXPECT_NEAR(energy()["elastic_energy"].get<double>(), supported, 2e-3 * supported);
 }
 
+// While tools draw back, rows of points part at once: 990 increments, halved and doubled in turn.
+TEST_F(SlenderParts, AStripOneBrickWideIsLetGoInFewIncrements) {
+  const Outcome outcome = run(R"(
+analysis = "3d"
+workpiece = { element = "hex8", material = "s", mesh = { box = [[0, 0, 0], [25, 1, 1]], cells = [40, 1, 3] } }
+[material.s]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "swift", K = 500, eps0 = 0.01, n = 0.2 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[support]]
+where = "y = 1"
+fix = ["y"]
+[[tool]]
+name = "punch"
+surface = { cylinder = { point = [0, 0, 4], axis = [0, 1, 0], radius = 3 } }
+motion = { displacement = [[0, 0, 0, 0], [1, 0, 0, -8]] }
+friction = { law = "coulomb", mu = 0.1 }
+[[tool]]
+name = "roll"
+surface = { cylinder = { point = [15, 0, -2], axis = [0, 1, 0], radius = 2 } }
+friction = { law = "coulomb", mu = 0.1 }
+[[stage]]
+name = "bend"
+end = 1
+[[stage]]
+name = "let go"
+end = 2
+unload = true
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_LT(history().rows.size(), 200u);
+  EXPECT_NEAR(energy()["elastic_energy"].get<double>(), 0.12194, 1e-4);
+}
+
 } // namespace
 } // namespace billet::test::slender_parts_test
