@@ -515,8 +515,9 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
   stabilize(t, pose, trial.x);
 }
 
-void ContactTerm::retreat(std::size_t tool, double distance) {
+void ContactTerm::retreat(std::size_t tool, double distance, double all) {
   states_[tool].retreat = distance;
+  states_[tool].drawn_back = all;
   std::fill(states_[tool].known_gap.begin(), states_[tool].known_gap.end(), 0.0);
 }
 

@@ -216,6 +216,8 @@ public:
   }
   /// Area in contact of the last committed trial [mm^2].
   [[nodiscard]] double area() const { return area_; }
+  /// With what corners stand for: nothing only where nothing bears any force [mm^2].
+  [[nodiscard]] double bearing_area() const;
   /// Penetration at the last assembled trial, over whole faces.
   ///
   /// @param limit  that it is compared with: a bound is resolved to a twentieth of it [mm]
@@ -237,7 +239,9 @@ public:
   [[nodiscard]] bool leaves(std::size_t tool, double time) const;
   /// Tells how far a tool's surface has drawn back at the end of this try, along its normals,
   /// beside what its motion does; it may be less than in the try before.
-  void retreat(std::size_t tool, double distance);
+  ///
+  /// @param all  with what it has drawn back in increments before [mm]
+  void retreat(std::size_t tool, double distance, double all);
   /// Takes a tool's contact away: returns its committed nodal forces on the workpiece, shape
   /// (n_dofs) [N], and forgets its history. The penalties' energy goes with it.
   [[nodiscard]] std::vector<double> release(std::size_t tool);
@@ -279,6 +283,7 @@ private:
     std::vector<Index> even_at; ///< of a face in `even`, -1: it is not there; shape (n_faces)
     bool touches = false;       ///< in the committed state
     double retreat = 0.0;       ///< of its surface in the increment, along its normals [mm]
+    double drawn_back = 0.0;    ///< likewise since it began to [mm]
   };
 
   [[nodiscard]] Penalty penalty() const;

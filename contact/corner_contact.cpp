@@ -1,6 +1,7 @@
 #include "contact/corner_contact.h"
 
 #include "contact/line_face.h"
+#include "geometry/base/box.h"
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/AutoDiff>
@@ -96,7 +97,7 @@ CornerContact::CornerContact(const ContactSurface& surface, const geometry::Rigi
     return;
   search_ = CornerSearch(surface);
   for (Index f = 0; f < surface.n_faces(); ++f)
-    width_ += 0.5 * surface.depth(f) / surface.n_faces();
+    largest_depth_ = std::max(largest_depth_, surface.depth(f));
 }
 
 void CornerContact::part() {
@@ -118,11 +119,6 @@ void CornerContact::release(const ContactSurface& surface, std::span<double> for
   }
 }
 
-double CornerContact::area(const ContactSurface& surface, const Vec2& place) const {
-  const bool turns = surface.analysis() == mechanics::Analysis::axisymmetric;
-  return width_ * (turns ? 2.0 * std::numbers::pi * std::max(0.0, place.x()) : 1.0);
-}
-
 void CornerContact::go_on_from(std::span<const Corner> before,
                                const ContactSurface& surface,
                                const geometry::Pose& pose,
@@ -130,7 +126,7 @@ void CornerContact::go_on_from(std::span<const Corner> before,
                                double penalty) {
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     PointHistory& history = corners_[c].history;
-    const double slack = still_presses * 2.0 * width_;
+    const double slack = still_presses * largest_depth_;
     const auto foot = search_.find(surface, x, placed(corners_[c].shape, pose), slack);
     history = PointHistory{.sliding = before[c].history.sliding};
     corners_[c].strength = before[c].strength;
@@ -149,14 +145,26 @@ int CornerContact::add(const ContactSurface& surface,
                        const At& at,
                        mechanics::System& system) {
   int changes = 0;
+  Box around; // of the faces; most corners of a knurled roll are far from them
+  if (!corners_.empty())
+    for (Index f = 0; f < surface.n_faces(); ++f)
+      for (const Index node : surface.scatter().nodes(f))
+        around.add(in_space({at.trial.x[idx(2 * node)], at.trial.x[idx(2 * node + 1)]}));
   for (Corner& corner : corners_) {
     const Status before = corner.trial.traction.status;
     corner.trial = CornerPress{};
-    const PlacedCorner place = placed(corner.shape, at.pose);
+    PlacedCorner place = placed(corner.shape, at.pose);
+    place.radius -= at.drawn_back; // below zero it is farther away than the corner
     const double softening = at.trial.softening.penetration;
     const double slack = std::max(
         0.0, carried(corner, softening) / (softening * at.penalty.normal) - corner.history.offset);
-    if (const auto foot = search_.find(surface, at.trial.x, place, slack))
+    const double margin = std::abs(place.radius) + slack + largest_depth_;
+    Box here;
+    here.add(in_space(place.centre));
+    const auto foot = around.overlaps(here, margin)
+                          ? search_.find(surface, at.trial.x, place, slack)
+                          : std::nullopt;
+    if (foot)
       visit_line(surface.kind(), [&](auto shape) {
         press<decltype(shape)>(surface, pattern, at, place, *foot, corner, system);
       });
@@ -232,12 +240,18 @@ void CornerContact::press(const ContactSurface& surface,
   if (T.status == Status::open)
     return;
 
+  // A point of half an element, and its way around the axis.
+  const std::array<double, 2>& depths = search_.depths(foot.face);
+  const bool turns = surface.analysis() == mechanics::Analysis::axisymmetric;
+  const double around = turns ? 2.0 * std::numbers::pi * std::max(0.0, place.centre.x()) : 1.0;
   Dual shear(T.shear.dot(along));
   shear.derivatives() = along.dot(T.dtraction_dx * along) * slide.derivatives() +
                         along.dot(T.dtraction_dp) * pressure.derivatives();
   trial.foot = foot;
-  trial.area = area(surface, place.centre);
-  const Dual2 force = trial.area * (pressure * n + shear * tangent);
+  trial.depth = 0.5 * ((1.0 - foot.xi) * depths[0] + (1.0 + foot.xi) * depths[1]);
+  const Dual area = 0.5 * around * (trial.depth + 0.5 * (depths[1] - depths[0]) * on_face.step);
+  trial.area = area.value();
+  const Dual2 force = area * (pressure * n + shear * tangent);
   trial.force = in_space(value(force));
   trial.place = in_space(place.centre + place.radius * value(n));
 

@@ -24,7 +24,8 @@ namespace billet::contact {
 struct CornerPress {
   std::optional<CornerFoot> foot; ///< none: it does not press
   Traction traction{};            ///< in the tool's frame
-  double area = 0.0;              ///< that it stands for [mm^2]
+  double depth = 0.0;             ///< of the element beneath [mm]
+  double area = 0.0;              ///< that it stands for: half of that [mm^2]
   Vec3 place = Vec3::Zero();      ///< of the tool, in space [mm]
   Vec3 force = Vec3::Zero();      ///< on the workpiece, in space [N]
   double mean_pressure = 0.0;     ///< over the increment, set when it is committed [MPa]
@@ -56,6 +57,7 @@ public:
     const mechanics::Trial& trial;
     const geometry::Pose& pose;
     const geometry::Pose& pose_old; ///< at its beginning
+    double drawn_back;              ///< by its surface, along its normals [mm]
     const Friction& friction;
     Penalty penalty; ///< without softening
     /// Free degrees of freedom of the tool, for a place.
@@ -66,8 +68,6 @@ public:
   CornerContact(const ContactSurface& surface, const geometry::RigidSurface& tool);
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
-  /// Of the elements beneath, in the mean [mm].
-  [[nodiscard]] double depth() const { return 2.0 * width_; }
   [[nodiscard]] std::span<Corner> corners() { return corners_; }
   [[nodiscard]] std::span<const Corner> corners() const { return corners_; }
 
@@ -94,8 +94,6 @@ public:
   void release(const ContactSurface& surface, std::span<double> forces);
 
 private:
-  /// Area that a corner at a place stands for [mm^2].
-  [[nodiscard]] double area(const ContactSurface& surface, const Vec2& place) const;
   template <class Shape>
   void press(const ContactSurface& surface,
              const mechanics::BlockPattern& pattern,
@@ -106,7 +104,7 @@ private:
              mechanics::System& system) const;
 
   CornerSearch search_;
-  double width_ = 0.0; ///< that a corner stands for [mm]
+  double largest_depth_ = 0.0; ///< of an element beneath [mm]
   std::vector<Corner> corners_;
 };
 

@@ -16,9 +16,10 @@ using billet::cross;
 
 /// Of the element beneath: deeper than that, a corner has not come through this face.
 constexpr double deepest = 0.5;
-/// Of the element beneath: roundings beyond that are wide enough for contact points. No ratio that
-/// a user would choose: rounding must not decide.
-constexpr double widest = 0.61;
+/// Of the element beneath: larger roundings are left to contact points. Their centres are far
+/// enough outside of the metal for two places of a notch to be equally close. No ratio that a user
+/// would choose: rounding must not decide.
+constexpr double widest = 0.26;
 /// Of the element beneath: closer to a node than that, the way to it has no direction.
 constexpr double at_node = 1e-12;
 
@@ -47,6 +48,12 @@ CornerSearch::CornerSearch(const ContactSurface& surface)
   for (Index f = 0; f < surface.n_faces(); ++f)
     for (std::size_t end = 0; end < 2; ++end)
       neighbours_[idx(f)][end] = around.at(surface.scatter().nodes(f)[end])[1 - end];
+  depths_.resize(neighbours_.size());
+  for (Index f = 0; f < surface.n_faces(); ++f)
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Index other = neighbours_[idx(f)][end];
+      depths_[idx(f)][end] = 0.5 * (surface.depth(f) + surface.depth(other < 0 ? f : other));
+    }
 }
 
 std::optional<CornerFoot> CornerSearch::find(const ContactSurface& surface,
@@ -72,10 +79,12 @@ std::optional<CornerFoot> CornerSearch::find(const ContactSurface& surface,
       CornerFoot here{f, xi, inward<Shape>(nodes, xi), 0.0, 0.0};
       here.depth = off.dot(here.normal);
       if (std::abs(xi) == 1.0) {
+        // A chain of faces ends on a plane of symmetry: there the mirror image would go on.
         const Index other = neighbours_[idx(f)][xi < 0.0 ? 0 : 1];
-        if (other < 0)
-          continue;
-        const double behind = off.dot(inward<Shape>(line_nodes<Shape>(surface, x, other), -xi));
+        const Vec2 along = at.sum(at.dN, nodes).normalized();
+        const double behind =
+            other >= 0 ? off.dot(inward<Shape>(line_nodes<Shape>(surface, x, other), -xi))
+                       : here.depth - std::abs(off.dot(along));
         const bool inside = here.depth >= 0.0 && behind >= 0.0;
         if (!inside && here.depth + behind > 0.0)
           continue; // inside of one of two faces that meet in a ridge: beyond its end

@@ -69,7 +69,13 @@ public:
                                                const PlacedCorner& corner,
                                                double slack) const;
 
+  /// Depth of the elements beneath at both ends of a face, in the mean of the two there [mm].
+  [[nodiscard]] const std::array<double, 2>& depths(Index face) const {
+    return depths_[static_cast<std::size_t>(face)];
+  }
+
 private:
+  std::vector<std::array<double, 2>> depths_;
   std::vector<std::array<Index, 2>> neighbours_; ///< of a face, at its ends; -1: none
 };
 

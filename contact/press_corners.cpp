@@ -30,7 +30,18 @@ void ContactTerm::press_corners(std::size_t tool,
   penalty.normal /= softening_;
   const geometry::Pose pose_old = this->pose(tool, trial.time_old, trial.x_old);
   system.contact_changes += corners.add(
-      *surface_, *pattern_, {trial, pose, pose_old, tools_[tool].friction, penalty, rates}, system);
+      *surface_, *pattern_,
+      {trial, pose, pose_old, states_[tool].drawn_back, tools_[tool].friction, penalty, rates},
+      system);
+}
+
+double ContactTerm::bearing_area() const {
+  double area = area_;
+  for (const ToolState& state : states_)
+    for (const CornerContact::Corner& corner : state.corners.corners())
+      if (corner.committed.foot)
+        area += corner.committed.area;
+  return area;
 }
 
 void ContactTerm::commit_corners(std::size_t tool, const mechanics::Trial& trial, double gone) {
@@ -46,8 +57,10 @@ void ContactTerm::commit_corners(std::size_t tool, const mechanics::Trial& trial
     const double area = now.foot ? now.area : before.area;
     work_.external +=
         0.5 * (now.force.dot(way.of(now.place)) + before.force.dot(way_old.of(before.place)));
+    work_.external -= 0.5 * state.retreat * area * (history.pressure + T.pressure);
     const double sliding = history.sliding + T.slip.norm();
-    const ShearBalance shear = balance(penalty(), history, T, sliding, state.corners.depth());
+    const ShearBalance shear =
+        balance(penalty(), history, T, sliding, now.foot ? now.depth : before.depth);
     work_.friction += area * shear.friction_work;
     work_.unseen += area * shear.unseen;
     work_.enforcement += area * enforcement_work(history, T, corner.multiplier);

@@ -275,7 +275,7 @@ void Process::accept(double dt) {
   const double external = energy_.external;
   const double plastic = energy_.plastic;
   update_energy();
-  if (fades && contact_->area() == 0.0)
+  if (fades && contact_->bearing_area() == 0.0)
     flow_in_fading_ += energy_.plastic - plastic;
   springs_back_ = energy_.external < external;
   account_contact(dt);

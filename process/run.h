@@ -261,6 +261,8 @@ public:
   [[nodiscard]] std::vector<Lap> laps() const;
   /// Tools that loads have driven into others, which do not feel it.
   [[nodiscard]] std::vector<ToolMeeting> overlapping_tools() const;
+  /// The tool of whose pressure corners bear the largest share; none: share 0.
+  [[nodiscard]] CornerLoad most_at_corner() const;
   /// Share of the contact that lies on sides longer than the case wants there [-].
   [[nodiscard]] double coarse_contact() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
@@ -423,9 +425,6 @@ private:
   void start_remeshing();
   /// Of the present mesh since it was made, the largest growth of plastic strain [-].
   [[nodiscard]] double strain_since_mesh() const;
-  /// The tool that presses with a corner more than with all its contact points beside it, by the
-  /// share of the corner; none: share 0.
-  [[nodiscard]] CornerLoad most_at_corner() const;
   /// Longest over shortest edge of the most slender element [-].
   [[nodiscard]] double aspect() const;
   /// The side in contact that is the most too long for the tool beneath it; excess 0: there is

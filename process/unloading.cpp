@@ -19,7 +19,7 @@ bool Process::is_squeezed() const {
   for (const contact::ToolLoad& load : contact_->loads())
     force += load.force.norm();
   const mechanics::Material& material = scene_.material;
-  return force > little * contact_->area() *
+  return force > little * contact_->bearing_area() *
                      mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
 }
 
@@ -59,7 +59,7 @@ void Process::draw_back_to(double time) {
   };
   for (const Retreating& each : retreating_) {
     each.surface->set_distance(distance(time));
-    contact_->retreat(each.tool, distance(time) - distance(time_));
+    contact_->retreat(each.tool, distance(time) - distance(time_), distance(time));
   }
 }
 
@@ -68,7 +68,7 @@ void Process::put_tools_back() {
     contact::Tool& tool = scene_.tools[each.tool];
     tool.surface = each.surface->give_back();
     tool.motion.rests_from = std::numeric_limits<double>::infinity();
-    contact_->retreat(each.tool, 0.0);
+    contact_->retreat(each.tool, 0.0, 0.0);
     contact_->rest(each.tool, false);
   }
   retreating_.clear();

@@ -121,6 +121,14 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         zone.length, content_->units.length,
         content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
                          : "a finer mesh there or a [remesh] section mends that"));
+  constexpr double most_of_corner = 0.5;
+  if (const process::CornerLoad load = process.most_at_corner(); load.share > most_of_corner)
+    lines.push_back(fmt::format(
+        "warning: at the end {:.0f} % of the pressure on {} is that of its corners on single "
+        "faces: "
+        "its force is that of elements of this size, a sharper tool or a finer mesh gets another "
+        "one; round the edge, and let elements be smaller than the rounding",
+        100.0 * load.share, process.scene().tools[load.tool].name));
   for (const process::ToolMeeting& overlap : process.overlapping_tools())
     lines.push_back(fmt::format(
         "warning: at the end tools '{}' and '{}' overlap by {:.3g} {} at ({:.6g}, {:.6g}, {:.6g}): "

@@ -83,6 +83,22 @@ TEST_F(SharpPunch, LosesNoForceWhenPointsSlidePastItsEdge) {
   }
 }
 
+// Its corner draws back with it: it used to hold the part down.
+TEST_F(SharpPunch, LeavesThePartFreeWhenItIsUnloaded) {
+  std::string text = punch("quad4", "[24, 16]");
+  const std::string end = "[time]\nend = 1\n";
+  text.replace(text.find(end), end.size(),
+               "[[stage]]\nname = \"press\"\nend = 1\n[[stage]]\nname = \"leave\"\nend = "
+               "2\nunload = true\n");
+  run(text);
+  const ResultTable table = history();
+  EXPECT_EQ(table.values("punch.force_y").back(), 0.0);
+  EXPECT_EQ(table.values("punch.force_x").back(), 0.0);
+  const std::vector<double> elastic = table.values("elastic_energy");
+  EXPECT_LT(elastic.back(), 0.4 * *std::max_element(elastic.begin(), elastic.end()));
+  EXPECT_LT(std::abs(summary()["energy"]["relative_error"].get<double>()), 2e-3);
+}
+
 } // namespace
 
 } // namespace billet::test::sharp_punch_test
