@@ -20,6 +20,8 @@ constexpr double deepest = 0.5;
 /// enough outside of the metal for two places of a notch to be equally close. No ratio that a user
 /// would choose: rounding must not decide.
 constexpr double widest = 0.26;
+/// Slope of a face that ends on a plane of symmetry: beyond, a corner is beside the part.
+constexpr double steepest = 4.0;
 /// Of the element beneath: closer to a node than that, the way to it has no direction.
 constexpr double at_node = 1e-12;
 
@@ -79,15 +81,20 @@ std::optional<CornerFoot> CornerSearch::find(const ContactSurface& surface,
       CornerFoot here{f, xi, inward<Shape>(nodes, xi), 0.0, 0.0};
       here.depth = off.dot(here.normal);
       if (std::abs(xi) == 1.0) {
-        // A chain of faces ends on a plane of symmetry: there the mirror image would go on.
+        // The node is the closest place of both its faces, or the other face has a closer one.
+        // Where faces end, on a plane of symmetry, the mirror image of this one would go on.
         const Index other = neighbours_[idx(f)][xi < 0.0 ? 0 : 1];
-        const Vec2 along = at.sum(at.dN, nodes).normalized();
-        const double behind =
-            other >= 0 ? off.dot(inward<Shape>(line_nodes<Shape>(surface, x, other), -xi))
-                       : here.depth - std::abs(off.dot(along));
-        const bool inside = here.depth >= 0.0 && behind >= 0.0;
-        if (!inside && here.depth + behind > 0.0)
-          continue; // inside of one of two faces that meet in a ridge: beyond its end
+        Vec2 beside = here.normal;
+        if (other >= 0) {
+          const LineNodes<Shape> next = line_nodes<Shape>(surface, x, other);
+          if (foot_on_line<Shape>(next, corner.centre) != -xi)
+            continue;
+          beside = inward<Shape>(next, -xi);
+        } else if (std::abs(off.dot(at.sum(at.dN, nodes).normalized())) >
+                   steepest * std::abs(here.depth)) {
+          continue;
+        }
+        const bool inside = off.dot(here.normal + beside) >= 0.0;
         here.depth = inside ? distance : -distance;
         if (distance > at_node * depth_beneath)
           here.normal = off / here.depth;

@@ -138,6 +138,21 @@ TEST(CornerContact, PressesAtTheEndOfTheFacesAsOnAPlaneOfSymmetry) {
   }
 }
 
+TEST(CornerContact, PressesAsideOfTheBottomOfASharpNotch) {
+  // Behind one face of the notch only, closest to its bottom all the same.
+  const Vec2 aside(0.8e-3, 1e-3);
+  ContactBench bench =
+      bench_on(body_kinds()[0], still_tool(ridge(Vec2(2.0, 0.0) + aside), Frictionless{}));
+  for (std::size_t a = 0; a < bench.mesh.points.size(); ++a)
+    if (const Vec3& p = bench.mesh.points[a]; p.y() == 0.0)
+      bench.x[2 * a + 1] -= 1.5 * std::abs(p.x() - 2.0);
+  bench.assemble(bench.x, 1.0);
+  const auto& foot = bench.term.corners(0)[0].trial.foot;
+  ASSERT_TRUE(foot.has_value());
+  EXPECT_NEAR(foot->depth, aside.norm(), 1e-12);
+  EXPECT_TRUE(foot->normal.isApprox(aside.normalized(), 1e-9));
+}
+
 TEST(CornerContact, DrawsBackWithItsTool) {
   ContactBench bench =
       bench_on(body_kinds()[1], still_tool(ridge(Vec2(1.48, 1e-3)), Frictionless{}));
