@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace billet::contact {
 
@@ -72,7 +73,8 @@ DualFoot<Shape> dual_foot(const OnLine<Shape>& at,
                           double radius) {
   const Dual2 x = at.sum(at.N, nodes), along = at.sum(at.dN, nodes), bend = at.sum(at.ddN, nodes);
   const Dual2 off = centre - x;
-  if (std::abs(at.xi) == 1.0) {
+  constexpr double at_node = 1e-12; // of the face: the way to it has no direction
+  if (std::abs(at.xi) == 1.0 && value(off).norm() > at_node * value(along).norm()) {
     const Dual distance = sqrt(off.dot(off));
     return {Dual(0.0), x, off / distance, distance + radius};
   }
@@ -84,6 +86,141 @@ DualFoot<Shape> dual_foot(const OnLine<Shape>& at,
   const Dual length = sqrt(tangent.dot(tangent));
   const Dual2 normal(-tangent.y() / length, tangent.x() / length);
   return {step, place, normal, (centre - place).dot(normal) + radius};
+}
+
+/// A corner that moves with its tool, and the free degrees of freedom that move it.
+struct DualCorner {
+  std::vector<PlaceRate> drives;
+  Dual2 centre, from, to;
+  double radius;
+
+  DualCorner(const PlacedCorner& place, std::vector<PlaceRate> rates)
+      : drives(std::move(rates)), centre(moving(place.centre, drives, velocity)),
+        from(turning(place.from)), to(turning(place.to)), radius(place.radius) {}
+
+  static Vec3 velocity(const PlaceRate& rate) { return rate.velocity; }
+
+private:
+  [[nodiscard]] Dual2 turning(const Vec2& v) const {
+    return moving(v, drives,
+                  [&](const PlaceRate& rate) -> Vec3 { return rate.spin.cross(in_space(v)); });
+  }
+};
+
+/// Nodes of a face now, and where the tool has carried along what was there at the beginning.
+template <class Shape> struct DualFace {
+  std::array<Dual2, Shape::nodes> now, carried_along;
+
+  DualFace(const ContactSurface& surface, const CornerContact::At& at, Index face) {
+    const LineNodes<Shape> x = line_nodes<Shape>(surface, at.trial.x, face);
+    const LineNodes<Shape> old = line_nodes<Shape>(surface, at.trial.x_old, face);
+    for (std::size_t a = 0; a < x.size(); ++a) {
+      now[a] = dual(x[a]);
+      for (int d = 0; d < 2; ++d)
+        now[a][d].derivatives()[static_cast<int>(2 * a) + d] = 1.0;
+      const Vec3 there = at.pose.to_space(at.pose_old.to_tool(in_space(old[a])));
+      carried_along[a] = moving(there.head<2>(), at.rates(there), DualCorner::velocity);
+    }
+  }
+};
+
+/// The traction of a corner whose metal has slid along the tangent.
+///
+/// @param normal, along  the frame of its place, in the tool's frame
+Traction rub(const ContactSurface& surface,
+             const CornerContact::At& at,
+             const CornerContact::Corner& corner,
+             double pressure,
+             double slide,
+             const Vec3& normal,
+             const Vec3& along) {
+  PointHistory start = corner.history;
+  start.position = Vec3::Zero();
+  if (start.closed()) { // the shear turns with the place
+    start.shear = start.shear.dot(Vec3::UnitZ().cross(start.normal)) * along;
+    start.normal = normal;
+  }
+  InterfaceInput in{slide * along, {}};
+  in.projection.gap = -pressure / at.penalty.normal;
+  in.projection.normal = normal;
+  in.shared = SharedPressure{pressure, 0.0};
+  in.strength = corner.strength;
+  in.dt = at.trial.time - at.trial.time_old;
+  in.softening = at.trial.softening.slip;
+  return traction(at.friction, at.penalty, start, in, surface.scheme());
+}
+
+/// What a corner's force adds to the equations of a face's nodes.
+template <class Shape> class FaceEquations {
+public:
+  static constexpr int size = 2 * Shape::nodes;
+  using Square = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
+
+  /// @param stiffness  of the penalty along the normal [N/mm]
+  FaceEquations(const OnLine<Shape>& line,
+                const DualFoot<Shape>& foot,
+                const Dual2& force,
+                double stiffness) {
+    Eigen::Matrix<double, size, 1> gradient;
+    for (std::size_t a = 0; a < line.N.size(); ++a)
+      for (int d = 0; d < 2; ++d) {
+        const int row = static_cast<int>(2 * a) + d;
+        const Dual r = -(line.N[a] + line.dN[a] * foot.step) * force[d];
+        residual_[row] = r.value();
+        tangent_.row(row) = r.derivatives().template head<size>().transpose();
+        by_drives_.row(row) =
+            r.derivatives().template tail<most_unknowns - most_nodal>().transpose();
+        gradient[row] = line.N[a] * foot.normal[d].value();
+      }
+    unsymmetric_ = tangent_ - stiffness * gradient * gradient.transpose();
+  }
+
+  void add(const ContactSurface& surface,
+           const mechanics::BlockPattern& pattern,
+           Index face,
+           std::span<const PlaceRate> drives,
+           mechanics::System& system) const {
+    system.symmetric = false;
+    surface.scatter().add(2, face, residual_.data(), system.residual);
+    surface.scatter().add(pattern, face, tangent_.data(), system.tangent.values);
+    surface.scatter().list(pattern, face, unsymmetric_.data(), system.tangent.unsymmetric);
+    const auto nodes = surface.scatter().nodes(face);
+    for (std::size_t i = 0; i < drives.size(); ++i)
+      for (int row = 0; row < size; ++row)
+        system.borders[drives[i].drive].column[idx(2 * nodes[idx(row / 2)] + row % 2)] +=
+            by_drives_(row, static_cast<int>(i));
+  }
+
+private:
+  Eigen::Matrix<double, size, 1> residual_;
+  Square tangent_, unsymmetric_;
+  Eigen::Matrix<double, size, most_unknowns - most_nodal> by_drives_;
+};
+
+/// What a corner's force does over the rates of its tool's free degrees of freedom. (C.14)
+///
+/// @param arm  from the corner's centre to where it presses
+void add_to_drives(const DualCorner& corner,
+                   const Dual2& arm,
+                   const Dual2& force,
+                   std::span<const Index> nodes,
+                   std::size_t n_dofs,
+                   mechanics::System& system) {
+  for (const PlaceRate& drive : corner.drives) {
+    // The axis of a turn travels with the tool, as the corner does, so only turns change it.
+    const Dual2 of_centre =
+        moving(drive.velocity.head<2>(), corner.drives, [&](const PlaceRate& by) -> Vec3 {
+          return by.spin.isZero(0.0) ? by.spin : Vec3(drive.spin.cross(by.velocity));
+        });
+    const Dual r = force.dot(of_centre + drive.spin.z() * Dual2(-arm.y(), arm.x()));
+    mechanics::Border& border = system.borders[drive.drive];
+    system.residual[n_dofs + drive.drive] += r.value();
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      for (int d = 0; d < 2; ++d)
+        border.row[idx(2 * nodes[a] + d)] += r.derivatives()[static_cast<int>(2 * a) + d];
+    for (std::size_t j = 0; j < corner.drives.size(); ++j)
+      border.corner[corner.drives[j].drive] += r.derivatives()[most_nodal + static_cast<int>(j)];
+  }
 }
 
 } // namespace
@@ -181,72 +318,42 @@ void CornerContact::press(const ContactSurface& surface,
                           const CornerFoot& foot,
                           Corner& corner,
                           mechanics::System& system) const {
-  constexpr auto n_nodes = std::size_t{Shape::nodes};
-  const auto numbers = surface.scatter().nodes(foot.face);
   const OnLine<Shape> line(foot.xi);
-  const auto spin = [](const Vec2& v) {
-    return [v = in_space(v)](const PlaceRate& rate) -> Vec3 { return rate.spin.cross(v); };
-  };
-  const auto velocity = [](const PlaceRate& rate) { return rate.velocity; };
-
-  const std::vector<PlaceRate> drives = at.rates(in_space(place.centre));
-  const Dual2 centre = moving(place.centre, drives, velocity);
-  const Dual2 from = moving(place.from, drives, spin(place.from));
-  const Dual2 to = moving(place.to, drives, spin(place.to));
-  std::array<Dual2, n_nodes> nodes, before; // now, and carried along by the tool since then
-  const LineNodes<Shape> now = line_nodes<Shape>(surface, at.trial.x, foot.face);
-  const LineNodes<Shape> old = line_nodes<Shape>(surface, at.trial.x_old, foot.face);
-  for (std::size_t a = 0; a < n_nodes; ++a) {
-    nodes[a] = dual(now[a]);
-    for (int d = 0; d < 2; ++d)
-      nodes[a][d].derivatives()[static_cast<int>(2 * a) + d] = 1.0;
-    const Vec3 carried_along = at.pose.to_space(at.pose_old.to_tool(in_space(old[a])));
-    before[a] = moving(carried_along.head<2>(), at.rates(carried_along), velocity);
-  }
-
-  const DualFoot<Shape> on_face = dual_foot<Shape>(line, nodes, centre, place.radius);
+  const DualCorner dual_corner(place, at.rates(in_space(place.centre)));
+  const DualFace<Shape> face(surface, at, foot.face);
+  const DualFoot<Shape> on_face =
+      dual_foot<Shape>(line, face.now, dual_corner.centre, place.radius);
   const Dual2& n = on_face.normal;
-  const Dual facing = taken_over<Dual>(cross_of(from, n)) * taken_over<Dual>(cross_of(n, to));
+  const Dual facing = taken_over<Dual>(cross_of(dual_corner.from, n)) *
+                      taken_over<Dual>(cross_of(n, dual_corner.to));
   const double softening = at.trial.softening.penetration;
-  const PointHistory& history = corner.history;
-  const Dual pressure = facing * (softening * at.penalty.normal * (on_face.depth - history.offset) +
-                                  carried(corner, softening));
+  const Dual pressure =
+      facing * (softening * at.penalty.normal * (on_face.depth - corner.history.offset) +
+                carried(corner, softening));
   if (!(pressure.value() > 0.0))
     return;
 
   // The material slides along the tangent, from where it was under the tool.
   const Dual2 tangent(-n.y(), n.x());
-  const Dual2 was = line.sum(line.N, before) + on_face.step * line.sum(line.dN, before);
+  const Dual2 was =
+      line.sum(line.N, face.carried_along) + on_face.step * line.sum(line.dN, face.carried_along);
   const Dual slide = (on_face.place - was).dot(tangent);
   const Mat3 to_tool = at.pose.rotation.transpose();
-  const Vec3 normal = to_tool * in_space(value(n));
   const Vec3 along = to_tool * in_space(value(tangent));
-  PointHistory start = history;
-  start.position = Vec3::Zero();
-  if (history.closed()) {
-    start.normal = normal;
-    start.shear = history.shear.dot(Vec3::UnitZ().cross(history.normal)) * along;
-  }
-  InterfaceInput in{slide.value() * along, {}};
-  in.projection.gap = -on_face.depth.value();
-  in.projection.normal = normal;
-  in.shared = SharedPressure{pressure.value(), 0.0};
-  in.strength = corner.strength;
-  in.dt = at.trial.time - at.trial.time_old;
-  in.softening = at.trial.softening.slip;
   CornerPress& trial = corner.trial;
-  trial.traction = traction(at.friction, at.penalty, start, in, surface.scheme());
+  trial.traction = rub(surface, at, corner, pressure.value(), slide.value(),
+                       to_tool * in_space(value(n)), along);
   const Traction& T = trial.traction;
   if (T.status == Status::open)
     return;
+  Dual shear(T.shear.dot(along));
+  shear.derivatives() = along.dot(T.dtraction_dx * along) * slide.derivatives() +
+                        along.dot(T.dtraction_dp) * pressure.derivatives();
 
   // A point of half an element, and its way around the axis.
   const std::array<double, 2>& depths = search_.depths(foot.face);
   const bool turns = surface.analysis() == mechanics::Analysis::axisymmetric;
   const double around = turns ? 2.0 * std::numbers::pi * std::max(0.0, place.centre.x()) : 1.0;
-  Dual shear(T.shear.dot(along));
-  shear.derivatives() = along.dot(T.dtraction_dx * along) * slide.derivatives() +
-                        along.dot(T.dtraction_dp) * pressure.derivatives();
   trial.foot = foot;
   trial.depth = 0.5 * ((1.0 - foot.xi) * depths[0] + (1.0 + foot.xi) * depths[1]);
   const Dual area = 0.5 * around * (trial.depth + 0.5 * (depths[1] - depths[0]) * on_face.step);
@@ -255,48 +362,11 @@ void CornerContact::press(const ContactSurface& surface,
   trial.force = in_space(value(force));
   trial.place = in_space(place.centre + place.radius * value(n));
 
-  constexpr int size = 2 * Shape::nodes;
-  using Square = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
-  Eigen::Matrix<double, size, 1> residual, gradient;
-  Square tangent_matrix;
-  for (std::size_t a = 0; a < n_nodes; ++a)
-    for (int d = 0; d < 2; ++d) {
-      const int row = static_cast<int>(2 * a) + d;
-      const Dual r = -(line.N[a] + line.dN[a] * on_face.step) * force[d];
-      residual[row] = r.value();
-      tangent_matrix.row(row) = r.derivatives().template head<size>().transpose();
-      gradient[row] = line.N[a] * n[d].value();
-      for (std::size_t i = 0; i < drives.size(); ++i)
-        system.borders[drives[i].drive].column[idx(2 * numbers[a] + d)] +=
-            r.derivatives()[most_nodal + static_cast<int>(i)];
-    }
   const double stiffness = trial.area * softening * at.penalty.normal * facing.value();
-  const Square unsymmetric = tangent_matrix - stiffness * gradient * gradient.transpose();
-  system.symmetric = false;
-  surface.scatter().add(2, foot.face, residual.data(), system.residual);
-  surface.scatter().add(pattern, foot.face, tangent_matrix.data(), system.tangent.values);
-  surface.scatter().list(pattern, foot.face, unsymmetric.data(), system.tangent.unsymmetric);
-
-  // A free degree of freedom of the tool: what the force does over its rate. (C.14)
-  const Dual2 on_tool = centre + place.radius * n;
-  const auto first = idx(pattern.n_dofs());
-  for (const PlaceRate& drive : drives) {
-    // The axis of a turn travels with the tool, as the corner does, so only turns change it.
-    const Dual2 of_centre =
-        moving(drive.velocity.head<2>(), drives, [&](const PlaceRate& by) -> Vec3 {
-          return by.spin.isZero(0.0) ? by.spin : Vec3(drive.spin.cross(by.velocity));
-        });
-    const Dual2 arm = on_tool - centre;
-    const double spin_z = drive.spin.z();
-    const Dual r = force.dot(of_centre + spin_z * Dual2(-arm.y(), arm.x()));
-    mechanics::Border& border = system.borders[drive.drive];
-    system.residual[first + drive.drive] += r.value();
-    for (std::size_t a = 0; a < n_nodes; ++a)
-      for (int d = 0; d < 2; ++d)
-        border.row[idx(2 * numbers[a] + d)] += r.derivatives()[static_cast<int>(2 * a) + d];
-    for (std::size_t j = 0; j < drives.size(); ++j)
-      border.corner[drives[j].drive] += r.derivatives()[most_nodal + static_cast<int>(j)];
-  }
+  FaceEquations<Shape>(line, on_face, force, stiffness)
+      .add(surface, pattern, foot.face, dual_corner.drives, system);
+  add_to_drives(dual_corner, place.radius * n, force, surface.scatter().nodes(foot.face),
+                idx(pattern.n_dofs()), system);
 }
 
 } // namespace billet::contact

@@ -153,6 +153,16 @@ TEST(CornerContact, PressesAsideOfTheBottomOfASharpNotch) {
   EXPECT_TRUE(foot->normal.isApprox(aside.normalized(), 1e-9));
 }
 
+TEST(CornerContact, IsFiniteWithItsCentreOnANode) {
+  constexpr double radius = 0.05;
+  ContactBench bench =
+      bench_on(body_kinds()[0], still_tool(ridge(Vec2(2.0, radius), radius), Coulomb{0.2}));
+  bench.assemble(bench.x, 1.0);
+  EXPECT_TRUE(bench.force().allFinite());
+  EXPECT_TRUE(bench.tangent().allFinite());
+  EXPECT_GT(sum(bench).y(), 0.0);
+}
+
 TEST(CornerContact, DrawsBackWithItsTool) {
   ContactBench bench =
       bench_on(body_kinds()[1], still_tool(ridge(Vec2(1.48, 1e-3)), Frictionless{}));
