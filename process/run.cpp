@@ -50,6 +50,8 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 void Process::start_stage(const Stage& stage) {
   last_step_.clear();
   remembered_.clear();
+  if (grounding_ && grounding_->share() > 1.0)
+    grounding_->set_share(1.0); // it held what forces that faded could turn over
   if (contact_ && stage.unload)
     draw_tools_back(stage.end);
   else if (contact_)

@@ -318,7 +318,7 @@ private:
   /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
   [[nodiscard]] std::vector<double> foretold(double dt) const;
   [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
-  /// Whether any tool does.
+  /// Whether the part lies on any tool.
   [[nodiscard]] bool touched() const;
   /// Likewise, with contact as it has been started for the try.
   [[nodiscard]] bool solve_increment(double dt, mechanics::Approach approach, std::string& why);
@@ -364,7 +364,6 @@ private:
   void press_harder(double gain);
   /// Which contact points kept changing in the last try, for the log; empty: none.
   [[nodiscard]] std::string restless_points() const;
-  /// Tools that begin to act now though the workpiece lies inside them, for a failure's reason.
   /// Tools that begin to act by `until`, in the midst of the run: those under a force come to
   /// touch, others that lie in the workpiece are noted.
   void meet_newcomers(const Stage& stage, double until);

@@ -83,6 +83,18 @@ TEST_F(SharpPunch, LosesNoForceWhenPointsSlidePastItsEdge) {
   }
 }
 
+// (W.3): the volume is K / (H mu) times the work of friction, with what its corner rubs off.
+TEST_F(SharpPunch, WearsByTheWorkOfItsFriction) {
+  constexpr double K = 1e-3, H = 1000.0, mu = 0.2;
+  std::string text = punch("quad8", "[24, 16]");
+  text.insert(text.find("motion = "), "friction = { law = \"coulomb\", mu = 0.2 }\nwear = { law = "
+                                      "\"archard\", K = 1e-3, hardness = 1000 }\n");
+  run(text);
+  const nlohmann::json results = summary();
+  const double expected = K / (H * mu) * results["energy"]["friction_work"].get<double>();
+  EXPECT_NEAR(results["tools"]["punch"]["wear"]["volume"].get<double>(), expected, 5e-3 * expected);
+}
+
 // Its corner draws back with it: it used to hold the part down.
 TEST_F(SharpPunch, LeavesThePartFreeWhenItIsUnloaded) {
   std::string text = punch("quad4", "[24, 16]");
