@@ -2,10 +2,10 @@
 
 #include "geometry/base/error.h"
 #include "io/results/atomic_file.h"
+#include "io/results/xml_text.h"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -18,37 +18,6 @@ namespace billet::io {
 
 namespace {
 
-constexpr std::array<std::pair<char, std::string_view>, 5> entities{
-    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}}};
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    std::string_view replacement(&c, 1);
-    for (const auto& [character, entity] : entities)
-      if (c == character)
-        replacement = entity;
-    result += replacement;
-  }
-  return result;
-}
-
-std::string unescaped(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    std::size_t length = 1;
-    char c = text.front();
-    for (const auto& [character, entity] : entities)
-      if (text.starts_with(entity)) {
-        c = character;
-        length = entity.size();
-      }
-    result += c;
-    text.remove_prefix(length);
-  }
-  return result;
-}
-
 /// Value of an attribute of a line; empty if it is not there.
 std::string attribute(const std::string& line, const std::string& name) {
   const std::string opening = " " + name + "=\"";
@@ -56,7 +25,7 @@ std::string attribute(const std::string& line, const std::string& name) {
   if (at == std::string::npos)
     return {};
   const std::size_t first = at + opening.size();
-  return unescaped(std::string_view(line).substr(first, line.find('"', first) - first));
+  return xml_unescaped(std::string_view(line).substr(first, line.find('"', first) - first));
 }
 
 } // namespace
@@ -70,7 +39,7 @@ void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& e
     const std::size_t part = parts.try_emplace(entry.part, parts.size()).first->second;
     text += fmt::format(
         "    <DataSet timestep=\"{}\" group=\"\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n",
-        entry.time, part, escaped(entry.part), escaped(entry.file.generic_string()));
+        entry.time, part, xml_escaped(entry.part), xml_escaped(entry.file.generic_string()));
   }
   text += "  </Collection>\n</VTKFile>\n";
   write_file(path, text);

@@ -1,28 +1,17 @@
 #include "io/results/vtk_writer.h"
 
-#include "geometry/base/error.h"
 #include "io/results/atomic_file.h"
-#include "io/results/frame_compressor.h"
-#include "io/results/vtk_threads.h"
+#include "io/results/packed_data.h"
+#include "io/results/xml_text.h"
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
-#include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string_view>
 
 namespace billet::io {
 
@@ -31,97 +20,130 @@ namespace {
 using mechanics::ElementKind;
 using mechanics::Index;
 
-int vtk_type(ElementKind kind) {
+/// VTK's number of a cell's type.
+std::uint8_t vtk_type(ElementKind kind) {
+  constexpr std::uint8_t tetra = 10, quad = 9, hexahedron = 12, quadratic_triangle = 22,
+                         quadratic_quad = 23, quadratic_tetra = 24, quadratic_hexahedron = 25;
   switch (kind) {
   case ElementKind::quad4:
-    return VTK_QUAD;
+    return quad;
   case ElementKind::quad8:
-    return VTK_QUADRATIC_QUAD;
+    return quadratic_quad;
   case ElementKind::tri6:
-    return VTK_QUADRATIC_TRIANGLE;
+    return quadratic_triangle;
   case ElementKind::hex8:
-    return VTK_HEXAHEDRON;
+    return hexahedron;
   case ElementKind::hex20:
-    return VTK_QUADRATIC_HEXAHEDRON;
+    return quadratic_hexahedron;
   case ElementKind::tet4:
-    return VTK_TETRA;
+    return tetra;
   case ElementKind::tet10:
-    return VTK_QUADRATIC_TETRA;
+    return quadratic_tetra;
   }
-  return VTK_EMPTY_CELL;
+  return 0;
 }
 
-vtkNew<vtkPoints> vtk_points(std::span<const Vec3> points) {
-  vtkNew<vtkPoints> result;
-  result->SetDataTypeToDouble();
-  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result->SetPoint(static_cast<vtkIdType>(i), points[i].data());
-  return result;
-}
+template <class T> constexpr std::string_view type_name;
+template <> constexpr std::string_view type_name<double> = "Float64";
+template <> constexpr std::string_view type_name<Index> = "Int32";
+template <> constexpr std::string_view type_name<std::uint8_t> = "UInt8";
+static_assert(sizeof(Index) == sizeof(std::int32_t));
 
-void add_fields(vtkFieldData& data,
-                const std::vector<Field>& fields,
-                [[maybe_unused]] vtkIdType n) {
-  for (const Field& field : fields) {
-    assert(static_cast<vtkIdType>(field.values.size()) == n * field.components);
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(field.name.c_str());
-    array->SetNumberOfComponents(field.components);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(field.values.size()) / field.components);
-    std::copy(field.values.begin(), field.values.end(), array->GetPointer(0));
-    data.AddArray(array);
+/// The text of a file, put together line by line.
+class VtkText {
+public:
+  VtkText(std::string_view type, Packing packing) : type_(type), packing_(packing) {
+    line("<?xml version=\"1.0\"?>");
+    line("<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\"{}>", type_,
+         std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
+         packing == Packing::zlib ? " compressor=\"vtkZLibDataCompressor\"" : "");
+    line("<{}>", type_);
   }
-}
 
-/// A text in the field data: the name of an array with one number.
-void add_text(vtkFieldData& data, const std::string& name, const std::string& value) {
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(fmt::format("{}: {}", name, value).c_str());
-  array->InsertNextValue(1);
-  data.AddArray(array);
-}
+  template <class... Args> void line(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    text_ += '\n';
+  }
+  template <class T>
+  void array(std::string_view name, std::span<const T> values, std::string_view shape = "") {
+    line("<DataArray type=\"{}\" Name=\"{}\" {} format=\"binary\">", type_name<T>,
+         xml_escaped(name), shape);
+    append_packed(std::as_bytes(values), packing_, text_);
+    text_ += "\n</DataArray>\n";
+  }
+  void points(std::span<const Vec3> points) {
+    line("<Points>");
+    array("Points", std::span(points.empty() ? nullptr : points.front().data(), 3 * points.size()),
+          "NumberOfComponents=\"3\"");
+    line("</Points>");
+  }
+  void
+  fields(std::string_view place, const std::vector<Field>& fields, [[maybe_unused]] std::size_t n) {
+    line("<{}>", place);
+    for (const Field& field : fields) {
+      assert(field.values.size() == n * idx(field.components));
+      array<double>(field.name, field.values,
+                    fmt::format("NumberOfComponents=\"{}\"", field.components));
+    }
+    line("</{}>", place);
+  }
+  /// Time, notes and units: what is true for a frame as a whole. A text is the name of an array
+  /// with one number.
+  template <class Frame> void field_data(const Frame& frame) {
+    line("<FieldData>");
+    array("TimeValue", std::span(&frame.time, 1), single);
+    for (const auto& [name, value] : frame.notes)
+      note(name, value);
+    for (const std::vector<Field>* fields : {&frame.point_fields, &frame.cell_fields})
+      for (const Field& field : *fields)
+        if (!field.unit.empty())
+          note("unit of " + field.name, field.unit);
+    line("</FieldData>");
+  }
 
-/// Time, notes and units: what is true for a frame as a whole.
-template <class Frame> void add_field_data(vtkFieldData& data, const Frame& frame) {
-  vtkNew<vtkDoubleArray> time;
-  time->SetName("TimeValue");
-  time->InsertNextValue(frame.time);
-  data.AddArray(time);
-  for (const auto& [name, value] : frame.notes)
-    add_text(data, name, value);
+  std::string finished() {
+    line("</Piece>");
+    line("</{}>", type_);
+    line("</VTKFile>");
+    return std::move(text_);
+  }
+
+private:
+  static constexpr std::string_view single = "NumberOfTuples=\"1\"";
+
+  void note(std::string_view name, std::string_view value) {
+    constexpr std::uint8_t present = 1;
+    array(fmt::format("{}: {}", name, value), std::span(&present, 1), single);
+  }
+
+  std::string_view type_;
+  Packing packing_;
+  std::string text_;
+};
+
+/// Compresses what a disk would feel. Packing a small frame costs more than all the rest of
+/// writing it.
+template <class Frame> Packing packing_for(const Frame& frame) {
+  std::size_t values = 3 * frame.points.size();
   for (const std::vector<Field>* fields : {&frame.point_fields, &frame.cell_fields})
     for (const Field& field : *fields)
-      if (!field.unit.empty())
-        add_text(data, "unit of " + field.name, field.unit);
+      values += field.values.size();
+  constexpr std::size_t large = 32768;
+  return values < large ? Packing::plain : Packing::zlib;
 }
 
-/// Writes into memory first: a full disk is then found by `write_file` and leaves nothing behind.
-void write(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::path& path) {
-  keep_vtk_to_one_thread();
-  writer.SetInputData(&data);
-  writer.SetHeaderTypeToUInt64();
-  writer.SetDataModeToBinary();
-  constexpr unsigned long large = 256; // [KiB]
-  const bool small = data.GetActualMemorySize() < large;
-  writer.SetCompressor(
-      &frame_compressor(small ? CompressorSearch::runs : CompressorSearch::repeats));
-  writer.WriteToOutputStringOn();
-  if (writer.Write() == 0 || writer.GetErrorCode() != 0)
-    throw Error(Fault::input_output, path.string(), "VTK could not write the frame",
-                "this may be a lack of memory");
-  write_file(path, writer.GetOutputString());
-}
+/// Cells of any length: their nodes one after another, and where each cell ends.
+struct CellLists {
+  std::vector<Index> nodes;
+  std::vector<Index> ends;
 
-vtkNew<vtkCellArray> vtk_cells(const std::vector<std::vector<Index>>& cells) {
-  vtkNew<vtkCellArray> result;
-  for (const std::vector<Index>& cell : cells) {
-    result->InsertNextCell(static_cast<int>(cell.size()));
-    for (const Index node : cell)
-      result->InsertCellPoint(node);
+  explicit CellLists(const std::vector<std::vector<Index>>& cells) {
+    for (const std::vector<Index>& cell : cells) {
+      nodes.insert(nodes.end(), cell.begin(), cell.end());
+      ends.push_back(static_cast<Index>(nodes.size()));
+    }
   }
-  return result;
-}
+};
 
 } // namespace
 
@@ -143,40 +165,44 @@ void add_face(SurfaceFrame& frame, std::span<const Index> nodes, int dimension) 
 }
 
 void write_vtu(const std::filesystem::path& path, const WorkpieceFrame& frame) {
-  const auto n_nodes = static_cast<vtkIdType>(mechanics::nodes_per_element(frame.kind));
-  const auto n_cells = static_cast<vtkIdType>(frame.cells.size()) / n_nodes;
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(frame.cells.size()));
-  std::copy(frame.cells.begin(), frame.cells.end(), connectivity->GetPointer(0));
-  vtkNew<vtkIdTypeArray> offsets;
-  for (vtkIdType i = 0; i <= n_cells; ++i)
-    offsets->InsertNextValue(i * n_nodes);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-
-  vtkNew<vtkUnstructuredGrid> grid;
-  grid->SetPoints(vtk_points(frame.points));
-  grid->SetCells(vtk_type(frame.kind), cells);
-  add_fields(*grid->GetPointData(), frame.point_fields,
-             static_cast<vtkIdType>(frame.points.size()));
-  add_fields(*grid->GetCellData(), frame.cell_fields, n_cells);
-  add_field_data(*grid->GetFieldData(), frame);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  write(*writer, *grid, path);
+  const std::size_t n_nodes = idx(mechanics::nodes_per_element(frame.kind));
+  const std::size_t n_cells = frame.cells.size() / n_nodes;
+  std::vector<Index> ends(n_cells);
+  for (std::size_t i = 0; i < n_cells; ++i)
+    ends[i] = static_cast<Index>((i + 1) * n_nodes);
+  VtkText text("UnstructuredGrid", packing_for(frame));
+  text.field_data(frame);
+  text.line("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", frame.points.size(), n_cells);
+  text.fields("PointData", frame.point_fields, frame.points.size());
+  text.fields("CellData", frame.cell_fields, n_cells);
+  text.points(frame.points);
+  text.line("<Cells>");
+  text.array("connectivity", frame.cells);
+  text.array<Index>("offsets", ends);
+  text.array<std::uint8_t>("types", std::vector(n_cells, vtk_type(frame.kind)));
+  text.line("</Cells>");
+  write_file(path, text.finished());
 }
 
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(vtk_points(frame.points));
-  surface->SetLines(vtk_cells(frame.lines));
-  surface->SetPolys(vtk_cells(frame.polygons));
-  add_fields(*surface->GetPointData(), frame.point_fields,
-             static_cast<vtkIdType>(frame.points.size()));
-  const std::size_t n_cells = frame.lines.size() + frame.polygons.size();
-  add_fields(*surface->GetCellData(), frame.cell_fields, static_cast<vtkIdType>(n_cells));
-  add_field_data(*surface->GetFieldData(), frame);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  write(*writer, *surface, path);
+  VtkText text("PolyData", packing_for(frame));
+  text.field_data(frame);
+  text.line("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" "
+            "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">",
+            frame.points.size(), frame.lines.size(), frame.polygons.size());
+  text.fields("PointData", frame.point_fields, frame.points.size());
+  text.fields("CellData", frame.cell_fields, frame.lines.size() + frame.polygons.size());
+  text.points(frame.points);
+  const auto add = [&text](std::string_view place, const std::vector<std::vector<Index>>& cells) {
+    const CellLists lists(cells);
+    text.line("<{}>", place);
+    text.array<Index>("connectivity", lists.nodes);
+    text.array<Index>("offsets", lists.ends);
+    text.line("</{}>", place);
+  };
+  add("Lines", frame.lines);
+  add("Polys", frame.polygons);
+  write_file(path, text.finished());
 }
 
 } // namespace billet::io
