@@ -107,7 +107,8 @@ double Bulk::reference_volume() const {
   return std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
 }
 
-ElementStatus Bulk::run_element(Index element, const Trial& trial, Scratch& scratch) {
+ElementStatus
+Bulk::run_element(Index element, const Trial& trial, bool forces_only, Scratch& scratch) {
   const int dim = pattern_->dim;
   gather(trial.x_old, mesh_->cell(element), dim, scratch.x_old.data());
   gather(trial.x, mesh_->cell(element), dim, scratch.x.data());
@@ -120,7 +121,7 @@ ElementStatus Bulk::run_element(Index element, const Trial& trial, Scratch& scra
                         {trial.time - trial.time_old, temperatures_.empty()
                                                           ? std::span<const double>()
                                                           : temperatures().subspan(first, n)}};
-  ElementOutput out{scratch.force.data(), scratch.tangent.data(),
+  ElementOutput out{scratch.force.data(), forces_only ? nullptr : scratch.tangent.data(),
                     std::span(trial_states_).subspan(first, n), 0.0,
                     std::span(trial_shape_energies_).subspan(first, n)};
   const ElementStatus status = kernel_(material_, in, out);
@@ -132,7 +133,8 @@ ElementStatus Bulk::run_element(Index element, const Trial& trial, Scratch& scra
 
 void Bulk::add_element(Index element, System& system, const Scratch& scratch) const {
   scatter_.add(pattern_->dim, element, scratch.force.data(), system.residual);
-  scatter_.add(*pattern_, element, scratch.tangent.data(), system.tangent.values);
+  if (!system.forces_only)
+    scatter_.add(*pattern_, element, scratch.tangent.data(), system.tangent.values);
 }
 
 Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
@@ -148,7 +150,7 @@ Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
       constexpr std::size_t timed_one_in = 8;
       const bool timed = k % timed_one_in == 0;
       const double begun = timed ? seconds_now() : 0.0;
-      if (run_element(order[k], trial, mine) != ElementStatus::good) {
+      if (run_element(order[k], trial, system.forces_only, mine) != ElementStatus::good) {
         // The lowest number wins whatever the order in which threads meet bad elements.
         Index known = bad.load();
         while (order[k] < known && !bad.compare_exchange_weak(known, order[k])) {

@@ -105,7 +105,7 @@ private:
   /// Volumes of the points, shape (n_elements, points) [mm^3].
   [[nodiscard]] std::vector<double> volumes_at(std::span<const double> x) const;
   /// Forces and tangent of an element, in the scratch.
-  ElementStatus run_element(Index element, const Trial& trial, Scratch& scratch);
+  ElementStatus run_element(Index element, const Trial& trial, bool forces_only, Scratch& scratch);
   void add_element(Index element, System& system, const Scratch& scratch) const;
 
   const Mesh* mesh_;

@@ -55,9 +55,11 @@ struct System {
                            ///< trial: the iteration is not smooth where there are any
 
   bool kept_contacts = false; ///< contacts are in it that have parted: see Trial
+  bool forces_only = false;   ///< the tangent is not wanted: terms may leave it out
 
   void clear() {
-    std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
+    if (!forces_only)
+      std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
     tangent.unsymmetric.clear();
     std::fill(residual.begin(), residual.end(), 0.0);
     for (Border& border : borders)

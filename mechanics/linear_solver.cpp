@@ -39,12 +39,21 @@ constexpr double exact = 1e-10;
 /// Iterations with a neighbour of the matrix: more cost more than an LU does.
 constexpr int most_iterations = 24;
 
-/// Relative correction of a solution in single precision that leaves it trusted. Each iteration
-/// lessens what is wrong in it by that factor. (N.11)
-double largest_correction(const FactorCost& cost) {
-  constexpr double few = 1e7; // entries: a factor in double precision costs little
-  constexpr double strict = 1e-4, enough = 1e-3;
-  return cost.entries > few ? enough : strict;
+/// Relative corrections of a solution in single precision: each iteration lessens what is wrong in
+/// it by that factor. (N.11)
+constexpr double good_correction = 1e-4;
+constexpr double largest_correction = 1e-3;
+
+/// Relative residual that will do in a small problem, where fewer iterations are all that a
+/// correction less than exact can save.
+///
+/// @param asked       0: as exact as can be
+/// @param correction  of the factorization's first solution
+double small_tolerance(double asked, double correction) {
+  constexpr double after_events = 1e-8, settled = 1e-6;
+  if (correction > good_correction)
+    return exact;
+  return asked > 0.0 ? std::min(asked, settled) : after_events;
 }
 
 } // namespace
@@ -270,7 +279,8 @@ bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<cons
     first_[1][i] = rhs[i] - first_[1][i];
   last_->solve(first_[1]);
   work_.substitutions += 2;
-  return norm(first_[1]) <= largest_correction(last_->cost()) * norm(first_[0]); // false for NaN
+  correction_ = norm(first_[1]) / norm(first_[0]);
+  return correction_ <= largest_correction; // false for NaN
 }
 
 bool LinearSolver::factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs) {
@@ -291,9 +301,10 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         std::span<double> x,
                                                         double tolerance,
                                                         Known known) {
-  const bool small = most_solves(last_->cost()) == 0; // a correction less than exact saves nothing
-  const GmresReport report =
-      iterate(matrix, rhs, x, small ? exact : std::max(tolerance, exact), most_iterations, known);
+  const bool small = most_solves(last_->cost()) == 0;
+  const double enough =
+      small ? small_tolerance(tolerance, correction_) : std::max(tolerance, exact);
+  const GmresReport report = iterate(matrix, rhs, x, enough, most_iterations, known);
   if (!report.converged) {
     last_ = nullptr;
     return Failure{"no convergence (" + std::string(method) + ")"};
@@ -311,6 +322,7 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
     if (factorize_in_single(symmetric_part_, rhs))
       return solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance, Known(first_).first(1));
     const auto& fronts = elimination();
+    correction_ = 0.0;
     Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(fronts); });
     if (!factorize(cholesky, "cholmod-gmres", symmetric_part_))
       return Failure{"the symmetric part is not positive definite"};
@@ -363,6 +375,7 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
       most_solves({elimination()->flops(), elimination()->entries()}) > 0) {
     Factorization& lu =
         prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
+    correction_ = 0.0;
     if (factorize(lu, "mumps-lu-gmres", matrix)) {
       auto outcome = solve_with_neighbour("mumps-lu-gmres", matrix, rhs, x, exact, {});
       if (outcome)

@@ -217,6 +217,7 @@ private:
   Patience single_patience_;                 ///< with L S L^T in single precision
   bool single_lu_serves_ = true;             ///< whether LU in single precision is worth a try
   std::array<std::vector<double>, 2> first_; ///< a rough solution and a correction of it
+  double correction_ = 0.0;                  ///< relative to that solution
   std::vector<double> residual_;
   SolverWork work_;
 };

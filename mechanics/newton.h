@@ -111,7 +111,8 @@ private:
     Norms norms;
     double slope; ///< work of the correction against the residual [N mm]
   };
-  [[nodiscard]] Outcome<Norms> evaluate(std::span<ForceTerm* const> terms, const Trial& trial);
+  [[nodiscard]] Outcome<Norms>
+  evaluate(std::span<ForceTerm* const> terms, const Trial& trial, bool forces_only = false);
   [[nodiscard]] Outcome<SolveReport>
   correct(const Prescribed& prescribed, std::span<const double> x, double tolerance);
   [[nodiscard]] Outcome<SolveReport> solve_bordered(double tolerance);
@@ -119,11 +120,13 @@ private:
                                            const Trial& trial,
                                            std::vector<double>& x,
                                            const Norms& before,
+                                           bool forces_only,
                                            double& step);
   [[nodiscard]] Outcome<Evaluation> try_step(std::span<ForceTerm* const> terms,
                                              const Trial& trial,
                                              std::vector<double>& x,
-                                             double step);
+                                             double step,
+                                             bool forces_only = false);
   /// What terms with kinks have in the slope after a step; the system is theirs alone then.
   [[nodiscard]] double slope_of_kinks(std::span<ForceTerm* const> terms,
                                       const Trial& trial,
