@@ -186,17 +186,30 @@ Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
   return Assembled{};
 }
 
+double Bulk::trial_plastic_work(std::size_t point) const {
+  const double from = states_[point].plastic_strain;
+  const double to = trial_states_[point].plastic_strain;
+  return mechanics::plastic_work(material_.flow, from,
+                                 {to, (to - from) / trial_dt_, temperature(point)});
+}
+
+double Bulk::trial_plastic_work() const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < states_.size(); ++k)
+    sum += volumes_[k] * trial_plastic_work(k);
+  return sum;
+}
+
 void Bulk::commit(const Trial& trial) {
-  const double dt = trial.time - trial.time_old;
+  trial_dt_ = trial.time - trial.time_old;
+  double sum = 0.0;
   for (std::size_t k = 0; k < states_.size(); ++k) {
-    const double from = states_[k].plastic_strain;
-    const double to = trial_states_[k].plastic_strain;
-    const double work =
-        mechanics::plastic_work(material_.flow, from, {to, (to - from) / dt, temperature(k)});
-    plastic_work_ += volumes_[k] * work;
+    const double work = trial_plastic_work(k);
+    sum += volumes_[k] * work;
     if (!temperatures_.empty())
       temperatures_[k] += material_.heating * work; // (M.29)
   }
+  plastic_work_ += sum;
   states_ = trial_states_;
   shape_energies_ = trial_shape_energies_;
 }
@@ -208,21 +221,24 @@ std::vector<double> Bulk::shape_energies() const {
   return energies;
 }
 
-Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x) const {
+Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x,
+                                         std::span<const double> shape_energies) const {
   const int dim = pattern_->dim;
   const auto n = idx(points_);
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> current(n);
+  const double half_bulk = 0.5 * material_.elasticity.bulk();
   ElasticEnergy energy;
   for (std::size_t k = 0; k < volumes_.size(); ++k)
-    energy.shape += volumes_[k] * shape_energies_[k];
+    energy.shape += volumes_[k] * shape_energies[k];
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
     gather(x, mesh_->cell(e), dim, local.data());
     point_volumes(mesh_->kind, analysis_, local.data(), current);
     const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
+    double log_J = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-      const double half_bulk = 0.5 * material_.elasticity.bulk();
-      const double log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
+      if (k == 0 || !has_mean_dilatation(mesh_->kind))
+        log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
       energy.volume += reference[k] * half_bulk * log_J * log_J;
     }
   }

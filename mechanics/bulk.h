@@ -94,7 +94,15 @@ public:
   /// shape (n_elements, points) [N mm].
   [[nodiscard]] std::vector<double> shape_energies() const;
   /// Of the committed states.
-  [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x) const;
+  [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x) const {
+    return elastic_energy(x, shape_energies_);
+  }
+  /// Of the last assembled trial.
+  [[nodiscard]] ElasticEnergy trial_elastic_energy(std::span<const double> x) const {
+    return elastic_energy(x, trial_shape_energies_);
+  }
+  /// Plastic work of the last assembled trial since the committed states [N mm].
+  [[nodiscard]] double trial_plastic_work() const;
   /// Cauchy stress at every point of the committed states, shape (n_elements, points) [MPa].
   [[nodiscard]] std::vector<Mat3> stresses(std::span<const double> x) const;
   /// Current volume [mm^3].
@@ -107,6 +115,10 @@ private:
   /// Forces and tangent of an element, in the scratch.
   ElementStatus run_element(Index element, const Trial& trial, bool forces_only, Scratch& scratch);
   void add_element(Index element, System& system, const Scratch& scratch) const;
+  [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x,
+                                             std::span<const double> shape_energies) const;
+  /// Of a point in the last assembled trial, per reference volume [MPa].
+  [[nodiscard]] double trial_plastic_work(std::size_t point) const;
 
   const Mesh* mesh_;
   const BlockPattern* pattern_;

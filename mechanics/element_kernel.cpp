@@ -455,12 +455,15 @@ double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::
   });
 }
 
+bool has_mean_dilatation(ElementKind kind) {
+  return visit_element(kind, [](auto element) { return decltype(element)::mean_dilatation; });
+}
+
 double pressure_ratio(ElementKind kind,
                       std::span<const double> current,
                       std::span<const double> reference,
                       std::size_t point) {
-  const bool mean = visit_element(kind, [](auto e) { return decltype(e)::mean_dilatation; });
-  if (!mean)
+  if (!has_mean_dilatation(kind))
     return current[point] / reference[point];
   return std::accumulate(current.begin(), current.end(), 0.0) /
          std::accumulate(reference.begin(), reference.end(), 0.0);

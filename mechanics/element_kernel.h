@@ -48,6 +48,9 @@ using ElementKernel = ElementStatus (*)(const Material&, const ElementInput&, El
 /// @return the smallest volume; not positive for an inverted element
 double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::span<double> out);
 
+/// Whether all points of an element share one pressure. (M.11)
+[[nodiscard]] bool has_mean_dilatation(ElementKind kind);
+
 /// Volume ratio v / V0 that the pressure of each point goes with: the element's mean for elements
 /// with mean dilatation, the point's own otherwise. (M.12)
 [[nodiscard]] double pressure_ratio(ElementKind kind,

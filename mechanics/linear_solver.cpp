@@ -245,19 +245,28 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
   return solve(matrix, symmetric, rhs, x, tolerance);
 }
 
-void LinearSolver::take_symmetric_part(const SparseMatrix& matrix) {
-  symmetric_part_.pattern = pattern_;
-  symmetric_part_.values = matrix.values;
-  auto& values = symmetric_part_.values;
-  for (const EntryPart& part : matrix.unsymmetric)
-    values[static_cast<std::size_t>(part.entry)] -= part.value;
+/// For every entry of a matrix the one across the diagonal.
+std::vector<Index> LinearSolver::transposed_entries() const {
   // Rows are walked in order, so the transpose is the next entry of its row not met so far.
   std::vector<Index> next(pattern_->row_start.begin(), pattern_->row_start.end() - 1);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto other =
-        static_cast<std::size_t>(next[static_cast<std::size_t>(pattern_->columns[k])]++);
-    if (other > k)
-      values[k] = values[other] = 0.5 * (values[k] + values[other]);
+  std::vector<Index> transposed;
+  transposed.reserve(pattern_->n_entries());
+  for (const Index column : pattern_->columns)
+    transposed.push_back(next[idx(column)]++);
+  return transposed;
+}
+
+void LinearSolver::take_symmetric_part(const SparseMatrix& matrix) {
+  if (transposed_.empty())
+    transposed_ = transposed_entries();
+  symmetric_part_.pattern = pattern_;
+  std::vector<double>& values = symmetric_part_.values;
+  values.resize(matrix.values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = 0.5 * (matrix.values[k] + matrix.values[idx(transposed_[k])]);
+  for (const EntryPart& part : matrix.unsymmetric) {
+    values[idx(part.entry)] -= 0.5 * part.value;
+    values[idx(transposed_[idx(part.entry)])] -= 0.5 * part.value;
   }
 }
 
@@ -271,9 +280,8 @@ const std::shared_ptr<const Elimination>& LinearSolver::elimination() {
 
 bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<const double> rhs) {
   const Stopwatch watch(work_.substitution);
-  first_[0].assign(rhs.begin(), rhs.end());
+  first_.assign(2, std::vector<double>(rhs.begin(), rhs.end()));
   last_->solve(first_[0]);
-  first_[1].resize(rhs.size());
   matrix.multiply(first_[0], first_[1]);
   for (std::size_t i = 0; i < rhs.size(); ++i)
     first_[1][i] = rhs[i] - first_[1][i];
@@ -283,12 +291,20 @@ bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<cons
   return correction_ <= largest_correction; // false for NaN
 }
 
-bool LinearSolver::factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs) {
+bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
+                                       std::span<const double> rhs,
+                                       double tolerance) {
   if (settings_.choice != SolverChoice::automatic || !single_patience_.over())
     return false;
   const auto& fronts = elimination();
   Factorization& single = prepared(single_, [&] { return make_single(fronts); });
-  const bool serves = factorize(single, "ldlt-single", matrix) && agrees_with_itself(matrix, rhs);
+  // Where nothing happens the next matrix is much like the last.
+  constexpr double far_from_bad = 0.1;
+  const bool asks =
+      !(tolerance > 0.0 && last_ == &single && correction_ <= far_from_bad * good_correction);
+  first_.clear();
+  const bool serves =
+      factorize(single, "ldlt-single", matrix) && (!asks || agrees_with_itself(matrix, rhs));
   if (!serves)
     last_ = nullptr;
   single_patience_.take(serves);
@@ -319,8 +335,9 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
                                                              double tolerance) {
   take_symmetric_part(matrix);
   const auto attempt = [&]() -> Outcome<SolveReport> {
-    if (factorize_in_single(symmetric_part_, rhs))
-      return solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance, Known(first_).first(1));
+    if (factorize_in_single(symmetric_part_, rhs, tolerance))
+      return solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance,
+                                  Known(first_).first(first_.empty() ? 0 : 1));
     const auto& fronts = elimination();
     correction_ = 0.0;
     Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(fronts); });
@@ -341,11 +358,11 @@ Outcome<SolveReport> LinearSolver::solve_symmetric(const SparseMatrix& matrix,
                                                    std::span<const double> rhs,
                                                    std::span<double> x,
                                                    double tolerance) {
-  if (factorize_in_single(matrix, rhs)) {
+  if (factorize_in_single(matrix, rhs, tolerance)) {
     // What is left of a solution that is exact but for rounding is the second direction.
-    const std::size_t known = norm(first_[1]) > 0.0 ? 2 : 1;
-    auto outcome =
-        solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance, Known(first_).first(known));
+    if (!first_.empty() && norm(first_[1]) == 0.0)
+      first_.pop_back();
+    auto outcome = solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance, first_);
     if (outcome)
       return outcome;
   }

@@ -170,7 +170,8 @@ private:
                                                           double tolerance,
                                                           Known known);
   /// L S L^T in single precision, where that is enough and has been lately.
-  [[nodiscard]] bool factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs);
+  [[nodiscard]] bool
+  factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs, double tolerance);
   /// Whether the factorization at hand gives a solution back that it is given the product of. A
   /// slender body's soft motions are lost in single precision, and a residual does not show it.
   /// (N.11)
@@ -192,6 +193,7 @@ private:
                                     int most,
                                     Known known);
   void take_symmetric_part(const SparseMatrix& matrix);
+  [[nodiscard]] std::vector<Index> transposed_entries() const;
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
                                                          bool symmetric,
                                                          std::span<const double> rhs,
@@ -213,11 +215,12 @@ private:
   enum class Held { earlier, neighbour, current } held_ = Held::earlier;
   Gmres gmres_;
   SparseMatrix symmetric_part_;
-  Patience symmetric_patience_;              ///< with the symmetric part
-  Patience single_patience_;                 ///< with L S L^T in single precision
-  bool single_lu_serves_ = true;             ///< whether LU in single precision is worth a try
-  std::array<std::vector<double>, 2> first_; ///< a rough solution and a correction of it
-  double correction_ = 0.0;                  ///< relative to that solution
+  Patience symmetric_patience_;            ///< with the symmetric part
+  Patience single_patience_;               ///< with L S L^T in single precision
+  bool single_lu_serves_ = true;           ///< whether LU in single precision is worth a try
+  std::vector<Index> transposed_;          ///< shape (n_entries)
+  std::vector<std::vector<double>> first_; ///< a rough solution and a correction of it, if made
+  double correction_ = 0.0;                ///< relative to that solution
   std::vector<double> residual_;
   SolverWork work_;
 };

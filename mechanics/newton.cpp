@@ -112,6 +112,7 @@ Newton::Newton(const BlockPattern& pattern,
   }
   system_.residual.resize(n + n_extra);
   fixed_.resize(n + n_extra);
+  beside_fixed_.resize(n);
   rhs_.resize(n);
   correction_.resize(n + n_extra);
 }
@@ -120,6 +121,12 @@ void Newton::mark(const Prescribed& prescribed) {
   std::fill(fixed_.begin(), fixed_.end(), char{0});
   for (const Index i : prescribed.unknowns)
     fixed_[idx(i)] = 1;
+  for (std::size_t i = 0; i < beside_fixed_.size(); ++i) {
+    const auto first = pattern_->columns.begin() + pattern_->row_start[i];
+    const auto last = pattern_->columns.begin() + pattern_->row_start[i + 1];
+    const auto is_fixed = [this](Index j) { return fixed_[idx(j)] != 0; };
+    beside_fixed_[i] = std::any_of(first, last, is_fixed) ? 1 : 0;
+  }
 }
 
 Outcome<Newton::Norms>
@@ -180,6 +187,10 @@ Newton::correct(const Prescribed& prescribed, std::span<const double> x, double 
   }
   // Prescribed unknowns become rows and columns of the identity, scaled like their neighbours.
   for (std::size_t i = 0; i < rhs_.size(); ++i) {
+    if (beside_fixed_[i] == 0) {
+      rhs_[i] = -system_.residual[i];
+      continue;
+    }
     double lift = 0.0;
     for (Index k = pattern_->row_start[i]; k < pattern_->row_start[i + 1]; ++k) {
       const auto j = idx(pattern_->columns[idx(k)]);

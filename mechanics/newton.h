@@ -151,6 +151,7 @@ private:
   LinearSolver solver_;
   System system_;
   std::vector<char> fixed_;
+  std::vector<char> beside_fixed_; ///< rows with a prescribed unknown in them
   std::vector<double> rhs_;
   std::vector<double> correction_;
   std::vector<double> base_;

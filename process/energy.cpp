@@ -33,12 +33,11 @@ double Process::work_of_supports(double dt) const {
   return work;
 }
 
-EnergyBalance Process::balance_of(const mechanics::Bulk& bulk,
-                                  const contact::ContactTerm* contact,
-                                  std::span<const double> x) const {
+EnergyBalance
+Process::balance_of(double elastic, double plastic, const contact::ContactTerm* contact) const {
   EnergyBalance energy = energy_;
-  energy.elastic = bulk.elastic_energy(x).sum();
-  energy.plastic = bulk.plastic_work();
+  energy.elastic = elastic;
+  energy.plastic = plastic;
   energy.external = support_work_ - tool_energy_ + load_work_;
   for (const auto* loads : {&loads_, &fading_})
     for (const auto& load : *loads)
@@ -54,7 +53,7 @@ EnergyBalance Process::balance_of(const mechanics::Bulk& bulk,
 }
 
 void Process::update_energy() {
-  energy_ = balance_of(*bulk_, contact_.get(), x_);
+  energy_ = balance_of(bulk_->elastic_energy(x_).sum(), bulk_->plastic_work(), contact_.get());
   energy_.most = energy_.scale();
   most_energy_ =
       std::max({most_energy_, std::abs(energy_.external), energy_.plastic, energy_.elastic});
@@ -62,14 +61,14 @@ void Process::update_energy() {
 
 EnergyBalance Process::energy_after(double dt) const {
   const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
-  mechanics::Bulk bulk = *bulk_;
-  bulk.commit(trial);
   std::optional<contact::ContactTerm> contact;
   if (contact_) {
     contact = *contact_;
     contact->commit(trial);
   }
-  EnergyBalance energy = balance_of(bulk, contact ? &*contact : nullptr, trial_x_);
+  EnergyBalance energy = balance_of(bulk_->trial_elastic_energy(trial_x_).sum(),
+                                    bulk_->plastic_work() + bulk_->trial_plastic_work(),
+                                    contact ? &*contact : nullptr);
   energy.external += work_of_supports(dt);
   for (const auto* loads : {&loads_, &fading_})
     for (const auto& load : *loads)

@@ -229,11 +229,12 @@ bool Process::plausible(double dt, double force_scale, std::string& why) const {
   return true;
 }
 
-bool Process::turns_inside_out(std::string& why) const {
+bool Process::turns_inside_out(std::string& why) {
   constexpr double inside_out = -0.05; // quality; where sides fold onto a die it may come to zero
   const auto qualities = mechanics::element_qualities(
       scene_.mesh, as_points(trial_x_, scene_.mesh.dimension(), scene_.mesh.points.size()));
   const auto worst = std::min_element(qualities.begin(), qualities.end());
+  trial_quality_ = *worst;
   if (*worst > inside_out || *worst >= worst_quality(scene_.mesh, positions()))
     return false;
   const auto element = static_cast<Index>(worst - qualities.begin());
@@ -342,9 +343,7 @@ IncrementReport Process::report(double dt, int cutbacks) const {
   }
   for (const auto& state : bulk_->states())
     r.max_plastic_strain = std::max(r.max_plastic_strain, state.plastic_strain);
-  const auto qualities = mechanics::element_qualities(
-      scene_.mesh, as_points(x_, scene_.mesh.dimension(), scene_.mesh.points.size()));
-  r.min_quality = *std::min_element(qualities.begin(), qualities.end());
+  r.min_quality = trial_quality_;
   r.wall_time = seconds_now() - started_;
   r.energy = energy_;
   r.records = newton_->records();

@@ -383,7 +383,7 @@ private:
   [[nodiscard]] PostMortem
   post_mortem(double dt, const std::string& why, std::vector<std::string> tried) const;
   /// Whether the trial turns an element inside out that was not, or was less so.
-  [[nodiscard]] bool turns_inside_out(std::string& why) const;
+  [[nodiscard]] bool turns_inside_out(std::string& why);
   /// Whether the trial carries the workpiece through a tool.
   [[nodiscard]] bool passes_through(double dt, std::string& why) const;
   void accept(double dt);
@@ -395,10 +395,9 @@ private:
   /// @param gone  share of the stage that is behind
   [[nodiscard]] double missed_since(const EnergyBalance& before, double gone) const;
   void update_energy();
-  /// The sums of the run with the metal and the contact in these states.
-  [[nodiscard]] EnergyBalance balance_of(const mechanics::Bulk& bulk,
-                                         const contact::ContactTerm* contact,
-                                         std::span<const double> x) const;
+  /// The sums of the run with these energies of the metal and this contact.
+  [[nodiscard]] EnergyBalance
+  balance_of(double elastic, double plastic, const contact::ContactTerm* contact) const;
   /// What the balance would be with the increment just tried; nothing changes.
   [[nodiscard]] EnergyBalance energy_after(double dt) const;
   /// In the increment just tried [N mm].
@@ -571,6 +570,7 @@ private:
   double side_ = 0.0;                    ///< of the elements of the first mesh [mm]
   std::vector<double> earlier_forces_;   ///< on all tools, before the last increment [N]
   std::vector<double> largest_forces_;   ///< likewise, the largest since they touched nothing [N]
+  double trial_quality_ = 1.0;           ///< of the worst element of the last solution tried [-]
   double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
   double mesh_aspect_ = 1.0;             ///< likewise, the largest of its elements [-]
   double mesh_excess_ = 0.0;             ///< likewise, of the side most outgrown [-]
