@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -109,7 +110,10 @@ template <class Element, Analysis analysis> struct Kernel {
   using Slopes = std::array<NodalRow, slopes>;
   using Factor = std::array<std::array<double, slopes>, slopes>;
   using Vector = std::array<NodalRow, dim>; ///< of all nodes, component by component
-  using Moduli = std::array<Lanes<n_strains>, n_strains>;
+  /// Moduli of a batch of points, on and above the diagonal.
+  using Moduli = std::array<std::array<PointLanes, n_strains>, n_strains>;
+  static constexpr std::size_t batches =
+      static_cast<std::size_t>((points + points_at_once - 1) / points_at_once);
   using Pairs = std::array<NodalRow, nodes>;
   /// Tangent of displacement i by displacement j, i <= j, for each pair of nodes.
   using Blocks = std::array<Pairs, static_cast<std::size_t>(dim*(dim + 1) / 2)>;
@@ -128,8 +132,8 @@ template <class Element, Analysis analysis> struct Kernel {
 
   std::array<Slopes, points> slope; ///< d N / d x and N / r, current
   AtPoints volume;                  ///< current
-  std::array<Mat3, points> b_pred;
-  std::array<DeviatoricResponse, points> response;
+  std::array<TensorLanes, batches> b_pred;
+  std::array<DeviatoricResponse, batches> response;
 
   /// Volumes of the points in a configuration; `J` receives d x / d xi, `r` the radius.
   static AtPoints measure(const double* x, Square& J, AtPoints& r) {
@@ -205,14 +209,21 @@ template <class Element, Analysis analysis> struct Kernel {
             [&](int g) { return old[idx(g)].b_e(static_cast<int>(i), static_cast<int>(j)); });
     const SquareLanes<3, points> fb = product(f, b, false);
     const SquareLanes<3, points> fbf = product(fb, f, true);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = i; j < 3; ++j)
-        for (int g = 0; g < points; ++g) {
-          const auto row = static_cast<int>(i);
-          const auto col = static_cast<int>(j);
-          b_pred[idx(g)](row, col) = fbf[i][j][g];
-          b_pred[idx(g)](col, row) = fbf[i][j][g];
-        }
+    for (std::size_t k = 0; k < batches; ++k)
+      for (std::size_t c = 0; c < tensor_components.size(); ++c) {
+        const auto [i, j] = tensor_components[c];
+        b_pred[k][c] = batch(fbf[i][j], k);
+      }
+  }
+
+  /// Numbers of the points of a batch; beyond the last point its own once more.
+  static PointLanes batch(const AtPoints& all, std::size_t k) {
+    if constexpr (points == points_at_once)
+      return all;
+    else
+      return PointLanes::of([&](int l) {
+        return all[std::min(static_cast<int>(k) * points_at_once + l, points - 1)];
+      });
   }
 
   /// A B, or A B^T.
@@ -226,50 +237,49 @@ template <class Element, Analysis analysis> struct Kernel {
     return AB;
   }
 
-  /// Components that turn strains in space into strains in the principal axes.
-  static Moduli to_principal(const Mat3& n) {
-    constexpr std::array<std::array<int, 2>, 6> pair{
-        {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
-    std::array<Lanes<n_strains>, 3> first; // of each axis, the components that the strains take
-    std::array<Lanes<n_strains>, 3> second;
-    for (int axis = 0; axis < 3; ++axis) {
-      first[idx(axis)] = Lanes<n_strains>::of([&](int s) { return n(pair[idx(s)][0], axis); });
-      second[idx(axis)] = Lanes<n_strains>::of([&](int s) { return n(pair[idx(s)][1], axis); });
-    }
-    Moduli T;
-    for (int row = 0; row < n_strains; ++row) {
-      const std::size_t p = idx(pair[idx(row)][0]);
-      const std::size_t q = idx(pair[idx(row)][1]);
-      T[idx(row)] = row < 3 ? first[p] * second[p] : first[p] * second[q] + second[p] * first[q];
-    }
-    return T;
-  }
-
   /// Deviatoric spatial moduli in space. (M.8)
-  static Moduli moduli(const DeviatoricResponse& response_at) {
-    const Moduli T = to_principal(response_at.predictor.vectors);
+  static Moduli moduli(const DeviatoricResponse& at) {
+    Moduli T; // turns strains in space into strains in the principal axes
+    for (std::size_t row = 0; row < n_strains; ++row)
+      for (std::size_t s = 0; s < n_strains; ++s) {
+        const auto [p, q] = tensor_components[row];
+        const auto [i, j] = tensor_components[s];
+        T[row][s] = row < 3 ? at.axes[i][p] * at.axes[j][p]
+                            : at.axes[i][p] * at.axes[j][q] + at.axes[i][q] * at.axes[j][p];
+      }
     Moduli DT;
-    for (int a = 0; a < 3; ++a)
-      DT[idx(a)] = response_at.normal_moduli(a, 0) * T[0] + response_at.normal_moduli(a, 1) * T[1] +
-                   response_at.normal_moduli(a, 2) * T[2];
-    for (int i = 3; i < n_strains; ++i)
-      DT[idx(i)] = response_at.shear_moduli[i - 3] * T[idx(i)];
+    for (std::size_t s = 0; s < n_strains; ++s) {
+      for (std::size_t a = 0; a < 3; ++a)
+        DT[a][s] = at.normal_moduli[a][0] * T[0][s] + at.normal_moduli[a][1] * T[1][s] +
+                   at.normal_moduli[a][2] * T[2][s];
+      for (std::size_t i = 3; i < n_strains; ++i)
+        DT[i][s] = at.shear_moduli[i - 3] * T[i][s];
+    }
     Moduli D;
-    for (int s = 0; s < n_strains; ++s)
-      for (int p = 0; p < n_strains; ++p)
-        D[idx(s)] += T[idx(p)][s] * DT[idx(p)];
+    for (std::size_t s = 0; s < n_strains; ++s)
+      for (std::size_t t = s; t < n_strains; ++t)
+        for (std::size_t p = 0; p < n_strains; ++p)
+          D[s][t] += T[p][s] * DT[p][t];
     return D;
   }
 
-  /// Adds `scale` * (I (x) I * trace_part - 2 * unit_part * II) to moduli.
-  static void add_pressure(Moduli& D, double trace_part, double unit_part) {
-    for (int i = 0; i < n_strains; ++i)
-      D[idx(i)] += Lanes<n_strains>::of([&](int j) {
-        const double trace = i < 3 && j < 3 ? trace_part : 0.0;
-        const double unit = i != j ? 0.0 : i < 3 ? 2.0 * unit_part : unit_part;
-        return trace - unit;
-      });
-  }
+  /// Moduli of one point: the deviator's and those of the pressure,
+  /// `trace` I (x) I - 2 `unit` II.
+  struct PointModuli {
+    const Moduli* deviatoric;
+    int point; ///< in its batch
+    double trace;
+    double unit;
+
+    template <int s, int t> [[nodiscard]] double at() const {
+      double value = (*deviatoric)[std::min(s, t)][std::max(s, t)][point];
+      if constexpr (s < 3 && t < 3)
+        value += trace;
+      if constexpr (s == t)
+        value -= s < 3 ? 2.0 * unit : unit;
+      return value;
+    }
+  };
 
   /// Strain component of the gradient of displacement i in direction l; none: it has none.
   static constexpr int strain_of(int i, int l) {
@@ -283,15 +293,18 @@ template <class Element, Analysis analysis> struct Kernel {
   /// Derivative of the stress that works on displacement i by the gradient of displacement j, with
   /// the stress itself that turns with the gradients. (M.3), (M.8)
   template <int i, int j>
-  static Factor stiffness(const Moduli& D, const Mat3& tau, double volume_at) {
+  static Factor stiffness(const PointModuli& D, const Mat3& tau, double volume_at) {
     Factor A{};
-    for (int l = 0; l < slopes; ++l)
-      for (int m = 0; m < slopes; ++m) {
-        const int s = strain_of(i, l);
-        const int t = strain_of(j, m);
-        if (s >= 0 && t >= 0)
-          A[idx(l)][idx(m)] = volume_at * D[idx(s)][t] + (i == j ? tau(l, m) : 0.0);
-      }
+    const auto set = [&]<int l, int m>() {
+      constexpr int s = strain_of(i, l);
+      constexpr int t = strain_of(j, m);
+      if constexpr (s >= 0 && t >= 0)
+        A[l][m] = volume_at * D.template at<s, t>() + (i == j ? tau(l, m) : 0.0);
+    };
+    [&]<int... k>(std::integer_sequence<int, k...>) {
+      (set.template operator()<k / slopes, k % slopes>(), ...);
+    }
+    (std::make_integer_sequence<int, slopes * slopes>());
     return A;
   }
 
@@ -309,8 +322,11 @@ template <class Element, Analysis analysis> struct Kernel {
   /// Adds what a point gives to the tangent.
   ///
   /// @param tau  Kirchhoff stress times the reference volume
-  static void
-  add_stiffness(Blocks& K, const Slopes& S, const Moduli& D, const Mat3& tau, double volume_at) {
+  static void add_stiffness(Blocks& K,
+                            const Slopes& S,
+                            const PointModuli& D,
+                            const Mat3& tau,
+                            double volume_at) {
     [&]<std::size_t... block>(std::index_sequence<block...>) {
       (add_product(K[block], S,
                    stiffness<components[block].i, components[block].j>(D, tau, volume_at)),
@@ -341,6 +357,17 @@ template <class Element, Analysis analysis> struct Kernel {
         }
       }
     }
+  }
+
+  /// Kirchhoff stress of a point of a batch.
+  static Mat3 stress(const TensorLanes& deviator, double p, int point) {
+    Mat3 tau;
+    for (std::size_t k = 0; k < deviator.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
+      const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
+      tau(i, j) = tau(j, i) = deviator[k][point] + (i == j ? p : 0.0);
+    }
+    return tau;
   }
 
   /// Adds the nodal forces of the stress at a point.
@@ -375,27 +402,30 @@ template <class Element, Analysis analysis> struct Kernel {
       v += volume[g];
     const double theta = v / V0;
     const double log_theta = std::log(theta);
-    for (int g = 0; g < points; ++g) {
-      const DeviatoricResponse& response_at = response[idx(g)];
-      out.trial[idx(g)] = response_at.state;
-      if (!out.shape_energies.empty())
-        out.shape_energies[idx(g)] = shape_energy(material.elasticity, response_at.s);
-      out.largest_plastic_increment =
-          std::max(out.largest_plastic_increment, response_at.plastic_increment);
-      const double dV = in.volumes[idx(g)];
-      // Pressure times J: of the element's mean dilatation, or of the point's own.
-      const double p = Element::mean_dilatation ? kappa * log_theta / theta * volume[g] / dV
-                                                : kappa * response_at.log_J;
-      Mat3 tau = dV * response_at.deviator;
-      tau.diagonal().array() += dV * p;
-      add_force(force, slope[idx(g)], tau);
-      if (out.tangent == nullptr)
-        continue;
-      if constexpr (Element::mean_dilatation)
-        add_divergence(dilatation, slope[idx(g)], volume[g]);
-      Moduli D = moduli(response_at);
-      add_pressure(D, Element::mean_dilatation ? p : kappa, p);
-      add_stiffness(K, slope[idx(g)], D, tau, dV);
+    for (std::size_t k = 0; k < batches; ++k) {
+      const DeviatoricResponse& at = response[k];
+      const PointLanes energies = shape_energies(material.elasticity, at.s);
+      const Moduli D = out.tangent == nullptr ? Moduli() : moduli(at);
+      const int first = static_cast<int>(k) * points_at_once;
+      for (int l = 0; l < std::min(points_at_once, points - first); ++l) {
+        const int g = first + l;
+        out.trial[idx(g)] = at.state(l);
+        if (!out.shape_energies.empty())
+          out.shape_energies[idx(g)] = energies[l];
+        out.largest_plastic_increment =
+            std::max(out.largest_plastic_increment, at.plastic_increment[idx(l)]);
+        const double dV = in.volumes[idx(g)];
+        // Pressure times J: of the element's mean dilatation, or of the point's own.
+        const double p = Element::mean_dilatation ? kappa * log_theta / theta * volume[g] / dV
+                                                  : kappa * at.log_J[l];
+        const Mat3 tau = dV * stress(at.deviator, p, l);
+        add_force(force, slope[idx(g)], tau);
+        if (out.tangent == nullptr)
+          continue;
+        if constexpr (Element::mean_dilatation)
+          add_divergence(dilatation, slope[idx(g)], volume[g]);
+        add_stiffness(K, slope[idx(g)], {&D, l, Element::mean_dilatation ? p : kappa, p}, tau, dV);
+      }
     }
     for (int a = 0; a < nodes; ++a)
       for (int i = 0; i < dim; ++i)

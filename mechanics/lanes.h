@@ -68,6 +68,20 @@ public:
     return result;
   }
 
+  friend Lanes abs(const Lanes& a) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = a.parts_[i].values < 0.0 ? -a.parts_[i].values : a.parts_[i].values;
+    return result;
+  }
+  /// Number by number: `a` where `sign` is below zero, else `b`.
+  friend Lanes where_negative(const Lanes& sign, const Lanes& a, const Lanes& b) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values =
+          sign.parts_[i].values < 0.0 ? a.parts_[i].values : b.parts_[i].values;
+    return result;
+  }
   friend Lanes sqrt(const Lanes& a) {
     return of([&](int i) { return std::sqrt(a[i]); });
   }

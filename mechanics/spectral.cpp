@@ -33,13 +33,13 @@ namespace {
 
 /// Matrices decomposed side by side: one processor vector of them.
 constexpr std::size_t lanes = 8;
-using Lanes = std::array<double, lanes>;
+using Row = std::array<double, lanes>;
 
 /// Symmetric matrices and the rotations applied to them so far, entry by entry.
 struct JacobiBatch {
-  std::array<Lanes, 3> diagonal;            ///< entries 00, 11, 22
-  std::array<Lanes, 3> off;                 ///< off[r]: the entry of the two axes other than r
-  std::array<std::array<Lanes, 3>, 3> axes; ///< axes[k][i]: component i of column k
+  std::array<Row, 3> diagonal;            ///< entries 00, 11, 22
+  std::array<Row, 3> off;                 ///< off[r]: the entry of the two axes other than r
+  std::array<std::array<Row, 3>, 3> axes; ///< axes[k][i]: component i of column k
 
   JacobiBatch(std::span<const Mat3> A) {
     for (std::size_t l = 0; l < lanes; ++l) {
@@ -57,9 +57,9 @@ struct JacobiBatch {
   /// Turns axes p and q so that their entry vanishes; r is the third one. (Jacobi 1846)
   void rotate(std::size_t p, std::size_t q, std::size_t r) {
     constexpr double tiny = 1e-300; // keeps 0 / 0 out of equal diagonals without an entry
-    Lanes t;
-    Lanes c;
-    Lanes s;
+    Row t;
+    Row c;
+    Row s;
     for (std::size_t l = 0; l < lanes; ++l) {
       const double d = diagonal[q][l] - diagonal[p][l];
       const double twice = 2.0 * off[r][l];

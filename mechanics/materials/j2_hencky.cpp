@@ -122,42 +122,37 @@ solve_return(const Law& law, double mu, double q, double old, const PointConditi
   return flows() ? std::nullopt : std::optional(Return{0.0, 1.0, 0.0});
 }
 
-/// Points that are updated side by side: as many as a vector of the processor holds numbers.
-constexpr int at_once = 4;
-using Row = Lanes<at_once>;           ///< a number of each point
-using Principal = std::array<Row, 3>; ///< of each principal axis
-
 /// What a series gives, or the function itself for points that it does not serve; what a point gets
 /// does not depend on the others.
 template <class Serves, class Function>
-Row mended(const Row& values, Serves serves, Function function) {
+PointLanes mended(const PointLanes& values, Serves serves, Function function) {
   bool all = true;
-  for (int l = 0; l < at_once; ++l)
+  for (int l = 0; l < points_at_once; ++l)
     all = all && serves(l);
-  return all ? values : Row::of([&](int l) { return serves(l) ? values[l] : function(l); });
+  return all ? values : PointLanes::of([&](int l) { return serves(l) ? values[l] : function(l); });
 }
 
 /// artanh(z) / z.
-Row artanh_per_z(const Row& z) {
-  const Row squares = z * z;
-  Row sum;
+PointLanes artanh_per_z(const PointLanes& z) {
+  const PointLanes squares = z * z;
+  PointLanes sum;
   for (const double coefficient : artanh_series)
-    sum = Row::constant(coefficient) + squares * sum;
+    sum = PointLanes::constant(coefficient) + squares * sum;
   return sum;
 }
 
-Row log_of(const Row& b) {
-  const Row one = Row::constant(1.0);
-  const Row z = (b - one) / (b + one);
+PointLanes log_of(const PointLanes& b) {
+  const PointLanes one = PointLanes::constant(1.0);
+  const PointLanes z = (b - one) / (b + one);
   return mended(
       2.0 * (z * artanh_per_z(z)), [&](int l) { return artanh_series_serves(z[l]); },
       [&](int l) { return std::log(b[l]); });
 }
 
-Row exp_of(const Row& x) {
+PointLanes exp_of(const PointLanes& x) {
   constexpr double near = 1.0 / 32.0; // likewise
-  const Row one = Row::constant(1.0);
-  Row result = one;
+  const PointLanes one = PointLanes::constant(1.0);
+  PointLanes result = one;
   for (const double n : {9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0})
     result = one + ((1.0 / n) * x) * result;
   return mended(
@@ -165,9 +160,9 @@ Row exp_of(const Row& x) {
 }
 
 /// `log_difference` of a and b.
-Row log_differences(const Row& a, const Row& b) {
-  const Row per_sum = Row::constant(1.0) / (a + b);
-  const Row z = (a - b) * per_sum;
+PointLanes log_differences(const PointLanes& a, const PointLanes& b) {
+  const PointLanes per_sum = PointLanes::constant(1.0) / (a + b);
+  const PointLanes z = (a - b) * per_sum;
   return mended(
       2.0 * (b * per_sum) * artanh_per_z(z), [&](int l) { return artanh_series_serves(z[l]); },
       [&](int l) { return log_difference(a[l], b[l]); });
@@ -175,94 +170,78 @@ Row log_differences(const Row& a, const Row& b) {
 
 /// A batch of points on its way from the predictors to the responses.
 struct Batch {
-  std::array<DeviatoricResponse*, at_once> out; ///< with the predictors' decompositions
-  Principal b;                                  ///< squared principal stretches of the predictors
-  Row log_J;                                    ///< ln J
-  Principal eps;                                ///< deviatoric principal strains of the predictors
-  Row norm;                                     ///< of the predictors' deviatoric stress [MPa]
-  Row beta;                                     ///< share of the stress that is left; 1: elastic
-  Row share;                                    ///< (M.7)'s gamma-bar; 0: elastic
-  Row per_norm;                                 ///< 1 / norm; 0: elastic
-  std::array<Principal, 3> axes;                ///< component by component, of the principal axes
-
-  Batch(double mu, const std::array<DeviatoricResponse*, at_once>& responses) : out(responses) {
-    for (int a = 0; a < 3; ++a) {
-      b[idx(a)] = Row::of([&](int l) { return out[idx(l)]->predictor.values[a]; });
-      eps[idx(a)] = 0.5 * log_of(b[idx(a)]);
-    }
-    log_J = eps[0] + eps[1] + eps[2];
-    const Row mean = (1.0 / 3.0) * log_J;
-    for (Row& strain : eps)
-      strain = strain - mean;
-    norm = (2.0 * mu) * sqrt(eps[0] * eps[0] + eps[1] * eps[1] + eps[2] * eps[2]);
-    for (int i = 0; i < 3; ++i)
-      for (int a = 0; a < 3; ++a)
-        axes[idx(i)][idx(a)] = Row::of([&](int l) { return out[idx(l)]->predictor.vectors(i, a); });
-  }
-
-  [[nodiscard]] bool has_logarithms() const {
-    bool all = true;
-    for (int l = 0; l < at_once; ++l)
-      for (const Row& values : b)
-        all = all && values[l] > 0.0 && std::isfinite(values[l]);
-    return all;
-  }
-
-  /// Writes a number of each point.
-  template <class Entry> void put(const Row& values, Entry entry) const {
-    for (int l = 0; l < at_once; ++l)
-      entry(*out[idx(l)]) = values[l];
-  }
-
-  /// Writes a symmetric tensor of each point, given in its principal axes, in space.
-  template <class Tensor> void put_in_space(const Principal& values, Tensor tensor) const {
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) {
-        Row sum;
-        for (std::size_t a = 0; a < 3; ++a)
-          sum += values[a] * (axes[idx(i)][a] * axes[idx(j)][a]);
-        put(sum, [=](DeviatoricResponse& point) -> double& { return tensor(point)(i, j); });
-        if (i != j)
-          put(sum, [=](DeviatoricResponse& point) -> double& { return tensor(point)(j, i); });
-      }
-  }
+  PrincipalLanes eps;  ///< deviatoric principal strains of the predictors
+  PointLanes norm;     ///< of the predictors' deviatoric stress [MPa]
+  PointLanes beta;     ///< share of the stress that is left; 1: elastic
+  PointLanes share;    ///< (M.7)'s gamma-bar; 0: elastic
+  PointLanes per_norm; ///< 1 / norm; 0: elastic
 };
 
+bool have_logarithms(const PrincipalLanes& b) {
+  bool all = true;
+  for (const PointLanes& values : b)
+    for (int l = 0; l < points_at_once; ++l)
+      all = all && values[l] > 0.0 && std::isfinite(values[l]);
+  return all;
+}
+
+/// Strains and stress of the predictors, whose decompositions are in `out`.
+Batch strained(double mu, DeviatoricResponse& out) {
+  Batch now;
+  for (std::size_t a = 0; a < 3; ++a)
+    now.eps[a] = 0.5 * log_of(out.values[a]);
+  out.log_J = now.eps[0] + now.eps[1] + now.eps[2];
+  const PointLanes mean = (1.0 / 3.0) * out.log_J;
+  for (PointLanes& strain : now.eps)
+    strain = strain - mean;
+  now.norm = (2.0 * mu) *
+             sqrt(now.eps[0] * now.eps[0] + now.eps[1] * now.eps[1] + now.eps[2] * now.eps[2]);
+  return now;
+}
+
+/// A symmetric tensor, given in principal axes, in space.
+TensorLanes in_space(const DeviatoricResponse& at, const PrincipalLanes& values) {
+  TensorLanes tensor;
+  for (std::size_t k = 0; k < tensor.size(); ++k) {
+    const auto [i, j] = tensor_components[k];
+    for (std::size_t a = 0; a < 3; ++a)
+      tensor[k] += values[a] * (at.axes[i][a] * at.axes[j][a]);
+  }
+  return tensor;
+}
+
 /// Stresses and moduli in principal axes. (M.7), (M.8)
-void put_moduli(const Batch& at, double mu) {
-  const Row scaled = (2.0 * mu) * at.beta;
-  const Row less = (2.0 * mu) * at.share;
-  Principal s;
-  Principal direction;
+void put_moduli(const Batch& at, double mu, DeviatoricResponse& out) {
+  const PointLanes scaled = (2.0 * mu) * at.beta;
+  const PointLanes less = (2.0 * mu) * at.share;
+  PrincipalLanes direction;
   for (std::size_t a = 0; a < 3; ++a) {
-    s[a] = scaled * at.eps[a];
+    out.s[a] = scaled * at.eps[a];
     direction[a] = (2.0 * mu) * (at.eps[a] * at.per_norm);
   }
-  at.put_in_space(s, [](DeviatoricResponse& point) -> Mat3& { return point.deviator; });
-  for (int a = 0; a < 3; ++a) {
-    for (int c = a; c < 3; ++c) {
-      const Row dyad = less * (direction[idx(a)] * direction[idx(c)]);
-      const Row value =
-          a == c ? (2.0 / 3.0) * scaled - dyad - 2.0 * s[idx(a)] : (-1.0 / 3.0) * scaled - dyad;
-      at.put(value,
-             [=](DeviatoricResponse& point) -> double& { return point.normal_moduli(a, c); });
-      at.put(value,
-             [=](DeviatoricResponse& point) -> double& { return point.normal_moduli(c, a); });
+  out.deviator = in_space(out, out.s);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t c = a; c < 3; ++c) {
+      const PointLanes dyad = less * (direction[a] * direction[c]);
+      out.normal_moduli[a][c] =
+          a == c ? (2.0 / 3.0) * scaled - dyad - 2.0 * out.s[a] : (-1.0 / 3.0) * scaled - dyad;
+      out.normal_moduli[c][a] = out.normal_moduli[a][c];
     }
-    const std::size_t i = a == 2 ? 0 : idx(a);
-    const std::size_t j = a == 2 ? 2 : idx(a) + 1;
-    at.put(s[idx(a)], [=](DeviatoricResponse& point) -> double& { return point.s[a]; });
-    at.put((0.5 * scaled) * log_differences(at.b[i], at.b[j]) - s[j],
-           [=](DeviatoricResponse& point) -> double& { return point.shear_moduli[a]; });
+    const std::size_t i = a == 2 ? 0 : a;
+    const std::size_t j = a == 2 ? 2 : a + 1;
+    out.shear_moduli[a] = (0.5 * scaled) * log_differences(out.values[i], out.values[j]) - out.s[j];
   }
 }
 
-/// b_e in space from the strains that are left. (M.9)
-void put_states(const Batch& at) {
-  Principal b;
+/// b_e in space from the strains that are left; where nothing flows the predictor, to the bit.
+/// (M.9)
+void put_states(const Batch& at, const TensorLanes& b_pred, DeviatoricResponse& out) {
+  PrincipalLanes b;
   for (std::size_t a = 0; a < 3; ++a)
-    b[a] = exp_of(2.0 * (at.beta * at.eps[a]) + (2.0 / 3.0) * at.log_J);
-  at.put_in_space(b, [](DeviatoricResponse& point) -> Mat3& { return point.state.b_e; });
+    b[a] = exp_of(2.0 * (at.beta * at.eps[a]) + (2.0 / 3.0) * out.log_J);
+  const TensorLanes flowing = in_space(out, b);
+  for (std::size_t k = 0; k < b_pred.size(); ++k)
+    out.b_e[k] = where_negative(-1.0 * at.per_norm, flowing[k], b_pred[k]);
 }
 
 /// Updates a batch, whose predictors are decomposed.
@@ -271,31 +250,25 @@ void put_states(const Batch& at) {
 template <class Law, class ConditionsOf>
 bool update_batch(const Law& law,
                   double mu,
-                  std::span<const Mat3> b_pred,
+                  const TensorLanes& b_pred,
                   std::span<const PointState> old,
                   ConditionsOf&& conditions_of,
-                  std::span<DeviatoricResponse> out) {
-  DeviatoricResponse spare;
-  spare.predictor = out[0].predictor;
-  std::array<DeviatoricResponse*, at_once> responses;
-  for (std::size_t l = 0; l < responses.size(); ++l)
-    responses[l] = l < out.size() ? &out[l] : &spare;
-  Batch now(mu, responses);
-  if (!now.has_logarithms())
+                  DeviatoricResponse& out) {
+  if (!have_logarithms(out.values))
     return false;
-  std::array<double, at_once> beta;
-  std::array<double, at_once> share{};
-  std::array<double, at_once> per_norm{};
+  Batch now = strained(mu, out);
+  std::array<double, points_at_once> beta;
+  std::array<double, points_at_once> share{};
+  std::array<double, points_at_once> per_norm{};
   beta.fill(1.0);
+  out.plastic_increment.fill(0.0);
   bool flows = false;
-  for (std::size_t l = 0; l < out.size(); ++l) {
+  for (std::size_t l = 0; l < old.size(); ++l) {
     const PointConditions at = conditions_of(l);
     const double strain = old[l].plastic_strain;
     const double norm = now.norm[static_cast<int>(l)];
     const double q = std::sqrt(1.5) * norm;
-    out[l].log_J = now.log_J[static_cast<int>(l)];
-    out[l].state.plastic_strain = strain;
-    out[l].plastic_increment = 0.0;
+    out.plastic_strain[l] = strain;
     if (q <= stress_at_rest(law, strain, at))
       continue;
     const std::optional<Return> flow = solve_return(law, mu, q, strain, at);
@@ -305,18 +278,17 @@ bool update_batch(const Law& law,
     beta[l] = flow->beta;
     share[l] = flow->share;
     per_norm[l] = 1.0 / norm;
-    out[l].plastic_increment = flow->increment;
-    out[l].state.plastic_strain += flow->increment;
+    out.plastic_increment[l] = flow->increment;
+    out.plastic_strain[l] += flow->increment;
   }
-  now.beta = Row::of([&](int l) { return beta[idx(l)]; });
-  now.share = Row::of([&](int l) { return share[idx(l)]; });
-  now.per_norm = Row::of([&](int l) { return per_norm[idx(l)]; });
-  put_moduli(now, mu);
+  now.beta = PointLanes::of([&](int l) { return beta[idx(l)]; });
+  now.share = PointLanes::of([&](int l) { return share[idx(l)]; });
+  now.per_norm = PointLanes::of([&](int l) { return per_norm[idx(l)]; });
+  put_moduli(now, mu, out);
   if (flows)
-    put_states(now);
-  for (std::size_t l = 0; l < out.size(); ++l)
-    if (per_norm[l] == 0.0)
-      out[l].state.b_e = b_pred[l]; // to the bit
+    put_states(now, b_pred, out);
+  else
+    out.b_e = b_pred;
   return true;
 }
 
@@ -345,43 +317,91 @@ template <class Visit> void for_each_decomposed(std::span<const PointState> stat
   }
 }
 
-void set_predictors(std::span<const Mat3> b_pred, bool planar, std::span<DeviatoricResponse> out) {
-  if (planar) {
-    for (std::size_t i = 0; i < b_pred.size(); ++i)
-      out[i].predictor = spectral_plane(b_pred[i]);
-    return;
-  }
-  constexpr std::size_t batch = 8;
-  std::array<Spectral, batch> predictors;
-  for (std::size_t first = 0; first < b_pred.size(); first += batch) {
-    const std::size_t n = std::min(batch, b_pred.size() - first);
-    spectral(b_pred.subspan(first, n), std::span(predictors).first(n));
-    for (std::size_t i = 0; i < n; ++i)
-      out[first + i].predictor = predictors[i];
+/// Decomposes predictors without shear out of the plane: (M.5), and nothing cancels.
+void decompose_in_plane(const TensorLanes& b, DeviatoricResponse& out) {
+  const PointLanes zero;
+  const PointLanes one = PointLanes::constant(1.0);
+  const PointLanes& shear = b[3];
+  const PointLanes mean = 0.5 * (b[0] + b[1]);
+  const PointLanes half = 0.5 * (b[0] - b[1]);
+  const PointLanes radius = sqrt(half * half + shear * shear);
+  out.values = {mean + radius, mean - radius, b[2]};
+  // The half angle through the larger of the two cosines; no angle where the values are equal.
+  const PointLanes differ = zero - radius;
+  const PointLanes share = where_negative(differ, abs(half) / radius, one);
+  const PointLanes larger = sqrt(0.5 * (one + share));
+  const PointLanes smaller = where_negative(differ, 0.5 * shear / (radius * larger), zero);
+  const PointLanes c = where_negative(half, abs(smaller), larger);
+  const PointLanes s = where_negative(half, where_negative(shear, zero - larger, larger), smaller);
+  out.axes = {{{c, zero - s, zero}, {s, c, zero}, {zero, zero, one}}};
+}
+
+void decompose(std::span<const TensorLanes> b, std::span<DeviatoricResponse> out) {
+  constexpr std::size_t at_most = 8; // what is decomposed side by side
+  constexpr auto batch = idx(points_at_once);
+  std::array<Mat3, at_most> tensors;
+  std::array<Spectral, at_most> predictors;
+  for (std::size_t first = 0; first < b.size(); first += at_most / batch) {
+    const std::size_t n = batch * std::min(at_most / batch, b.size() - first);
+    for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t k = 0; k < tensor_components.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
+        const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
+        const double value = b[first + p / batch][k][static_cast<int>(p % batch)];
+        tensors[p](i, j) = value;
+        tensors[p](j, i) = value;
+      }
+    spectral(std::span(tensors).first(n), std::span(predictors).first(n));
+    for (std::size_t k = 0; k < n / batch; ++k)
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto axis = static_cast<Eigen::Index>(a);
+        const Spectral* own = predictors.data() + k * batch;
+        out[first + k].values[a] = PointLanes::of([&](int l) { return own[l].values[axis]; });
+        for (std::size_t i = 0; i < 3; ++i)
+          out[first + k].axes[i][a] = PointLanes::of(
+              [&](int l) { return own[l].vectors(static_cast<Eigen::Index>(i), axis); });
+      }
   }
 }
 
 } // namespace
 
+PointState DeviatoricResponse::state(int point) const {
+  PointState result;
+  for (std::size_t k = 0; k < b_e.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
+    const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
+    result.b_e(i, j) = b_e[k][point];
+    result.b_e(j, i) = b_e[k][point];
+  }
+  result.plastic_strain = plastic_strain[idx(point)];
+  return result;
+}
+
 bool update(const Material& material,
-            std::span<const Mat3> b_pred,
+            std::span<const TensorLanes> b_pred,
             std::span<const PointState> old,
             bool planar,
             const FlowConditions& at,
             std::span<DeviatoricResponse> out) {
   const double mu = material.elasticity.shear();
-  set_predictors(b_pred, planar, out);
+  if (planar)
+    for (std::size_t k = 0; k < b_pred.size(); ++k)
+      decompose_in_plane(b_pred[k], out[k]);
+  else
+    decompose(b_pred, out);
   return std::visit(
       [&](const auto& law) {
-        constexpr auto most = idx(at_once);
-        for (std::size_t first = 0; first < b_pred.size(); first += most) {
-          const std::size_t n = std::min(most, b_pred.size() - first);
+        constexpr auto most = idx(points_at_once);
+        for (std::size_t k = 0; k < b_pred.size(); ++k) {
+          const std::size_t first = k * most;
           const auto conditions_of = [&](std::size_t i) -> PointConditions {
             return {at.dt,
                     at.temperatures.empty() ? material.temperature : at.temperatures[first + i]};
           };
-          if (!update_batch(law, mu, b_pred.subspan(first, n), old.subspan(first, n), conditions_of,
-                            out.subspan(first, n)))
+          if (!update_batch(law, mu, b_pred[k],
+                            old.subspan(first, std::min(most, old.size() - first)), conditions_of,
+                            out[k]))
             return false;
         }
         return true;

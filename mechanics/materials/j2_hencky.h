@@ -13,9 +13,12 @@
 #pragma once
 
 #include "geometry/base/vector.h"
+#include "mechanics/lanes.h"
 #include "mechanics/materials/any_flow_law.h"
 #include "mechanics/spectral.h"
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 namespace billet::mechanics {
@@ -49,38 +52,58 @@ struct PointState {
   double plastic_strain = 0.0; ///< accumulated [-]
 };
 
-/// Deviatoric response of one point, mostly in the principal axes of the predictor.
+/// Points that are updated side by side: as many as a vector of the processor holds numbers.
+constexpr int points_at_once = 4;
+using PointLanes = Lanes<points_at_once>;
+/// Of each principal axis.
+using PrincipalLanes = std::array<PointLanes, 3>;
+/// Symmetric tensors: xx, yy, zz, xy, yz, xz.
+using TensorLanes = std::array<PointLanes, 6>;
+
+/// Row and column of each component of a symmetric tensor; likewise the axes of each of the strains
+/// in principal axes: those along the axes 0, 1, 2 and the shears 01, 12, 02.
+constexpr std::array<std::array<std::size_t, 2>, 6> tensor_components{
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+
+/// Deviatoric response of a batch of points, mostly in the principal axes of the predictors.
 struct DeviatoricResponse {
-  Spectral predictor;             ///< principal values of b_e,pred and their directions
-  double log_J;                   ///< ln J, J the total (elastic) volume ratio [-]
-  Vec3 s;                         ///< principal deviatoric Kirchhoff stresses [MPa]
-  Mat3 deviator;                  ///< the same in space [MPa]
-  Mat3 normal_moduli;             ///< d s_a / d eps_b - 2 s_a delta_ab [MPa], symmetric
-  Vec3 shear_moduli;              ///< spatial moduli of the shears 01, 12, 02 [MPa]
-  PointState state;               ///< trial state
-  double plastic_increment = 0.0; ///< of the accumulated plastic strain [-]
+  PrincipalLanes values;                       ///< principal values of b_e,pred ...
+  std::array<PrincipalLanes, 3> axes;          ///< ... and components of their axes: axes[i][a]
+  PointLanes log_J;                            ///< ln J, J the total (elastic) volume ratio [-]
+  PrincipalLanes s;                            ///< principal deviatoric Kirchhoff stresses [MPa]
+  TensorLanes deviator;                        ///< the same in space [MPa]
+  std::array<PrincipalLanes, 3> normal_moduli; ///< d s_a / d eps_b - 2 s_a delta_ab [MPa]
+  PrincipalLanes shear_moduli;                 ///< spatial moduli of the shears 01, 12, 02 [MPa]
+  TensorLanes b_e;                             ///< of the trial states [-]
+  std::array<double, points_at_once> plastic_strain;    ///< of the trial states [-]
+  std::array<double, points_at_once> plastic_increment; ///< [-]
+
+  /// Trial state of a point.
+  [[nodiscard]] PointState state(int point) const;
 };
 
-/// Updates a batch of points; the flow law is resolved once per call.
+/// Updates points in batches; the flow law is resolved once per call.
 ///
-/// @param b_pred  elastic predictors, shape (n), symmetric positive definite
-/// @param old     committed states, shape (n)
+/// @param b_pred  elastic predictors, positive definite, shape (batches); what a batch has beyond
+///                the last point is any such tensor
+/// @param old     committed states, shape (n), n the number of points
 /// @param planar  no shear out of the plane: xz and yz entries are zero
 /// @param at      length of the increment and temperatures, shape (n) or empty
-/// @param out     shape (n), overwritten
+/// @param out     shape (batches), overwritten
 /// @return false when a return map has no solution (NaN or a predictor that is not positive)
 [[nodiscard]] bool update(const Material& material,
-                          std::span<const Mat3> b_pred,
+                          std::span<const TensorLanes> b_pred,
                           std::span<const PointState> old,
                           bool planar,
                           const FlowConditions& at,
                           std::span<DeviatoricResponse> out);
 
-/// Elastic energy of shape per reference volume [MPa]. (M.6)
+/// Elastic energies of shape per reference volume [MPa]. (M.6)
 ///
 /// @param s  principal deviatoric Kirchhoff stresses [MPa]
-[[nodiscard]] inline double shape_energy(const Elasticity& elasticity, const Vec3& s) {
-  return s.squaredNorm() / (4.0 * elasticity.shear());
+[[nodiscard]] inline PointLanes shape_energies(const Elasticity& elasticity,
+                                               const PrincipalLanes& s) {
+  return (1.0 / (4.0 * elasticity.shear())) * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
 }
 
 /// Elastic energies per reference volume stored in states, shape (n) [MPa]. (M.6)

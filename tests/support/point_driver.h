@@ -5,6 +5,7 @@
 #pragma once
 
 #include "mechanics/materials/j2_hencky.h"
+#include "tests/support/point_response.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -24,15 +25,15 @@ public:
   void set_dt(double dt) { dt_ = dt; }
 
   /// Response to an increment f on top of the committed state.
-  [[nodiscard]] mechanics::DeviatoricResponse response(const Mat3& f) const {
+  [[nodiscard]] PointResponse response(const Mat3& f) const {
     Mat3 b = f * state_.b_e * f.transpose();
     b = 0.5 * (b + b.transpose()).eval();
-    mechanics::DeviatoricResponse out;
-    EXPECT_TRUE(mechanics::update(material_, {&b, 1}, {&state_, 1}, planar_, {dt_}, {&out, 1}));
+    PointResponse out;
+    EXPECT_TRUE(update(material_, {&b, 1}, {&state_, 1}, planar_, {dt_}, {&out, 1}));
     return out;
   }
   /// Kirchhoff stress of a response [MPa].
-  [[nodiscard]] Mat3 kirchhoff(const mechanics::DeviatoricResponse& at) const {
+  [[nodiscard]] Mat3 kirchhoff(const PointResponse& at) const {
     const Mat3& n = at.predictor.vectors;
     const Mat3 s = n * at.s.asDiagonal() * n.transpose();
     return s + material_.elasticity.bulk() * at.log_J * Mat3::Identity();

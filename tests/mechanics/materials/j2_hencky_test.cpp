@@ -2,6 +2,7 @@
 
 #include "mechanics/materials/j2_hencky.h"
 #include "tests/support/figures.h"
+#include "tests/support/point_response.h"
 #include "tests/support/reference_return_map.h"
 #include "tests/support/sample_materials.h"
 
@@ -20,17 +21,17 @@ using support::steel;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double dt = 0.01; // of every increment [s]
 
-Mat3 stress(const DeviatoricResponse& at) {
+Mat3 stress(const support::PointResponse& at) {
   const Mat3& n = at.predictor.vectors;
   return n * at.s.asDiagonal() * n.transpose();
 }
 
 Mat3 symmetrized(const Mat3& A) { return 0.5 * (A + A.transpose()); }
 
-DeviatoricResponse
+support::PointResponse
 respond(const Material& material, const Mat3& b, const PointState& old = {}, bool planar = false) {
-  DeviatoricResponse out;
-  EXPECT_TRUE(update(material, {&b, 1}, {&old, 1}, planar, {dt}, {&out, 1}));
+  support::PointResponse out;
+  EXPECT_TRUE(support::update(material, {&b, 1}, {&old, 1}, planar, {dt}, {&out, 1}));
   return out;
 }
 
@@ -44,7 +45,7 @@ std::function<Long(Long)> long_yield(const Material& material, double old) {
 
 /// Errors of stress (over 2 G) and state against the reference.
 double error(const Material& material, const Mat3& b, const PointState& old, bool planar) {
-  const DeviatoricResponse at = respond(material, b, old, planar);
+  const support::PointResponse at = respond(material, b, old, planar);
   const auto reference =
       support::reference_return(material.elasticity, long_yield(material, old.plastic_strain),
                                 b.cast<Long>(), Long(old.plastic_strain));
@@ -100,7 +101,7 @@ TEST(J2Hencky, stays_exact_at_equal_and_nearly_equal_principal_stretches) {
 }
 
 /// Oldroyd rate of the deviatoric stress under a symmetric velocity gradient d, from the moduli.
-Mat3 stress_rate(const DeviatoricResponse& at, const Mat3& d) {
+Mat3 stress_rate(const support::PointResponse& at, const Mat3& d) {
   const Mat3& n = at.predictor.vectors;
   const Mat3 d_principal = n.transpose() * d * n;
   Mat3 rate = (at.normal_moduli * d_principal.diagonal()).asDiagonal();
@@ -220,7 +221,7 @@ TEST(J2Hencky, answers_strains_of_any_size_without_a_yield_stress) {
   for (const double n : {0.01, 0.1, 0.5})
     for (double strain = 1e-1; strain > 1e-19; strain *= 0.1) {
       const Material material{steel, Ludwik{0.0, 500.0, n}};
-      const DeviatoricResponse at = respond(material, extension(strain, Mat3::Identity()));
+      const support::PointResponse at = respond(material, extension(strain, Mat3::Identity()));
       const Vec3 predictor = 0.5 * at.predictor.values.array().log();
       const double q_pred =
           std::sqrt(6.0) * steel.shear() * (predictor.array() - predictor.mean()).matrix().norm();
@@ -246,8 +247,9 @@ TEST(J2Hencky, refuses_predictors_without_a_logarithm) {
   for (const Mat3& b : bad)
     for (const bool planar : {true, false}) {
       const PointState old;
-      DeviatoricResponse out;
-      EXPECT_FALSE(update({steel, Perfect{300.0}}, {&b, 1}, {&old, 1}, planar, {dt}, {&out, 1}))
+      support::PointResponse out;
+      EXPECT_FALSE(
+          support::update({steel, Perfect{300.0}}, {&b, 1}, {&old, 1}, planar, {dt}, {&out, 1}))
           << b;
     }
 }
@@ -256,9 +258,9 @@ TEST(J2Hencky, stops_a_batch_at_its_bad_point_and_treats_the_others_one_by_one) 
   const std::array<Mat3, 2> b{Mat3(Vec3(1.1, 1, 1).asDiagonal()),
                               Mat3(Vec3(1, 1.2, 1).asDiagonal())};
   const std::array<PointState, 2> old{PointState{Mat3::Identity(), 0.1}, PointState{}};
-  std::array<DeviatoricResponse, 2> out;
+  std::array<support::PointResponse, 2> out;
   const Material material{steel, Linear{300.0, 500.0}};
-  ASSERT_TRUE(update(material, b, old, false, {dt}, out));
+  ASSERT_TRUE(support::update(material, b, old, false, {dt}, out));
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(out[i].state.plastic_strain, respond(material, b[i], old[i]).state.plastic_strain);
 }

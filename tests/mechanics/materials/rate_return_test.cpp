@@ -3,6 +3,7 @@
 #include "mechanics/materials/j2_hencky.h"
 #include "tests/support/figures.h"
 #include "tests/support/point_driver.h"
+#include "tests/support/point_response.h"
 #include "tests/support/sample_materials.h"
 #include "tests/support/tensors.h"
 
@@ -37,18 +38,18 @@ std::vector<support::NamedMaterial> laws(double scale) {
           {"hansel-spittel", {steel, hot, 1000.0}}};
 }
 
-DeviatoricResponse
+support::PointResponse
 respond(const Material& material, double strain, const PointState& old, double dt) {
   const Mat3 b = Vec3(std::exp(2.0 * strain), std::exp(-strain), std::exp(-strain)).asDiagonal();
-  DeviatoricResponse out;
-  EXPECT_TRUE(update(material, {&b, 1}, {&old, 1}, false, {dt}, {&out, 1}));
+  support::PointResponse out;
+  EXPECT_TRUE(support::update(material, {&b, 1}, {&old, 1}, false, {dt}, {&out, 1}));
   return out;
 }
 
 /// Error of q - 3 G d - sigma = 0 over q, and of the stress over the flow stress.
 std::array<double, 2>
 errors(const Material& material, double strain, const PointState& old, double dt) {
-  const DeviatoricResponse at = respond(material, strain, old, dt);
+  const support::PointResponse at = respond(material, strain, old, dt);
   EXPECT_TRUE(at.s.allFinite() && at.normal_moduli.allFinite() && at.shear_moduli.allFinite());
   EXPECT_GE(at.plastic_increment, 0.0);
   // Of the strain as the predictor has it: exp(2 strain) has lost the digits of a small one.
@@ -96,7 +97,7 @@ TEST(RateReturn, has_exact_moduli_over_20_decades_of_time) {
     for (double dt = 1e-10; dt < 2e10; dt *= 10.0) {
       constexpr double strain = 0.02;
       const PointState old{Mat3::Identity(), 0.2};
-      const DeviatoricResponse at = respond(material, strain, old, dt);
+      const support::PointResponse at = respond(material, strain, old, dt);
       // d s_0 along the strain (1, -1/2, -1/2); the moduli hold -2 s for the geometric part.
       const double slope =
           (at.normal_moduli.row(0) * Vec3(1.0, -0.5, -0.5)).value() + 2.0 * at.s[0];
@@ -134,11 +135,11 @@ TEST(RateReturn, refuses_what_is_no_number) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Mat3 b = Vec3(1.1, 1.0, 1.0).asDiagonal();
   const PointState old;
-  DeviatoricResponse out;
+  support::PointResponse out;
   const Material broken{steel, NortonHoff{nan, 0.2, 0.0, 0.0, 0.0}};
-  EXPECT_FALSE(update(broken, {&b, 1}, {&old, 1}, false, {0.1}, {&out, 1}));
+  EXPECT_FALSE(support::update(broken, {&b, 1}, {&old, 1}, false, {0.1}, {&out, 1}));
   const Material sound{steel, NortonHoff{100.0, 0.2, 0.0, 0.0, 0.0}};
-  EXPECT_FALSE(update(sound, {&b, 1}, {&old, 1}, false, {nan}, {&out, 1}));
+  EXPECT_FALSE(support::update(sound, {&b, 1}, {&old, 1}, false, {nan}, {&out, 1}));
 }
 
 // VALIDATION MAT-06b: Norton n = 5, A = 1e-15, E = 200e3, from 300 MPa at a fixed length.

@@ -1,0 +1,74 @@
+// What a law answers at single points, read out of its batches.
+
+#pragma once
+
+#include "mechanics/materials/j2_hencky.h"
+#include "mechanics/spectral.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace billet::support {
+
+/// mechanics::DeviatoricResponse of one point.
+struct PointResponse {
+  mechanics::Spectral predictor;
+  double log_J;
+  Vec3 s;
+  Mat3 deviator;
+  Mat3 normal_moduli;
+  Vec3 shear_moduli;
+  mechanics::PointState state;
+  double plastic_increment;
+};
+
+inline PointResponse point_of(const mechanics::DeviatoricResponse& batch, int l) {
+  const auto vector = [l](const mechanics::PrincipalLanes& v) {
+    return Vec3(v[0][l], v[1][l], v[2][l]);
+  };
+  PointResponse at;
+  at.predictor.values = vector(batch.values);
+  for (int i = 0; i < 3; ++i) {
+    at.predictor.vectors.row(i) = vector(batch.axes[static_cast<std::size_t>(i)]);
+    at.normal_moduli.row(i) = vector(batch.normal_moduli[static_cast<std::size_t>(i)]);
+  }
+  at.log_J = batch.log_J[l];
+  at.s = vector(batch.s);
+  for (std::size_t k = 0; k < mechanics::tensor_components.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(mechanics::tensor_components[k][0]);
+    const auto j = static_cast<Eigen::Index>(mechanics::tensor_components[k][1]);
+    at.deviator(i, j) = at.deviator(j, i) = batch.deviator[k][l];
+  }
+  at.shear_moduli = vector(batch.shear_moduli);
+  at.state = batch.state(l);
+  at.plastic_increment = batch.plastic_increment[static_cast<std::size_t>(l)];
+  return at;
+}
+
+/// mechanics::update for points given one by one.
+inline bool update(const mechanics::Material& material,
+                   std::span<const Mat3> b_pred,
+                   std::span<const mechanics::PointState> old,
+                   bool planar,
+                   const mechanics::FlowConditions& at,
+                   std::span<PointResponse> out) {
+  constexpr int most = mechanics::points_at_once;
+  const std::size_t batches = (b_pred.size() + most - 1) / most;
+  std::vector<mechanics::TensorLanes> predictors(batches);
+  for (std::size_t k = 0; k < batches; ++k)
+    for (std::size_t c = 0; c < mechanics::tensor_components.size(); ++c)
+      predictors[k][c] = mechanics::PointLanes::of([&](int l) {
+        const Mat3& b = b_pred[std::min(k * most + static_cast<std::size_t>(l), b_pred.size() - 1)];
+        return b(static_cast<Eigen::Index>(mechanics::tensor_components[c][0]),
+                 static_cast<Eigen::Index>(mechanics::tensor_components[c][1]));
+      });
+  std::vector<mechanics::DeviatoricResponse> responses(batches);
+  if (!mechanics::update(material, predictors, old, planar, at, responses))
+    return false;
+  for (std::size_t p = 0; p < out.size(); ++p)
+    out[p] = point_of(responses[p / most], static_cast<int>(p % most));
+  return true;
+}
+
+} // namespace billet::support
