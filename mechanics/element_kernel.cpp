@@ -409,7 +409,7 @@ template <class Element, Analysis analysis> struct Kernel {
       const int first = static_cast<int>(k) * points_at_once;
       for (int l = 0; l < std::min(points_at_once, points - first); ++l) {
         const int g = first + l;
-        out.trial[idx(g)] = at.state(l);
+        at.put_state(l, out.trial[idx(g)]);
         if (!out.shape_energies.empty())
           out.shape_energies[idx(g)] = energies[l];
         out.largest_plastic_increment =

@@ -44,16 +44,13 @@ constexpr int most_iterations = 24;
 constexpr double good_correction = 1e-4;
 constexpr double largest_correction = 1e-3;
 
-/// Relative residual that will do in a small problem, where fewer iterations are all that a
+/// Relative residual that will do in a small problem, where a few iterations are all that a
 /// correction less than exact can save.
 ///
-/// @param asked       0: as exact as can be
 /// @param correction  of the factorization's first solution
 double small_tolerance(double asked, double correction) {
-  constexpr double after_events = 1e-8, settled = 1e-6;
-  if (correction > good_correction)
-    return exact;
-  return asked > 0.0 ? std::min(asked, settled) : after_events;
+  constexpr double loosest = 1e-6;
+  return correction <= good_correction ? std::clamp(asked, exact, loosest) : exact;
 }
 
 } // namespace
@@ -210,23 +207,24 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
                                          bool symmetric,
                                          std::span<const double> rhs,
                                          std::span<double> x,
-                                         double tolerance) {
+                                         const Demand& demand) {
   ++work_.systems;
   held_ = Held::earlier;
   if (norm(rhs) == 0.0) {
     std::fill(x.begin(), x.end(), 0.0);
     return SolveReport{"zero", 0.0};
   }
-  const bool may_reuse = tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
+  const bool may_reuse =
+      demand.tolerance > 0.0 && !demand.anew && settings_.choice == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
   if (most > 0) {
-    const GmresReport report = iterate(matrix, rhs, x, tolerance, most, {});
+    const GmresReport report = iterate(matrix, rhs, x, demand.tolerance, most, {});
     if (report.converged) {
       ++work_.reused;
       return SolveReport{"gmres", report.residual};
     }
   }
-  return factorize_and_solve(matrix, symmetric, rhs, x, tolerance);
+  return factorize_and_solve(matrix, symmetric, rhs, x, demand);
 }
 
 Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
@@ -242,7 +240,7 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
     if (report.converged)
       return SolveReport{"again", report.residual};
   }
-  return solve(matrix, symmetric, rhs, x, tolerance);
+  return solve(matrix, symmetric, rhs, x, {tolerance});
 }
 
 /// For every entry of a matrix the one across the diagonal.
@@ -293,15 +291,15 @@ bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<cons
 
 bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
                                        std::span<const double> rhs,
-                                       double tolerance) {
+                                       const Demand& demand) {
   if (settings_.choice != SolverChoice::automatic || !single_patience_.over())
     return false;
   const auto& fronts = elimination();
   Factorization& single = prepared(single_, [&] { return make_single(fronts); });
   // Where nothing happens the next matrix is much like the last.
   constexpr double far_from_bad = 0.1;
-  const bool asks =
-      !(tolerance > 0.0 && last_ == &single && correction_ <= far_from_bad * good_correction);
+  const bool asks = !(demand.tolerance > 0.0 && !demand.anew && last_ == &single &&
+                      correction_ <= far_from_bad * good_correction);
   first_.clear();
   const bool serves =
       factorize(single, "ldlt-single", matrix) && (!asks || agrees_with_itself(matrix, rhs));
@@ -315,11 +313,11 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         const SparseMatrix& matrix,
                                                         std::span<const double> rhs,
                                                         std::span<double> x,
-                                                        double tolerance,
+                                                        const Demand& demand,
                                                         Known known) {
   const bool small = most_solves(last_->cost()) == 0;
   const double enough =
-      small ? small_tolerance(tolerance, correction_) : std::max(tolerance, exact);
+      small ? small_tolerance(demand.tolerance, correction_) : std::max(demand.tolerance, exact);
   const GmresReport report = iterate(matrix, rhs, x, enough, most_iterations, known);
   if (!report.converged) {
     last_ = nullptr;
@@ -332,18 +330,18 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
 Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix& matrix,
                                                              std::span<const double> rhs,
                                                              std::span<double> x,
-                                                             double tolerance) {
+                                                             const Demand& demand) {
   take_symmetric_part(matrix);
   const auto attempt = [&]() -> Outcome<SolveReport> {
-    if (factorize_in_single(symmetric_part_, rhs, tolerance))
-      return solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance,
+    if (factorize_in_single(symmetric_part_, rhs, demand))
+      return solve_with_neighbour("ldlt-single", matrix, rhs, x, demand,
                                   Known(first_).first(first_.empty() ? 0 : 1));
     const auto& fronts = elimination();
     correction_ = 0.0;
     Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(fronts); });
     if (!factorize(cholesky, "cholmod-gmres", symmetric_part_))
       return Failure{"the symmetric part is not positive definite"};
-    return solve_with_neighbour("cholmod-gmres", matrix, rhs, x, tolerance, {});
+    return solve_with_neighbour("cholmod-gmres", matrix, rhs, x, demand, {});
   };
   auto outcome = attempt();
   if (outcome)
@@ -357,12 +355,12 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
 Outcome<SolveReport> LinearSolver::solve_symmetric(const SparseMatrix& matrix,
                                                    std::span<const double> rhs,
                                                    std::span<double> x,
-                                                   double tolerance) {
-  if (factorize_in_single(matrix, rhs, tolerance)) {
+                                                   const Demand& demand) {
+  if (factorize_in_single(matrix, rhs, demand)) {
     // What is left of a solution that is exact but for rounding is the second direction.
     if (!first_.empty() && norm(first_[1]) == 0.0)
       first_.pop_back();
-    auto outcome = solve_with_neighbour("ldlt-single", matrix, rhs, x, tolerance, first_);
+    auto outcome = solve_with_neighbour("ldlt-single", matrix, rhs, x, demand, first_);
     if (outcome)
       return outcome;
   }
@@ -375,16 +373,16 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
                                                        bool symmetric,
                                                        std::span<const double> rhs,
                                                        std::span<double> x,
-                                                       double tolerance) {
+                                                       const Demand& demand) {
   const bool fast =
       settings_.choice == SolverChoice::automatic || settings_.choice == SolverChoice::cholmod;
   if (symmetric && fast) {
-    auto outcome = solve_symmetric(matrix, rhs, x, tolerance);
+    auto outcome = solve_symmetric(matrix, rhs, x, demand);
     if (outcome)
       return outcome;
   }
   if (!symmetric && fast && symmetric_patience_.over()) {
-    auto outcome = solve_with_symmetric_part(matrix, rhs, x, tolerance);
+    auto outcome = solve_with_symmetric_part(matrix, rhs, x, demand);
     if (outcome)
       return outcome;
   }
@@ -394,7 +392,7 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
         prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
     correction_ = 0.0;
     if (factorize(lu, "mumps-lu-gmres", matrix)) {
-      auto outcome = solve_with_neighbour("mumps-lu-gmres", matrix, rhs, x, exact, {});
+      auto outcome = solve_with_neighbour("mumps-lu-gmres", matrix, rhs, x, {exact}, {});
       if (outcome)
         return outcome;
     }

@@ -34,6 +34,12 @@ struct SolverSettings {
   int threads = 1; ///< of large factorizations; the bits of a result depend on them
 };
 
+/// What is asked of a solution.
+struct Demand {
+  double tolerance = 0.0; ///< relative residual that will do [-]; 0: as exact as can be
+  bool anew = false;      ///< the matrix has little in common with the last one
+};
+
 /// What the last solution did, for the log and the summary.
 struct SolveReport {
   std::string_view method;      ///< "ldlt-single", "cholmod", "cholmod-gmres", "mumps-ldlt",
@@ -123,13 +129,13 @@ public:
 
   /// Solves matrix * x = rhs; `symmetric` promises that the matrix is.
   ///
-  /// @param tolerance  relative residual that will do [-]: where the last factorization reaches it
-  ///                   with less work than a new one, none is made. 0: as exact as can be
+  /// Where the last factorization reaches the tolerance with less work than a new one, none is
+  /// made.
   [[nodiscard]] Outcome<SolveReport> solve(const SparseMatrix& matrix,
                                            bool symmetric,
                                            std::span<const double> rhs,
                                            std::span<double> x,
-                                           double tolerance = 0.0);
+                                           const Demand& demand = {});
 
   /// Solves for another right-hand side, just after `solve` with the same matrix.
   /// The symmetric part's factorization serves here as well.
@@ -167,11 +173,12 @@ private:
                                                           const SparseMatrix& matrix,
                                                           std::span<const double> rhs,
                                                           std::span<double> x,
-                                                          double tolerance,
+                                                          const Demand& demand,
                                                           Known known);
   /// L S L^T in single precision, where that is enough and has been lately.
-  [[nodiscard]] bool
-  factorize_in_single(const SparseMatrix& matrix, std::span<const double> rhs, double tolerance);
+  [[nodiscard]] bool factorize_in_single(const SparseMatrix& matrix,
+                                         std::span<const double> rhs,
+                                         const Demand& demand);
   /// Whether the factorization at hand gives a solution back that it is given the product of. A
   /// slender body's soft motions are lost in single precision, and a residual does not show it.
   /// (N.11)
@@ -180,11 +187,11 @@ private:
   [[nodiscard]] Outcome<SolveReport> solve_with_symmetric_part(const SparseMatrix& matrix,
                                                                std::span<const double> rhs,
                                                                std::span<double> x,
-                                                               double tolerance);
+                                                               const Demand& demand);
   [[nodiscard]] Outcome<SolveReport> solve_symmetric(const SparseMatrix& matrix,
                                                      std::span<const double> rhs,
                                                      std::span<double> x,
-                                                     double tolerance);
+                                                     const Demand& demand);
   /// GMRES with the factorization at hand.
   [[nodiscard]] GmresReport iterate(const SparseMatrix& matrix,
                                     std::span<const double> rhs,
@@ -198,7 +205,7 @@ private:
                                                          bool symmetric,
                                                          std::span<const double> rhs,
                                                          std::span<double> x,
-                                                         double tolerance);
+                                                         const Demand& demand);
 
   const BlockPattern* pattern_;
   SolverSettings settings_;

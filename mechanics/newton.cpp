@@ -177,7 +177,7 @@ double Newton::slope() const {
 }
 
 Outcome<SolveReport>
-Newton::correct(const Prescribed& prescribed, std::span<const double> x, double tolerance) {
+Newton::correct(const Prescribed& prescribed, std::span<const double> x, const Demand& demand) {
   const Stopwatch watch(times_.solve);
   auto& values = system_.tangent.values;
   std::fill(correction_.begin(), correction_.end(), 0.0);
@@ -211,15 +211,15 @@ Newton::correct(const Prescribed& prescribed, std::span<const double> x, double 
   std::erase_if(system_.tangent.unsymmetric, [&](const EntryPart& part) {
     return fixed_[idx(part.row)] != 0 || fixed_[idx(pattern_->columns[idx(part.entry)])] != 0;
   });
-  return solve_bordered(tolerance);
+  return solve_bordered(demand);
 }
 
 /// Eliminates the nodes: one more right-hand side for each unknown that belongs to none. (N.7)
-Outcome<SolveReport> Newton::solve_bordered(double tolerance) {
+Outcome<SolveReport> Newton::solve_bordered(const Demand& demand) {
   const std::size_t n = rhs_.size();
   const std::size_t m = system_.borders.size();
   const std::span<double> nodal = std::span(correction_).first(n);
-  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, tolerance);
+  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, demand);
   if (!solved || m == 0)
     return solved;
   std::vector<std::vector<double>> influence(m, std::vector<double>(n));
@@ -230,8 +230,8 @@ Outcome<SolveReport> Newton::solve_bordered(double tolerance) {
     for (std::size_t i = 0; i < n; ++i)
       if (fixed_[i] != 0)
         column[i] = 0.0;
-    const auto again =
-        solver_.solve_again(system_.tangent, system_.symmetric, column, influence[j], tolerance);
+    const auto again = solver_.solve_again(system_.tangent, system_.symmetric, column, influence[j],
+                                           demand.tolerance);
     if (!again)
       return again.error();
   }
@@ -442,8 +442,10 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     before = relative;
     // After an event - a contact that opens or closes, a line search - nothing but the new
     // tangent's own factorization will do.
-    const auto solved =
-        correct(prescribed, x, settled_ ? forcing(relative, settings_.tolerance) : 0.0);
+    constexpr double after_event = 1e-8;
+    const auto solved = correct(prescribed, x,
+                                settled_ ? Demand{forcing(relative, settings_.tolerance)}
+                                         : Demand{after_event, true});
     if (!solved)
       return solved.error();
     if (iteration > 1 && missing() == 0.0)

@@ -114,8 +114,8 @@ private:
   [[nodiscard]] Outcome<Norms>
   evaluate(std::span<ForceTerm* const> terms, const Trial& trial, bool forces_only = false);
   [[nodiscard]] Outcome<SolveReport>
-  correct(const Prescribed& prescribed, std::span<const double> x, double tolerance);
-  [[nodiscard]] Outcome<SolveReport> solve_bordered(double tolerance);
+  correct(const Prescribed& prescribed, std::span<const double> x, const Demand& demand);
+  [[nodiscard]] Outcome<SolveReport> solve_bordered(const Demand& demand);
   [[nodiscard]] Outcome<Evaluation> search(std::span<ForceTerm* const> terms,
                                            const Trial& trial,
                                            std::vector<double>& x,

@@ -366,18 +366,6 @@ void decompose(std::span<const TensorLanes> b, std::span<DeviatoricResponse> out
 
 } // namespace
 
-PointState DeviatoricResponse::state(int point) const {
-  PointState result;
-  for (std::size_t k = 0; k < b_e.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
-    const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
-    result.b_e(i, j) = b_e[k][point];
-    result.b_e(j, i) = b_e[k][point];
-  }
-  result.plastic_strain = plastic_strain[idx(point)];
-  return result;
-}
-
 bool update(const Material& material,
             std::span<const TensorLanes> b_pred,
             std::span<const PointState> old,

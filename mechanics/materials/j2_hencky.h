@@ -78,8 +78,17 @@ struct DeviatoricResponse {
   std::array<double, points_at_once> plastic_strain;    ///< of the trial states [-]
   std::array<double, points_at_once> plastic_increment; ///< [-]
 
-  /// Trial state of a point.
-  [[nodiscard]] PointState state(int point) const;
+  /// Writes the trial state of a point: number by number to where it stays, for a copy of a state
+  /// just written would be waited for.
+  void put_state(int point, PointState& to) const {
+    for (std::size_t k = 0; k < b_e.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
+      const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
+      to.b_e(i, j) = b_e[k][point];
+      to.b_e(j, i) = b_e[k][point];
+    }
+    to.plastic_strain = plastic_strain[static_cast<std::size_t>(point)];
+  }
 };
 
 /// Updates points in batches; the flow law is resolved once per call.

@@ -41,7 +41,7 @@ inline PointResponse point_of(const mechanics::DeviatoricResponse& batch, int l)
     at.deviator(i, j) = at.deviator(j, i) = batch.deviator[k][l];
   }
   at.shear_moduli = vector(batch.shear_moduli);
-  at.state = batch.state(l);
+  batch.put_state(l, at.state);
   at.plastic_increment = batch.plastic_increment[static_cast<std::size_t>(l)];
   return at;
 }
