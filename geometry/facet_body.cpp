@@ -1,20 +1,16 @@
 #include "geometry/facet_body.h"
 
 #include "geometry/base/box.h"
+#include "geometry/base/index.h"
 #include "geometry/base/limits.h"
+#include "geometry/facet_tree.h"
 #include "geometry/segment_pair.h"
 #include "geometry/triangle_mesh.h"
 #include "geometry/triangle_pair.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,18 +18,19 @@ namespace billet::geometry {
 
 namespace {
 
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
 // Triangles of an area below 3e-8 have no normal for FCL's distances, whatever the unit.
 constexpr double unit_share = 1e-6; // of the size of the scene
 
 double unit(const FacetBody& body) { return unit_share * body.size(); }
 
-fcl::Transform3d to_fcl(const PlacedBody& placed) {
-  fcl::Transform3d transform = fcl::Transform3d::Identity();
-  transform.linear() = placed.pose.rotation;
-  transform.translation() = placed.pose.translation / unit(placed.body);
-  return transform;
+FacetTree::Place place_of(const PlacedBody& placed) {
+  FacetTree::Place place{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j)
+      place[idx(3 * i + j)] = placed.pose.rotation(i, j);
+    place[idx(9 + i)] = placed.pose.translation[i] / unit(placed.body);
+  }
+  return place;
 }
 
 const Vec3& point(const DisplayMesh& mesh, std::int32_t i) {
@@ -42,30 +39,21 @@ const Vec3& point(const DisplayMesh& mesh, std::int32_t i) {
 
 } // namespace
 
-struct FacetBody::Tree {
-  Model model;
+namespace {
 
-  Tree(const DisplayMesh& drawing, double unit) {
-    std::vector<fcl::Vector3d> points(drawing.points.begin(), drawing.points.end());
-    for (fcl::Vector3d& p : points)
-      p /= unit;
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& t : drawing.triangles)
-      triangles.emplace_back(t[0], t[1], t[2]);
-    model.beginModel();
-    model.addSubModel(points, triangles);
-    model.endModel();
-  }
-};
+std::unique_ptr<const FacetTree> tree_over(const DisplayMesh& drawing, double unit) {
+  std::vector<double> points;
+  for (const Vec3& p : drawing.points)
+    for (const double coordinate : p)
+      points.push_back(coordinate / unit);
+  return make_facet_tree(points, drawing.triangles);
+}
+
+} // namespace
 
 FacetBody::FacetBody(DisplayMesh drawing, double size)
     : drawing_(std::move(drawing)), size_(size),
-      tree_(drawing_.triangles.empty() ? nullptr
-                                       : std::make_unique<const Tree>(drawing_, unit(*this))) {}
-
-FacetBody::FacetBody(FacetBody&&) noexcept = default;
-FacetBody& FacetBody::operator=(FacetBody&&) noexcept = default;
-FacetBody::~FacetBody() = default;
+      tree_(drawing_.triangles.empty() ? nullptr : tree_over(drawing_, unit(*this))) {}
 
 namespace {
 
@@ -142,25 +130,16 @@ double clearance(const PlacedBody& a, const PlacedBody& b) {
   if (a.body.tree() == nullptr || b.body.tree() == nullptr)
     return clearance_of_segments(a, b);
   assert(a.body.size() == b.body.size());
-  const fcl::DistanceRequestd request(false, false);
-  fcl::DistanceResultd result;
-  fcl::distance(&a.body.tree()->model, to_fcl(a), &b.body.tree()->model, to_fcl(b), request,
-                result);
-  return std::max(result.min_distance, 0.0) * unit(a.body);
+  const double distance = a.body.tree()->distance(place_of(a), *b.body.tree(), place_of(b));
+  return std::max(distance, 0.0) * unit(a.body);
 }
 
 std::optional<Cut> deepest_cut(const PlacedBody& a, const PlacedBody& b) {
   if (a.body.tree() == nullptr || b.body.tree() == nullptr)
     return deepest_cut_of_segments(a, b);
-  constexpr std::size_t all = std::numeric_limits<std::int32_t>::max();
-  const fcl::CollisionRequestd request(all, false);
-  fcl::CollisionResultd result;
-  fcl::collide(&a.body.tree()->model, to_fcl(a), &b.body.tree()->model, to_fcl(b), request, result);
   std::optional<Cut> deepest;
-  for (std::size_t i = 0; i < result.numContacts(); ++i) {
-    const fcl::Contactd& contact = result.getContact(i);
-    const TrianglePair pair(triangle(a, static_cast<int>(contact.b1)),
-                            triangle(b, static_cast<int>(contact.b2)));
+  for (const auto& [own, other] : a.body.tree()->cuts(place_of(a), *b.body.tree(), place_of(b))) {
+    const TrianglePair pair(triangle(a, own), triangle(b, other));
     const double depth = pair.depth();
     // FCL counts triangles that touch to its rounding; what counts here is decided exactly.
     if (depth > (deepest ? deepest->depth : 0.0) && pair.meets())

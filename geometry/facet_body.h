@@ -12,6 +12,7 @@
 
 #pragma once
 
+#include "geometry/facet_tree.h"
 #include "geometry/motion.h"
 #include "geometry/rigid_surface.h"
 
@@ -26,23 +27,19 @@ public:
   /// @param size     of the scene, the same for all bodies that are compared [mm], > 0: FCL 0.7 has
   ///                 tolerances with a dimension and is given lengths in millionths of it
   FacetBody(DisplayMesh drawing, double size);
-  FacetBody(FacetBody&&) noexcept;
-  FacetBody& operator=(FacetBody&&) noexcept;
-  ~FacetBody();
 
   /// As given [mm].
   [[nodiscard]] const DisplayMesh& drawing() const { return drawing_; }
 
   /// Of the scene [mm].
   [[nodiscard]] double size() const { return size_; }
-  /// The search tree over the triangles; for facet_body.cpp alone.
-  struct Tree;
-  [[nodiscard]] const Tree* tree() const { return tree_.get(); }
+  /// The search tree over the triangles; none for lines.
+  [[nodiscard]] const FacetTree* tree() const { return tree_.get(); }
 
 private:
   DisplayMesh drawing_;
   double size_;
-  std::unique_ptr<const Tree> tree_; ///< none for lines
+  std::unique_ptr<const FacetTree> tree_;
 };
 
 /// Whether every edge (in the plane: every end) belongs to two facets, so that there is an inside.
