@@ -186,8 +186,26 @@ void ContactSurface::set_beneath(const mechanics::Mesh& mesh,
   }
 }
 
+// Asked for in every trial: without areas and their derivatives.
 void ContactSurface::positions(std::span<const double> x, std::span<Vec3> out) const {
-  for_each_point(*this, x, [&](const auto& at, std::size_t k) { out[k] = at.position; });
+  visit_contact_face(kind_, form_, [&](auto shape, auto rule) {
+    using Shape = decltype(shape);
+    using Rule = decltype(rule);
+    constexpr int dim = Shape::dim + 1;
+    std::array<mechanics::ShapeValues<Shape::nodes>, Rule::points> N;
+    for (int i = 0; i < Rule::points; ++i)
+      N[idx(i)] = Shape::values(Rule::point(i));
+    for (Index f = 0; f < n_faces(); ++f) {
+      const std::span<const Index> nodes = scatter_.nodes(f);
+      for (int i = 0; i < Rule::points; ++i) {
+        Vec3& position = out[idx(f * Rule::points + i)];
+        position.setZero();
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          for (int d = 0; d < dim; ++d)
+            position[d] += N[idx(i)][a] * x[idx(nodes[a] * dim + d)];
+      }
+    }
+  });
 }
 
 std::vector<double> ContactSurface::line_coordinates() const {

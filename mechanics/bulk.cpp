@@ -84,7 +84,7 @@ void Bulk::adopt(std::span<const double> x,
     volumes_[k] /= std::sqrt(states[k].b_e.determinant());
   states_ = std::move(states);
   trial_states_ = states_;
-  elastic_energies(material_.elasticity, states_, shape_energies_);
+  elastic_energies(material_.elasticity, states_, mesh_->dimension() == 2, shape_energies_);
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const double log_J = 0.5 * std::log(states_[k].b_e.determinant());
     shape_energies_[k] -= 0.5 * material_.elasticity.bulk() * log_J * log_J;
@@ -251,7 +251,7 @@ std::vector<Mat3> Bulk::stresses(std::span<const double> x) const {
   std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
   std::vector<double> current(n);
   std::vector<Mat3> sigma(states_.size());
-  kirchhoff_stresses(material_.elasticity, states_, sigma);
+  kirchhoff_stresses(material_.elasticity, states_, dim == 2, sigma);
   for (Index e = 0; e < mesh_->n_elements(); ++e) {
     gather(x, mesh_->cell(e), dim, local.data());
     point_volumes(mesh_->kind, analysis_, local.data(), current);

@@ -303,7 +303,13 @@ template <RateFlowLaw Law> RateFlowStress flow_at(const Law& law, const FlowPoin
 }
 
 /// Calls `visit(i, decomposition of b_e)` for every state.
-template <class Visit> void for_each_decomposed(std::span<const PointState> states, Visit visit) {
+template <class Visit>
+void for_each_decomposed(std::span<const PointState> states, bool planar, Visit visit) {
+  if (planar) {
+    for (std::size_t i = 0; i < states.size(); ++i)
+      visit(i, spectral_plane(states[i].b_e));
+    return;
+  }
   constexpr std::size_t batch = 8;
   std::array<Mat3, batch> b;
   std::array<Spectral, batch> decomposed;
@@ -399,8 +405,9 @@ bool update(const Material& material,
 
 void elastic_energies(const Elasticity& elasticity,
                       std::span<const PointState> states,
+                      bool planar,
                       std::span<double> out) {
-  for_each_decomposed(states, [&](std::size_t i, const Spectral& b) {
+  for_each_decomposed(states, planar, [&](std::size_t i, const Spectral& b) {
     const Vec3 eps = 0.5 * b.values.array().log();
     const double log_J = eps.sum();
     const double squares = (eps.array() - log_J / 3.0).square().sum();
@@ -475,8 +482,9 @@ MisesStress mises_stress(const Material& material,
 
 void kirchhoff_stresses(const Elasticity& elasticity,
                         std::span<const PointState> states,
+                        bool planar,
                         std::span<Mat3> out) {
-  for_each_decomposed(states, [&](std::size_t i, const Spectral& b) {
+  for_each_decomposed(states, planar, [&](std::size_t i, const Spectral& b) {
     const Vec3 eps = 0.5 * b.values.array().log();
     const double log_J = eps.sum();
     const Vec3 tau =

@@ -116,8 +116,11 @@ struct DeviatoricResponse {
 }
 
 /// Elastic energies per reference volume stored in states, shape (n) [MPa]. (M.6)
+///
+/// @param planar  no shear out of the plane
 void elastic_energies(const Elasticity& elasticity,
                       std::span<const PointState> states,
+                      bool planar,
                       std::span<double> out);
 
 /// Plastic work per reference volume at the flow stress [MPa]. (M.9)
@@ -152,8 +155,11 @@ struct MisesStress {
                                        double temperature);
 
 /// Kirchhoff stresses of states, shape (n) [MPa]. (M.6)
+///
+/// @param planar  no shear out of the plane
 void kirchhoff_stresses(const Elasticity& elasticity,
                         std::span<const PointState> states,
+                        bool planar,
                         std::span<Mat3> out);
 
 } // namespace billet::mechanics

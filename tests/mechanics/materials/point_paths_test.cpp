@@ -130,13 +130,13 @@ TEST(PointPaths, MAT_04_a_full_turn_in_few_or_many_steps_gives_the_stress_back) 
 
 double elastic_energy(const Elasticity& elasticity, const PointState& state) {
   double energy = 0.0;
-  elastic_energies(elasticity, std::span(&state, 1), std::span(&energy, 1));
+  elastic_energies(elasticity, std::span(&state, 1), false, std::span(&energy, 1));
   return energy;
 }
 
 Mat3 kirchhoff_stress(const Elasticity& elasticity, const PointState& state) {
   Mat3 stress;
-  kirchhoff_stresses(elasticity, std::span(&state, 1), std::span(&stress, 1));
+  kirchhoff_stresses(elasticity, std::span(&state, 1), false, std::span(&stress, 1));
   return stress;
 }
 
