@@ -231,20 +231,52 @@ void form_complement(const Panel& panel, const float* signs, float* complement, 
                        work);
 }
 
-void substitute_forward(const Panel& panel, const float* inverses, float* x) {
+void invert_diagonal(const Panel& panel, const float* inverses, DiagonalInverse* diagonal) {
+  const std::size_t step = padded(panel.rows);
+  for (std::size_t first = 0; first < panel.columns; first += front_lanes, ++diagonal) {
+    const std::size_t columns = std::min(front_lanes, panel.columns - first);
+    const std::size_t rows = std::min(front_lanes, panel.rows - first);
+    const float* values = panel.values + first * step + first;
+    std::array<Vector, front_lanes> row; // beyond the panel's columns and rows those of one
+    for (std::size_t i = 0; i < front_lanes; ++i) {
+      row[i] = Vector{};
+      row[i][i] = 1.0F;
+      if (i < rows)
+        for (std::size_t k = 0; k < std::min(i, columns); ++k)
+          row[i] -= values[k * step + i] * row[k];
+      if (i < columns)
+        row[i] *= inverses[first + i];
+      store(row[i], diagonal->rows.data() + i * front_lanes);
+    }
+    for (std::size_t i = 0; i < front_lanes; ++i)
+      for (std::size_t j = 0; j < front_lanes; ++j)
+        diagonal->columns[j * front_lanes + i] = row[i][j];
+  }
+}
+
+namespace {
+
+/// sum of x(i) times line i.
+void combine(const std::array<float, front_lanes * front_lanes>& lines, float* x) {
+  constexpr std::size_t sums = 2; // that do not wait for each other
+  std::array<Vector, sums> sum{};
+  for (std::size_t i = 0; i < front_lanes; ++i) {
+    Vector line;
+    load(lines.data() + i * front_lanes, line);
+    sum[i % sums] += x[i] * line;
+  }
+  store(sum[0] + sum[1], x);
+}
+
+} // namespace
+
+void substitute_forward(const Panel& panel, const DiagonalInverse* diagonal, float* x) {
   const std::size_t step = padded(panel.rows);
   for (std::size_t first = 0; first < panel.columns; first += front_lanes) {
     const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    const std::size_t rest = first + front_lanes;
     const float* values = panel.values + first * step;
-    for (std::size_t j = 0; j < columns; ++j) {
-      const float* column = values + j * step;
-      const std::size_t row = first + j;
-      x[row] *= inverses[row];
-      for (std::size_t i = row + 1; i < rest; ++i)
-        x[i] -= x[row] * column[i];
-    }
-    for (std::size_t i = rest; i < step; i += front_lanes) {
+    combine(diagonal[first / front_lanes].columns, x + first);
+    for (std::size_t i = first + front_lanes; i < step; i += front_lanes) {
       Vector sum;
       load(x + i, sum);
       for (std::size_t j = 0; j < columns; ++j) {
@@ -257,26 +289,22 @@ void substitute_forward(const Panel& panel, const float* inverses, float* x) {
   }
 }
 
-void substitute_backward(const Panel& panel, const float* inverses, float* x) {
+void substitute_backward(const Panel& panel, const DiagonalInverse* diagonal, float* x) {
   constexpr std::size_t together = 4;
   const std::size_t step = padded(panel.rows);
   for (std::size_t end = padded(panel.columns); end > 0; end -= front_lanes) {
     const std::size_t first = end - front_lanes;
     const std::size_t columns = std::min(front_lanes, panel.columns - first);
     const float* values = panel.values + first * step;
-    float sums[front_lanes];
+    std::array<float, front_lanes> sums{};
     std::size_t j = 0;
     for (; j + together <= columns; j += together)
-      add_columns<together>(values + j * step, step, end, x, sums + j);
+      add_columns<together>(values + j * step, step, end, x, sums.data() + j);
     for (; j < columns; ++j)
-      add_columns<1>(values + j * step, step, end, x, sums + j);
-    for (j = columns; j-- > 0;) {
-      const float* column = values + j * step;
-      const std::size_t row = first + j;
-      for (std::size_t i = row + 1; i < end; ++i)
-        sums[j] += column[i] * x[i];
-      x[row] = (x[row] - sums[j]) * inverses[row];
-    }
+      add_columns<1>(values + j * step, step, end, x, sums.data() + j);
+    for (j = 0; j < columns; ++j)
+      x[first + j] -= sums[j];
+    combine(diagonal[first / front_lanes].rows, x + first);
   }
 }
 

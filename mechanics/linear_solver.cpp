@@ -3,6 +3,7 @@
 #include "geometry/base/stopwatch.h"
 #include "mechanics/blas.h"
 
+#include <Eigen/Core>
 #include <metis.h>
 
 #include <algorithm>
@@ -13,10 +14,7 @@ namespace billet::mechanics {
 namespace {
 
 double norm(std::span<const double> v) {
-  double sum = 0.0;
-  for (const double x : v)
-    sum += x * x;
-  return std::sqrt(sum);
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())).norm();
 }
 
 /// Solves that cost as much as a factorization; 0 where the difference is not worth a correction

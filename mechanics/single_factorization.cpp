@@ -33,6 +33,7 @@ public:
   void solve(std::span<double> rhs) override;
   void release() override {
     free_memory(values_);
+    free_memory(diagonal_);
     free_memory(stack_);
   }
   [[nodiscard]] FactorCost cost() const override {
@@ -55,14 +56,16 @@ private:
   void backward();
 
   std::shared_ptr<const Elimination> elimination_;
-  std::vector<std::size_t> panel_start_; ///< where a front's values begin
-  std::vector<std::size_t> places_;      ///< of the triangle's entries among the values
-  std::vector<Run> runs_;                ///< of all fronts
-  std::vector<std::size_t> run_start_;   ///< shape (fronts + 1)
+  std::vector<std::size_t> panel_start_;    ///< where a front's values begin
+  std::vector<std::size_t> triangle_start_; ///< likewise its inverses
+  std::vector<std::size_t> places_;         ///< of the triangle's entries among the values
+  std::vector<Run> runs_;                   ///< of all fronts
+  std::vector<std::size_t> run_start_;      ///< shape (fronts + 1)
   std::vector<std::vector<std::size_t>> children_;
   std::vector<std::size_t> stack_place_; ///< where a front's complement waits
   std::size_t stack_size_ = 0;
   std::vector<float> values_;
+  std::vector<DiagonalInverse> diagonal_;
   std::vector<float> inverses_; ///< of the factor's diagonal
   std::vector<float> signs_;
   std::vector<float> least_; ///< pivot by unknown
@@ -88,6 +91,7 @@ SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elim
 void SingleFactorization::find_places() {
   const OrderedTriangle& triangle = elimination_->triangle();
   std::size_t values = 0;
+  std::size_t triangles = 0;
   std::size_t most_rows = 0;
   places_.resize(triangle.rows.size());
   std::vector<std::size_t> local(elimination_->order().size());
@@ -106,10 +110,13 @@ void SingleFactorization::find_places() {
       }
     }
     panel_start_.push_back(values);
+    triangle_start_.push_back(triangles);
+    triangles += diagonal_triangles({nullptr, idx(front.rows + front.columns), idx(front.columns)});
     values += step * idx(front.columns);
     most_rows = std::max(most_rows, step);
   }
   panel_start_.push_back(values);
+  triangle_start_.push_back(triangles);
   local_.resize(most_rows);
 }
 
@@ -230,6 +237,7 @@ void SingleFactorization::add_to_complement(std::size_t child,
 
 bool SingleFactorization::factorize(const SparseMatrix& matrix) {
   values_.resize(panel_start_.back() + front_lanes); // products read a vector beyond the last row
+  diagonal_.resize(triangle_start_.back());
   stack_.resize(stack_size_);
   find_scale(matrix);
   std::size_t top = 0;
@@ -242,6 +250,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
     float* signs = signs_.data() + front.first;
     if (!eliminate(own, least_.data() + front.first, inverses_.data() + front.first, signs, work_))
       return false;
+    invert_diagonal(own, inverses_.data() + front.first, diagonal_.data() + triangle_start_[f]);
     const std::size_t size = padded(idx(front.rows)) * idx(front.rows);
     if (size > 0) {
       float* complement = stack_.data() + top;
@@ -263,7 +272,7 @@ void SingleFactorization::forward() {
     float* local = local_.data();
     std::copy_n(x_.data() + front.first, own.columns, local);
     std::fill(local + own.columns, local + padded(own.rows), 0.0F);
-    substitute_forward(own, inverses_.data() + front.first, local);
+    substitute_forward(own, diagonal_.data() + triangle_start_[f], local);
     std::copy_n(local, own.columns, x_.data() + front.first);
     local += own.columns;
     for (const Index row : elimination_->rows(front))
@@ -279,7 +288,7 @@ void SingleFactorization::backward() {
     for (const Index row : elimination_->rows(front))
       *local++ = x_[idx(row)];
     std::fill(local, local_.data() + padded(own.rows), 0.0F);
-    substitute_backward(own, inverses_.data() + front.first, local_.data());
+    substitute_backward(own, diagonal_.data() + triangle_start_[f], local_.data());
     std::copy_n(local_.data(), own.columns, x_.data() + front.first);
   }
 }

@@ -110,7 +110,9 @@ TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
       std::vector<float> x(padded(rows), 0.0F);
       for (std::size_t i = 0; i < rows; ++i)
         x[i] = static_cast<float>(b[static_cast<Eigen::Index>(i)]);
-      substitute_forward(problem.panel(), problem.inverses.data(), x.data());
+      std::vector<DiagonalInverse> diagonal(diagonal_triangles(problem.panel()));
+      invert_diagonal(problem.panel(), problem.inverses.data(), diagonal.data());
+      substitute_forward(problem.panel(), diagonal.data(), x.data());
       // What is left below: b2 - A21 A11^-1 b1.
       const auto solve = [&](const VectorXd& of) -> VectorXd {
         return problem.block(false, false).partialPivLu().solve(of);
@@ -127,7 +129,7 @@ TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
         x[static_cast<std::size_t>(i)] *= problem.signs[static_cast<std::size_t>(i)];
       for (Eigen::Index i = k; i < n; ++i)
         x[static_cast<std::size_t>(i)] = static_cast<float>(known[i - k]);
-      substitute_backward(problem.panel(), problem.inverses.data(), x.data());
+      substitute_backward(problem.panel(), diagonal.data(), x.data());
       const VectorXd reference =
           solve(n == k ? VectorXd(b) : VectorXd(b.head(k) - problem.block(false, true) * known));
       for (Eigen::Index i = 0; i < k; ++i)
