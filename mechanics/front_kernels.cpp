@@ -232,6 +232,12 @@ void form_complement(const Panel& panel, const float* signs, float* complement, 
 }
 
 void invert_diagonal(const Panel& panel, const float* inverses, DiagonalInverse* diagonal) {
+  static constexpr std::array<float, front_lanes* front_lanes> identity = [] {
+    std::array<float, front_lanes * front_lanes> one{};
+    for (std::size_t i = 0; i < front_lanes; ++i)
+      one[i * front_lanes + i] = 1.0F;
+    return one;
+  }();
   const std::size_t step = padded(panel.rows);
   for (std::size_t first = 0; first < panel.columns; first += front_lanes, ++diagonal) {
     const std::size_t columns = std::min(front_lanes, panel.columns - first);
@@ -239,8 +245,7 @@ void invert_diagonal(const Panel& panel, const float* inverses, DiagonalInverse*
     const float* values = panel.values + first * step + first;
     std::array<Vector, front_lanes> row; // beyond the panel's columns and rows those of one
     for (std::size_t i = 0; i < front_lanes; ++i) {
-      row[i] = Vector{};
-      row[i][i] = 1.0F;
+      load(identity.data() + i * front_lanes, row[i]); // what is set number by number is waited for
       if (i < rows)
         for (std::size_t k = 0; k < std::min(i, columns); ++k)
           row[i] -= values[k * step + i] * row[k];
