@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
@@ -14,12 +15,30 @@ namespace billet::mechanics {
 
 namespace {
 
-/// Rows in turn of a front's rectangle that lie in turn in its parent as well.
-struct Run {
-  std::size_t from; ///< row of the rectangle
-  std::size_t to;   ///< row of the parent's panel
-  std::size_t rows;
+/// Rows in turn of a front's rectangle, and where they lie in its parent.
+struct Rows {
+  std::uint32_t from;  ///< the first, of the rectangle
+  std::uint32_t count; ///< > 0
+  std::uint32_t to;    ///< the first, of the parent's panel
+  bool together;       ///< in turn there as well
 };
+
+/// Adds rows of a column from the one given on.
+void add(const Rows& rows,
+         std::uint32_t first,
+         const std::uint32_t* places,
+         const float* from,
+         float* to) {
+  const std::uint32_t end = rows.from + rows.count;
+  if (rows.together) {
+    to += rows.to;
+    for (std::uint32_t i = first; i < end; ++i)
+      to[i - rows.from] += from[i];
+    return;
+  }
+  for (std::uint32_t i = first; i < end; ++i)
+    to[places[i]] += from[i];
+}
 
 /// L S L^T with the order given, S a diagonal of signs, in single precision and without pivoting.
 ///
@@ -46,10 +65,20 @@ private:
     return {values_.data() + panel_start_[f], idx(front.rows + front.columns), idx(front.columns)};
   }
   void find_places();
-  void find_runs();
+  void find_rows();
   void measure_stack();
   void find_scale(const SparseMatrix& matrix);
   void assemble(std::size_t f, const SparseMatrix& matrix);
+  /// Adds columns of a child's complement to columns of its parent.
+  ///
+  /// @param rows  of the child's columns
+  /// @param last  of all the child's rows, the end
+  /// @param to    column 0, row 0 of the parent
+  void add_columns(std::size_t child,
+                   std::span<const Rows> rows,
+                   const Rows* last,
+                   float* to,
+                   std::size_t step);
   void add_to_panel(std::size_t child, const Panel& parent);
   void add_to_complement(std::size_t child, const Panel& parent, float* complement);
   void forward();
@@ -59,8 +88,10 @@ private:
   std::vector<std::size_t> panel_start_;    ///< where a front's values begin
   std::vector<std::size_t> triangle_start_; ///< likewise its inverses
   std::vector<std::size_t> places_;         ///< of the triangle's entries among the values
-  std::vector<Run> runs_;                   ///< of all fronts
-  std::vector<std::size_t> run_start_;      ///< shape (fronts + 1)
+  std::vector<Rows> rows_;                  ///< of all fronts
+  std::vector<std::size_t> rows_start_;     ///< shape (fronts + 1)
+  std::vector<std::uint32_t> in_parent_;    ///< of each row of all fronts, the parent's
+  std::vector<std::size_t> in_parent_start_;
   std::vector<std::vector<std::size_t>> children_;
   std::vector<std::size_t> stack_place_; ///< where a front's complement waits
   std::size_t stack_size_ = 0;
@@ -84,7 +115,7 @@ SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elim
   least_.resize(n);
   x_.resize(n);
   find_places();
-  find_runs();
+  find_rows();
   measure_stack();
 }
 
@@ -120,36 +151,49 @@ void SingleFactorization::find_places() {
   local_.resize(most_rows);
 }
 
-void SingleFactorization::find_runs() {
+void SingleFactorization::find_rows() {
+  // Fewer rows in turn are not worth a loop of their own.
+  constexpr std::uint32_t few = 16;
   const std::span<const Front> fronts = elimination_->fronts();
   children_.resize(fronts.size());
-  run_start_.push_back(0);
   for (std::size_t f = 0; f < fronts.size(); ++f) {
-    if (fronts[f].parent >= 0) {
-      children_[idx(fronts[f].parent)].push_back(f);
-      const Front& parent = fronts[idx(fronts[f].parent)];
-      const std::span<const Index> in_parent = elimination_->rows(parent);
-      const std::span<const Index> rows = elimination_->rows(fronts[f]);
-      std::size_t next = 0;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        std::size_t to = 0;
-        if (rows[i] < parent.first + parent.columns) {
-          to = idx(rows[i] - parent.first);
-        } else {
-          while (in_parent[next] < rows[i])
-            ++next;
-          to = idx(parent.columns) + next;
-        }
-        const bool more = runs_.size() > run_start_.back() && to != idx(parent.columns) &&
-                          runs_.back().to + runs_.back().rows == to;
-        if (more)
-          ++runs_.back().rows;
-        else
-          runs_.push_back({i, to, 1});
+    rows_start_.push_back(rows_.size());
+    in_parent_start_.push_back(in_parent_.size());
+    if (fronts[f].parent < 0)
+      continue;
+    children_[idx(fronts[f].parent)].push_back(f);
+    const Front& parent = fronts[idx(fronts[f].parent)];
+    const std::span<const Index> below = elimination_->rows(parent);
+    const auto columns = static_cast<std::uint32_t>(parent.columns);
+    std::uint32_t next = 0;
+    std::vector<Rows> runs;
+    for (const Index row : elimination_->rows(fronts[f])) {
+      auto to = static_cast<std::uint32_t>(row - parent.first);
+      if (to >= columns) {
+        while (below[next] < row)
+          ++next;
+        to = columns + next;
+      }
+      in_parent_.push_back(to);
+      if (!runs.empty() && to != columns && runs.back().to + runs.back().count == to)
+        ++runs.back().count;
+      else
+        runs.push_back({static_cast<std::uint32_t>(in_parent_.size() - 1 - in_parent_start_.back()),
+                        1, to, true});
+    }
+    for (const Rows& run : runs) {
+      const bool joins = rows_.size() > rows_start_.back() && run.count < few &&
+                         rows_.back().count < few &&
+                         (rows_.back().to < columns) == (run.to < columns);
+      if (joins) {
+        rows_.back().count += run.count;
+        rows_.back().together = false;
+      } else {
+        rows_.push_back(run);
       }
     }
-    run_start_.push_back(runs_.size());
   }
+  rows_start_.push_back(rows_.size());
 }
 
 /// A complement is formed above those of its front's children, then takes their place.
@@ -193,46 +237,45 @@ void SingleFactorization::assemble(std::size_t f, const SparseMatrix& matrix) {
     values_[places_[k]] = static_cast<float>(scale_ * matrix.values[idx(triangle.entries[k])]);
 }
 
+void SingleFactorization::add_columns(std::size_t child,
+                                      std::span<const Rows> rows,
+                                      const Rows* last,
+                                      float* to,
+                                      std::size_t step) {
+  const std::uint32_t* places = in_parent_.data() + in_parent_start_[child];
+  const std::size_t child_step = padded(idx(elimination_->fronts()[child].rows));
+  for (const Rows& columns : rows)
+    for (std::uint32_t j = columns.from; j < columns.from + columns.count; ++j) {
+      const float* from = stack_.data() + stack_place_[child] + j * child_step;
+      float* column = to + places[j] * step;
+      add(columns, j, places, from, column);
+      for (const Rows* below = &columns + 1; below != last; ++below)
+        add(*below, below->from, places, from, column);
+    }
+}
+
 /// Adds the columns of a child's complement that its parent eliminates.
 void SingleFactorization::add_to_panel(std::size_t child, const Panel& parent) {
-  const std::size_t child_step = padded(idx(elimination_->fronts()[child].rows));
-  const std::size_t step = padded(parent.rows);
-  const auto runs =
-      std::span(runs_).subspan(run_start_[child], run_start_[child + 1] - run_start_[child]);
-  for (std::size_t r = 0; r < runs.size() && runs[r].to < parent.columns; ++r)
-    for (std::size_t j = 0; j < runs[r].rows; ++j) {
-      const float* from = stack_.data() + stack_place_[child] + (runs[r].from + j) * child_step;
-      float* to = parent.values + (runs[r].to + j) * step;
-      for (std::size_t i = j; i < runs[r].rows; ++i)
-        to[runs[r].to + i] += from[runs[r].from + i];
-      for (const Run& run : runs.subspan(r + 1))
-        for (std::size_t i = 0; i < run.rows; ++i)
-          to[run.to + i] += from[run.from + i];
-    }
+  const auto rows =
+      std::span(rows_).subspan(rows_start_[child], rows_start_[child + 1] - rows_start_[child]);
+  const auto end =
+      std::find_if(rows.begin(), rows.end(), [&](const Rows& r) { return r.to >= parent.columns; });
+  add_columns(child, {rows.begin(), end}, rows.data() + rows.size(), parent.values,
+              padded(parent.rows));
 }
 
 /// Adds the others, which go on to the parent's parent.
 void SingleFactorization::add_to_complement(std::size_t child,
                                             const Panel& parent,
                                             float* complement) {
-  const std::size_t child_step = padded(idx(elimination_->fronts()[child].rows));
+  const auto rows =
+      std::span(rows_).subspan(rows_start_[child], rows_start_[child + 1] - rows_start_[child]);
+  const auto first =
+      std::find_if(rows.begin(), rows.end(), [&](const Rows& r) { return r.to >= parent.columns; });
   const std::size_t step = padded(parent.rows - parent.columns);
-  const auto runs =
-      std::span(runs_).subspan(run_start_[child], run_start_[child + 1] - run_start_[child]);
-  std::size_t r = 0;
-  while (r < runs.size() && runs[r].to < parent.columns)
-    ++r;
-  for (; r < runs.size(); ++r)
-    for (std::size_t j = 0; j < runs[r].rows; ++j) {
-      const float* from = stack_.data() + stack_place_[child] + (runs[r].from + j) * child_step;
-      const std::size_t column = runs[r].to - parent.columns;
-      float* to = complement + (column + j) * step;
-      for (std::size_t i = j; i < runs[r].rows; ++i)
-        to[column + i] += from[runs[r].from + i];
-      for (const Run& run : runs.subspan(r + 1))
-        for (std::size_t i = 0; i < run.rows; ++i)
-          to[run.to - parent.columns + i] += from[run.from + i];
-    }
+  // Where row 0 and column 0 of the panel would be.
+  float* origin = complement - static_cast<std::ptrdiff_t>(parent.columns * (step + 1));
+  add_columns(child, {first, rows.end()}, rows.data() + rows.size(), origin, step);
 }
 
 bool SingleFactorization::factorize(const SparseMatrix& matrix) {
