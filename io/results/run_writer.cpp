@@ -1,6 +1,7 @@
 #include "io/results/run_writer.h"
 
 #include "geometry/base/error.h"
+#include "geometry/base/stopwatch.h"
 #include "io/case/read_case.h"
 #include "io/results/atomic_file.h"
 #include "process/part_boundary.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -344,6 +346,14 @@ RunWriter::RunWriter(std::filesystem::path folder,
   remove_earlier_run(folder_);
 }
 
+RunWriter::~RunWriter() {
+  try {
+    if (entries_.size() > n_listed_)
+      write_list();
+  } catch (const std::exception&) { // a full disk, say, of which the run has told
+  }
+}
+
 void RunWriter::started(const process::Process& process) {
   if (process.scene().remesh) {
     ledger_ = ledger_header(process.scene());
@@ -418,8 +428,18 @@ void RunWriter::write_frame(const process::Process& process) {
     select_fields(tool.cell_fields, content_->output);
     write_vtp(add("tool-" + process.scene().tools[t].name, ".vtp"), tool);
   }
-  write_pvd(folder_ / (name_ + ".pvd"), entries_);
   last_frame_ = process.time();
+  // A list for every frame would be a quarter of what small frames cost.
+  constexpr double often = 0.1; // [s]
+  if (const double now = seconds_now(); now - listed_ > often) {
+    write_list();
+    listed_ = now;
+  }
+}
+
+void RunWriter::write_list() {
+  write_pvd(folder_ / (name_ + ".pvd"), entries_);
+  n_listed_ = entries_.size();
 }
 
 void RunWriter::failed(const process::Process& process, const process::PostMortem& post) {
@@ -480,6 +500,8 @@ void RunWriter::finished(const process::Process& process) {
 }
 
 void RunWriter::write_summary(const process::Process& process, const RunEnd& end) {
+  if (entries_.size() > n_listed_)
+    write_list();
   const mechanics::Mesh& mesh = process.scene().mesh;
   ordered_json summary;
   summary["title"] = content_->title;

@@ -13,6 +13,7 @@
 #include "io/results/pvd.h"
 #include "process/run.h"
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -39,6 +40,10 @@ public:
   /// Makes the folder and writes the resolved case.
   /// @throws Error (Fault::input_output)
   RunWriter(std::filesystem::path folder, std::string name, const Case& content, RunFacts facts);
+  /// Lists the frames of a run that broke off.
+  ~RunWriter() override;
+  RunWriter(const RunWriter&) = delete;
+  RunWriter& operator=(const RunWriter&) = delete;
 
   void started(const process::Process& process) override;
   void incremented(const process::Process& process,
@@ -57,6 +62,7 @@ public:
 private:
   void note_unmet_tools(const process::Process& process, const process::IncrementReport& report);
   void write_frame(const process::Process& process);
+  void write_list();
   [[nodiscard]] bool frame_due(double time) const;
 
   std::filesystem::path folder_;
@@ -70,6 +76,8 @@ private:
   std::vector<PvdEntry> entries_;
   int frames_ = 0;
   double last_frame_ = 0.0;
+  double listed_ = -HUGE_VAL; ///< when the list of frames was written last [s]
+  std::size_t n_listed_ = 0;  ///< entries that it had
   std::optional<process::IncrementReport> last_;
   std::optional<process::PostMortem> post_;
   std::string ledger_;                  ///< what remesh.csv holds
