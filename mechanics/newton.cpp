@@ -443,10 +443,9 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     before = relative;
     // After an event - a contact that opens or closes, a line search - nothing but the new
     // tangent's own factorization will do.
-    constexpr double after_event = 1e-8;
-    const auto solved = correct(prescribed, x,
-                                settled_ ? Demand{forcing(relative, settings_.tolerance)}
-                                         : Demand{after_event, true});
+    const auto solved =
+        correct(prescribed, x,
+                settled_ ? Demand{forcing(relative, settings_.tolerance)} : Demand{.anew = true});
     if (!solved)
       return solved.error();
     if (iteration > 1 && missing() == 0.0)

@@ -23,21 +23,22 @@ struct Rows {
   bool together;       ///< in turn there as well
 };
 
-/// Adds rows of a column from the one given on.
+/// Adds rows of a column, from the one given on, to the numbers `base` and the rows' places away.
 void add(const Rows& rows,
          std::uint32_t first,
          const std::uint32_t* places,
          const float* from,
-         float* to) {
+         float* to,
+         std::ptrdiff_t base) {
   const std::uint32_t end = rows.from + rows.count;
   if (rows.together) {
-    to += rows.to;
+    base += std::ptrdiff_t{rows.to} - std::ptrdiff_t{rows.from};
     for (std::uint32_t i = first; i < end; ++i)
-      to[i - rows.from] += from[i];
+      to[base + i] += from[i];
     return;
   }
   for (std::uint32_t i = first; i < end; ++i)
-    to[places[i]] += from[i];
+    to[base + places[i]] += from[i];
 }
 
 /// L S L^T with the order given, S a diagonal of signs, in single precision and without pivoting.
@@ -71,13 +72,15 @@ private:
   void assemble(std::size_t f, const SparseMatrix& matrix);
   /// Adds columns of a child's complement to columns of its parent.
   ///
-  /// @param rows  of the child's columns
-  /// @param last  of all the child's rows, the end
-  /// @param to    column 0, row 0 of the parent
+  /// @param rows    of the child's columns
+  /// @param last    of all the child's rows, the end
+  /// @param to      values of the parent
+  /// @param origin  where its column 0 and row 0 are or would be
   void add_columns(std::size_t child,
                    std::span<const Rows> rows,
                    const Rows* last,
                    float* to,
+                   std::ptrdiff_t origin,
                    std::size_t step);
   void add_to_panel(std::size_t child, const Panel& parent);
   void add_to_complement(std::size_t child, const Panel& parent, float* complement);
@@ -241,16 +244,17 @@ void SingleFactorization::add_columns(std::size_t child,
                                       std::span<const Rows> rows,
                                       const Rows* last,
                                       float* to,
+                                      std::ptrdiff_t origin,
                                       std::size_t step) {
   const std::uint32_t* places = in_parent_.data() + in_parent_start_[child];
   const std::size_t child_step = padded(idx(elimination_->fronts()[child].rows));
   for (const Rows& columns : rows)
     for (std::uint32_t j = columns.from; j < columns.from + columns.count; ++j) {
       const float* from = stack_.data() + stack_place_[child] + j * child_step;
-      float* column = to + places[j] * step;
-      add(columns, j, places, from, column);
+      const std::ptrdiff_t column = origin + static_cast<std::ptrdiff_t>(places[j] * step);
+      add(columns, j, places, from, to, column);
       for (const Rows* below = &columns + 1; below != last; ++below)
-        add(*below, below->from, places, from, column);
+        add(*below, below->from, places, from, to, column);
     }
 }
 
@@ -260,7 +264,7 @@ void SingleFactorization::add_to_panel(std::size_t child, const Panel& parent) {
       std::span(rows_).subspan(rows_start_[child], rows_start_[child + 1] - rows_start_[child]);
   const auto end =
       std::find_if(rows.begin(), rows.end(), [&](const Rows& r) { return r.to >= parent.columns; });
-  add_columns(child, {rows.begin(), end}, rows.data() + rows.size(), parent.values,
+  add_columns(child, {rows.begin(), end}, rows.data() + rows.size(), parent.values, 0,
               padded(parent.rows));
 }
 
@@ -273,9 +277,8 @@ void SingleFactorization::add_to_complement(std::size_t child,
   const auto first =
       std::find_if(rows.begin(), rows.end(), [&](const Rows& r) { return r.to >= parent.columns; });
   const std::size_t step = padded(parent.rows - parent.columns);
-  // Where row 0 and column 0 of the panel would be.
-  float* origin = complement - static_cast<std::ptrdiff_t>(parent.columns * (step + 1));
-  add_columns(child, {first, rows.end()}, rows.data() + rows.size(), origin, step);
+  const auto origin = -static_cast<std::ptrdiff_t>(parent.columns * (step + 1));
+  add_columns(child, {first, rows.end()}, rows.data() + rows.size(), complement, origin, step);
 }
 
 bool SingleFactorization::factorize(const SparseMatrix& matrix) {
