@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace billet::mechanics::lanes_test {
 namespace {
 
@@ -37,7 +39,11 @@ TYPED_TEST(Lane, GoesNumberByNumber) {
     EXPECT_EQ(product[i], x * y);
     EXPECT_EQ(quotient[i], y / x);
     EXPECT_EQ(scaled[i], 3.0 * x);
+    EXPECT_EQ(abs(b)[i], std::abs(y));
+    EXPECT_EQ(where_negative(b, a, scaled)[i], y < 0.0 ? x : 3.0 * x);
   }
+  EXPECT_EQ(where_negative(Lanes<n>::constant(-0.0), a, b)[0], b[0]);
+  EXPECT_EQ(where_negative(Lanes<n>::constant(std::nan("")), a, b)[0], b[0]);
 }
 
 } // namespace

@@ -182,5 +182,65 @@ TEST(Newton, reports_an_increment_that_has_no_solution) {
   EXPECT_GE(block.newton().worst_unknown(), 0);
 }
 
+/// Passes on to the bulk and counts what is asked for.
+class Counted final : public ForceTerm {
+public:
+  explicit Counted(Bulk& bulk) : bulk_(&bulk) {}
+  [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override {
+    ++(system.forces_only ? forces : whole);
+    return bulk_->assemble(trial, system);
+  }
+  void commit(const Trial& trial) override { bulk_->commit(trial); }
+
+  int forces = 0;
+  int whole = 0;
+
+private:
+  Bulk* bulk_;
+};
+
+TEST(Newton, makes_no_tangent_in_what_it_expects_to_be_the_last_trial) {
+  const Mesh mesh = box_mesh({.kind = ElementKind::quad4, .cells = {3, 3, 1}});
+  const BlockPattern pattern = block_pattern(mesh);
+  Bulk bulk(mesh, Analysis::plane_strain, {support::steel, Elastic{}}, pattern);
+  Counted counted(bulk);
+  ForceTerm* terms[] = {&counted};
+  Prescribed prescribed;
+  const std::vector<double> start = flat(mesh);
+  const auto move = [&](double shift) {
+    prescribed = {};
+    for (Index node = 0; node < mesh.n_points(); ++node)
+      for (int c = 0; c < 2; ++c) {
+        const double y = mesh.points[static_cast<std::size_t>(node)][1];
+        if (y != 0.0 && y != 1.0)
+          continue;
+        const Index i = 2 * node + c;
+        prescribed.unknowns.push_back(i);
+        prescribed.positions.push_back(start[static_cast<std::size_t>(i)] +
+                                       (y == 1.0 && c == 1 ? shift : 0.0));
+      }
+  };
+  Newton newton(pattern, SolverSettings{}, {1e-10, 20, 1.0});
+  std::vector<double> x = start;
+  move(-0.1);
+  const auto report = newton.solve(terms, prescribed, 0.0, 1.0, start, x);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(counted.forces, 1);
+  // A trial for each iteration and one for the guess: none was made twice.
+  EXPECT_EQ(counted.forces + counted.whole, report->iterations + 1);
+  // The solution is one: what a whole evaluation says of it.
+  System system = {};
+  system.tangent.pattern = &pattern;
+  system.tangent.values.resize(pattern.n_entries());
+  system.residual.resize(start.size());
+  ASSERT_TRUE(bulk.assemble({0.0, 1.0, start, x}, system));
+  double largest = 0.0;
+  for (std::size_t i = 0; i < start.size(); ++i)
+    if (std::find(prescribed.unknowns.begin(), prescribed.unknowns.end(), static_cast<Index>(i)) ==
+        prescribed.unknowns.end())
+      largest = std::max(largest, std::abs(system.residual[i]));
+  EXPECT_LE(largest, 1e-10 * report->force_scale);
+}
+
 } // namespace
 } // namespace billet::mechanics::newton_test

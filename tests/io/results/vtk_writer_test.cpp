@@ -96,6 +96,25 @@ TEST(VtkWriter, packs_large_frames_and_small_ones_in_turn) {
                      9);
 }
 
+TEST(VtkWriter, arrays_of_any_length_fill_their_last_characters) {
+  for (const int cells : {1, 2, 3, 4, 5, 6}) // as many bytes say their types
+    expect_read_back(mechanics::box_mesh({.kind = ElementKind::quad4, .cells = {cells, 1, 1}}), 9);
+}
+
+TEST(VtkWriter, names_and_notes_may_hold_what_xml_has_a_meaning_for) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "w.vtu";
+  const Mesh mesh = mechanics::box_mesh({});
+  WorkpieceFrame frame = sample(mesh);
+  frame.notes.emplace_back("title", "\"hot\" & <cold>, 'half'");
+  write_vtu(path, frame);
+  const vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  EXPECT_NE(reader->GetOutput()->GetFieldData()->GetArray("title: \"hot\" & <cold>, 'half'"),
+            nullptr);
+}
+
 TEST(VtkWriter, time_notes_and_units_are_in_the_field_data) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "w.vtu";
