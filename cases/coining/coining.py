@@ -30,7 +30,7 @@ def frame(path):
     """Current points and displacements."""
     root = xml.parse(path).getroot()
     arrays = [root.find(".//Points/DataArray"), root.find(".//PointData/DataArray[@Name='displacement']")]
-    flat = [shape.array(each) for each in arrays]
+    flat = [shape.array(root, each) for each in arrays]
     return [list(zip(v[0::3], v[1::3], v[2::3])) for v in flat]
 
 

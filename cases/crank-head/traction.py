@@ -43,9 +43,9 @@ def workpiece(results, time):
     file = next(results / d.get("file") for d in collection.iter("DataSet")
                 if d.get("name") == "workpiece" and abs(float(d.get("timestep")) - time) < 1e-9)
     root = xml.parse(file).getroot()
-    flat = shape.array(root.find(".//Points/DataArray"))
+    flat = shape.array(root, root.find(".//Points/DataArray"))
     strain = next(e for e in root.find(".//PointData") if e.get("Name") == "plastic_strain")
-    return list(zip(flat[0::3], flat[1::3])), shape.array(strain)
+    return list(zip(flat[0::3], flat[1::3])), shape.array(root, strain)
 
 
 def bore(points, first):

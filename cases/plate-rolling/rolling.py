@@ -33,10 +33,11 @@ def frames(results, part):
 
 def arrays(path, section, names):
     """Named arrays of a frame's section; vectors as tuples, a row a point or cell."""
-    data = {e.get("Name"): e for e in xml.parse(path).getroot().find(f".//{section}")}
+    root = xml.parse(path).getroot()
+    data = {e.get("Name"): e for e in root.find(f".//{section}")}
     columns = []
     for name in names:
-        values = shape.array(data[name])
+        values = shape.array(root, data[name])
         width = int(data[name].get("NumberOfComponents") or 1)
         columns.append(values if width == 1 else list(zip(*(values[i::width] for i in range(width)))))
     return columns
