@@ -1,5 +1,6 @@
 // The one file that knows FCL.
 
+#include "geometry/base/index.h"
 #include "geometry/facet_tree.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -18,8 +19,8 @@ fcl::Transform3d to_fcl(const FacetTree::Place& place) {
   fcl::Transform3d transform = fcl::Transform3d::Identity();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j)
-      transform.linear()(i, j) = place[static_cast<std::size_t>(3 * i + j)];
-    transform.translation()[i] = place[static_cast<std::size_t>(9 + i)];
+      transform.linear()(i, j) = place[idx(3 * i + j)];
+    transform.translation()[i] = place[idx(9 + i)];
   }
   return transform;
 }
