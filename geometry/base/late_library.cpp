@@ -4,12 +4,27 @@
 
 #include <dlfcn.h>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace billet {
 
+namespace {
+
+/// Opens a library that stands beside the program, or where the program's own libraries are looked
+/// for: sanitizers stand between and do not know of those places.
+void* opened(const char* library) {
+  std::error_code none;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  void* const beside = ::dlopen((program.parent_path() / library).c_str(), RTLD_LAZY | RTLD_LOCAL);
+  return beside != nullptr ? beside : ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+}
+
+} // namespace
+
 void* late_symbol(const char* library, const char* name) {
-  void* const handle = ::dlopen(library, RTLD_LAZY | RTLD_LOCAL); // stays until the program ends
+  void* const handle = opened(library); // stays until the program ends
   void* const symbol = handle == nullptr ? nullptr : ::dlsym(handle, name);
   if (symbol == nullptr)
     throw Error(Fault::input_output, library,
