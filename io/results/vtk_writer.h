@@ -2,7 +2,7 @@
 //
 // Inline base64 with 64-bit headers, compressed where frames are large, float64: read by ParaView,
 // VTK and meshio with every version of expat. Cells keep their true, quadratic type. VTK's own
-// writer takes ten times as long for small frames (docs/decisions/0012-cost-of-small-runs.md).
+// writer takes several times as long for small frames (docs/decisions/0012-cost-of-small-runs.md).
 // The field data of each file hold `TimeValue` and texts: the `notes` and the units of the fields.
 // A text is the *name* of an array with one number, "configuration: current coordinates" or
 // "unit of von_mises: MPa", because meshio refuses files with string arrays.
