@@ -42,9 +42,19 @@ Symbolic analyzed(const OrderedTriangle& triangle, cholmod_common& common) {
   return analysis;
 }
 
+std::vector<Index> with_alone_first(std::span<const Index> order, std::span<const char> alone) {
+  std::vector<Index> sorted(order.begin(), order.end());
+  if (!alone.empty())
+    std::stable_partition(sorted.begin(), sorted.end(),
+                          [&](Index unknown) { return alone[idx(unknown)] != 0; });
+  return sorted;
+}
+
 } // namespace
 
-OrderedTriangle::OrderedTriangle(const BlockPattern& pattern, std::span<const Index> order)
+OrderedTriangle::OrderedTriangle(const BlockPattern& pattern,
+                                 std::span<const Index> order,
+                                 std::span<const char> alone)
     : start{0} {
   std::vector<Index> place(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -60,11 +70,14 @@ OrderedTriangle::OrderedTriangle(const BlockPattern& pattern, std::span<const In
     const auto at = std::lower_bound(row.begin(), row.end(), std::max(a, b)) - row.begin();
     return pattern.row_start[idx(std::min(a, b))] + static_cast<Index>(at);
   };
+  const auto coupled = [&](Index a, Index b) {
+    return a == b || alone.empty() || (alone[idx(a)] == 0 && alone[idx(b)] == 0);
+  };
   std::vector<std::pair<Index, Index>> column; // row, entry
   for (std::size_t j = 0; j < order.size(); ++j) {
     column.clear();
     for (const Index other : row_of(order[j]))
-      if (place[idx(other)] >= static_cast<Index>(j))
+      if (place[idx(other)] >= static_cast<Index>(j) && coupled(order[j], other))
         column.emplace_back(place[idx(other)], entry(order[j], other));
     std::sort(column.begin(), column.end());
     for (const auto& [row, from] : column) {
@@ -103,14 +116,18 @@ void keep_order(cholmod_common& common) {
   common.print = 0;
 }
 
-Elimination::Elimination(const BlockPattern& pattern, std::span<const Index> order)
-    : order_(order.begin(), order.end()), triangle_(pattern, order_) {
+Elimination::Elimination(const BlockPattern& pattern,
+                         std::span<const Index> order,
+                         std::span<const char> alone)
+    : order_(with_alone_first(order, alone)), triangle_(pattern, order_, alone) {
   Session session;
-  follow_elimination(pattern, session.common());
+  follow_elimination(pattern, alone, session.common());
   find_fronts(session.common());
 }
 
-void Elimination::follow_elimination(const BlockPattern& pattern, cholmod_common& common) {
+void Elimination::follow_elimination(const BlockPattern& pattern,
+                                     std::span<const char> alone,
+                                     cholmod_common& common) {
   common.postorder = 1;
   const Symbolic trial = analyzed(triangle_, common);
   common.postorder = 0;
@@ -119,7 +136,7 @@ void Elimination::follow_elimination(const BlockPattern& pattern, cholmod_common
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = order_[idx(then[i])];
   order_ = std::move(order);
-  triangle_ = OrderedTriangle(pattern, order_);
+  triangle_ = OrderedTriangle(pattern, order_, alone);
 }
 
 void Elimination::find_fronts(cholmod_common& common) {

@@ -22,7 +22,10 @@ struct OrderedTriangle {
   std::vector<Index> rows;    ///< ascending within a column
   std::vector<Index> entries; ///< of the matrix that the values are taken from
 
-  OrderedTriangle(const BlockPattern& pattern, std::span<const Index> order);
+  /// @param alone  by unknown, not 0: it is coupled with no other
+  OrderedTriangle(const BlockPattern& pattern,
+                  std::span<const Index> order,
+                  std::span<const char> alone);
   /// As CHOLMOD sees it, which only reads it.
   ///
   /// @param values  of the rows; empty: the structure alone
@@ -43,8 +46,12 @@ struct Front {
 class Elimination {
 public:
   /// @param order  fill-reducing: place i holds unknown order[i]
+  /// @param alone  by unknown, not 0: it is coupled with no other, whatever the pattern says, and
+  ///               comes first; empty: none
   /// @throws std::bad_alloc
-  Elimination(const BlockPattern& pattern, std::span<const Index> order);
+  Elimination(const BlockPattern& pattern,
+              std::span<const Index> order,
+              std::span<const char> alone = {});
 
   /// As it was given, but for branches of the elimination tree that now come one after another.
   [[nodiscard]] std::span<const Index> order() const { return order_; }
@@ -58,7 +65,9 @@ public:
   [[nodiscard]] double entries() const { return entries_; } ///< of its factor
 
 private:
-  void follow_elimination(const BlockPattern& pattern, cholmod_common_struct& common);
+  void follow_elimination(const BlockPattern& pattern,
+                          std::span<const char> alone,
+                          cholmod_common_struct& common);
   void find_fronts(cholmod_common_struct& common);
 
   std::vector<Index> order_;

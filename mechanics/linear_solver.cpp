@@ -104,6 +104,18 @@ LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
   order_ = fill_reducing_order(pattern);
 }
 
+void LinearSolver::set_alone(std::span<const char> alone) {
+  if (std::equal(alone.begin(), alone.end(), alone_.begin(), alone_.end()))
+    return;
+  alone_.assign(alone.begin(), alone.end());
+  // What knows of the fronts.
+  if (last_ == single_.get() || last_ == cholmod_.get())
+    last_ = nullptr;
+  single_.reset();
+  cholmod_.reset();
+  elimination_.reset();
+}
+
 template <class Make>
 Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorization, Make make) {
   if (!factorization) {
@@ -269,7 +281,7 @@ void LinearSolver::take_symmetric_part(const SparseMatrix& matrix) {
 const std::shared_ptr<const Elimination>& LinearSolver::elimination() {
   if (!elimination_) {
     const Stopwatch watch(work_.analysis);
-    elimination_ = std::make_shared<const Elimination>(*pattern_, order_);
+    elimination_ = std::make_shared<const Elimination>(*pattern_, order_, alone_);
   }
   return elimination_;
 }

@@ -127,6 +127,12 @@ public:
   /// @pre pattern outlives the solver
   LinearSolver(const BlockPattern& pattern, SolverSettings settings);
 
+  /// From now on the entries that couple these unknowns with others are zero in every matrix: what
+  /// is prescribed takes no part in factorizations.
+  ///
+  /// @param alone  shape (n_dofs), not 0: such an unknown
+  void set_alone(std::span<const char> alone);
+
   /// Solves matrix * x = rhs; `symmetric` promises that the matrix is.
   ///
   /// Where the last factorization reaches the tolerance with less work than a new one, none is
@@ -210,6 +216,7 @@ private:
   const BlockPattern* pattern_;
   SolverSettings settings_;
   std::vector<Index> order_;
+  std::vector<char> alone_; ///< shape (n_dofs) or none
   std::shared_ptr<const Elimination> elimination_;
   std::unique_ptr<Factorization> single_;
   std::unique_ptr<Factorization> cholmod_;

@@ -31,9 +31,7 @@ Spectral spectral_plane(const Mat3& A) {
 
 namespace {
 
-/// Matrices decomposed side by side: one processor vector of them.
-constexpr std::size_t lanes = 8;
-using Row = std::array<double, lanes>;
+using Row = TensorsSideBySide::value_type;
 
 /// Symmetric matrices and the rotations applied to them so far, entry by entry.
 struct JacobiBatch {
@@ -41,58 +39,44 @@ struct JacobiBatch {
   std::array<Row, 3> off;                 ///< off[r]: the entry of the two axes other than r
   std::array<std::array<Row, 3>, 3> axes; ///< axes[k][i]: component i of column k
 
-  JacobiBatch(std::span<const Mat3> A) {
-    for (std::size_t l = 0; l < lanes; ++l) {
-      const Mat3& M = A[std::min(l, A.size() - 1)];
-      for (int k = 0; k < 3; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        diagonal[i][l] = M(k, k);
-        off[i][l] = M((k + 1) % 3, (k + 2) % 3);
-        for (std::size_t j = 0; j < 3; ++j)
-          axes[i][j][l] = i == j ? 1.0 : 0.0;
-      }
-    }
+  explicit JacobiBatch(const TensorsSideBySide& A)
+      : diagonal{A[0], A[1], A[2]}, off{A[4], A[5], A[3]} {
+    for (std::size_t k = 0; k < 3; ++k)
+      axes[k][k] = Row::constant(1.0);
   }
 
   /// Turns axes p and q so that their entry vanishes; r is the third one. (Jacobi 1846)
   void rotate(std::size_t p, std::size_t q, std::size_t r) {
     constexpr double tiny = 1e-300; // keeps 0 / 0 out of equal diagonals without an entry
-    Row t;
-    Row c;
-    Row s;
-    for (std::size_t l = 0; l < lanes; ++l) {
-      const double d = diagonal[q][l] - diagonal[p][l];
-      const double twice = 2.0 * off[r][l];
-      t[l] = twice / (d + std::copysign(std::sqrt(d * d + twice * twice) + tiny, d));
-      c[l] = 1.0 / std::sqrt(1.0 + t[l] * t[l]);
-      s[l] = t[l] * c[l];
-    }
-    for (std::size_t l = 0; l < lanes; ++l) {
-      diagonal[p][l] -= t[l] * off[r][l];
-      diagonal[q][l] += t[l] * off[r][l];
-      off[r][l] = 0.0;
-      turn(off[q][l], off[p][l], c[l], s[l]);
-    }
+    const Row one = Row::constant(1.0);
+    const Row d = diagonal[q] - diagonal[p];
+    const Row twice = 2.0 * off[r];
+    const Row length = sqrt(d * d + twice * twice) + Row::constant(tiny);
+    const Row t = twice / (d + where_negative(d, -1.0 * length, length));
+    const Row c = one / sqrt(one + t * t);
+    const Row s = t * c;
+    diagonal[p] = diagonal[p] - t * off[r];
+    diagonal[q] = diagonal[q] + t * off[r];
+    off[r] = {};
+    turn(off[q], off[p], c, s);
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t l = 0; l < lanes; ++l)
-        turn(axes[p][i][l], axes[q][i][l], c[l], s[l]);
+      turn(axes[p][i], axes[q][i], c, s);
   }
 
-  /// Largest entry off the diagonals, relative to its matrix; NaN stays out of it.
-  [[nodiscard]] double largest_off() const {
-    double most = 0.0;
-    for (std::size_t l = 0; l < lanes; ++l) {
-      const double size =
-          std::abs(diagonal[0][l]) + std::abs(diagonal[1][l]) + std::abs(diagonal[2][l]);
-      const double entries = std::abs(off[0][l]) + std::abs(off[1][l]) + std::abs(off[2][l]);
-      most = std::max(most, entries > 0.0 ? entries / size : 0.0);
-    }
-    return most;
+  /// Whether no entry off a diagonal can change that diagonal any more; NaN stays out of it.
+  [[nodiscard]] bool converged() const {
+    constexpr double negligible = 1e-17;
+    const Row size = abs(diagonal[0]) + abs(diagonal[1]) + abs(diagonal[2]);
+    const Row excess = abs(off[0]) + abs(off[1]) + abs(off[2]) - negligible * size;
+    bool any = false;
+    for (int l = 0; l < tensors_at_once; ++l)
+      any = any || excess[l] > 0.0;
+    return !any;
   }
 
 private:
-  static void turn(double& p, double& q, double c, double s) {
-    const double before = p;
+  static void turn(Row& p, Row& q, const Row& c, const Row& s) {
+    const Row before = p;
     p = c * before - s * q;
     q = s * before + c * q;
   }
@@ -100,23 +84,36 @@ private:
 
 } // namespace
 
+SpectralSideBySide spectral(const TensorsSideBySide& A) {
+  constexpr int most_sweeps = 20; // five do for any matrix met so far
+  JacobiBatch batch(A);
+  for (int sweep = 0; sweep < most_sweeps && !batch.converged(); ++sweep) {
+    batch.rotate(0, 1, 2);
+    batch.rotate(1, 2, 0);
+    batch.rotate(2, 0, 1);
+  }
+  return {batch.diagonal, batch.axes};
+}
+
 void spectral(std::span<const Mat3> A, std::span<Spectral> out) {
-  constexpr double converged = 1e-17; // of an entry: it cannot change a diagonal any more
-  constexpr int most_sweeps = 20;     // five do for any matrix met so far
-  for (std::size_t first = 0; first < A.size(); first += lanes) {
-    const std::size_t n = std::min(lanes, A.size() - first);
-    JacobiBatch batch(A.subspan(first, n));
-    for (int sweep = 0; sweep < most_sweeps && batch.largest_off() > converged; ++sweep) {
-      batch.rotate(0, 1, 2);
-      batch.rotate(1, 2, 0);
-      batch.rotate(2, 0, 1);
+  constexpr auto at_once = static_cast<std::size_t>(tensors_at_once);
+  for (std::size_t first = 0; first < A.size(); first += at_once) {
+    const std::size_t n = std::min(at_once, A.size() - first);
+    TensorsSideBySide tensors;
+    for (std::size_t k = 0; k < tensors.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
+      const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
+      tensors[k] =
+          Row::of([&](int l) { return A[first + std::min(static_cast<std::size_t>(l), n - 1)](i, j); });
     }
+    const SpectralSideBySide batch = spectral(tensors);
     for (std::size_t l = 0; l < n; ++l)
       for (int k = 0; k < 3; ++k) {
         const auto column = static_cast<std::size_t>(k);
-        out[first + l].values[k] = batch.diagonal[column][l];
+        out[first + l].values[k] = batch.values[column][static_cast<int>(l)];
         for (int i = 0; i < 3; ++i)
-          out[first + l].vectors(i, k) = batch.axes[column][static_cast<std::size_t>(i)][l];
+          out[first + l].vectors(i, k) =
+              batch.vectors[column][static_cast<std::size_t>(i)][static_cast<int>(l)];
       }
   }
 }

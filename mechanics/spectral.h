@@ -5,9 +5,11 @@
 #pragma once
 
 #include "geometry/base/vector.h"
+#include "mechanics/lanes.h"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 
 namespace billet::mechanics {
@@ -23,8 +25,25 @@ struct Spectral {
 
 /// Decomposition of a symmetric tensor.
 [[nodiscard]] Spectral spectral(const Mat3& A);
-/// Decompositions of symmetric tensors, shape (n): Jacobi rotations of several side by side, which
-/// give small eigenvalues to the same relative accuracy as large ones.
+
+/// Row and column of each component of a symmetric tensor; likewise the axes of each of the strains
+/// in principal axes: those along the axes 0, 1, 2 and the shears 01, 12, 02.
+inline constexpr std::array<std::array<std::size_t, 2>, 6> tensor_components{
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+
+/// Tensors decomposed side by side: two batches of points, a vector of the widest processors.
+inline constexpr int tensors_at_once = 8;
+using TensorsSideBySide = std::array<Lanes<tensors_at_once>, 6>; ///< by component
+
+struct SpectralSideBySide {
+  std::array<Lanes<tensors_at_once>, 3> values;                 ///< in no particular order
+  std::array<std::array<Lanes<tensors_at_once>, 3>, 3> vectors; ///< vectors[a][i], of value a
+};
+
+/// Decompositions of symmetric tensors by Jacobi rotations, which give small eigenvalues to the same
+/// relative accuracy as large ones.
+[[nodiscard]] SpectralSideBySide spectral(const TensorsSideBySide& A);
+/// The same of any number of them, shape (n).
 void spectral(std::span<const Mat3> A, std::span<Spectral> out);
 
 /// Coefficients of artanh(z) / z in powers of z^2, the last first.

@@ -343,30 +343,25 @@ void decompose_in_plane(const TensorLanes& b, DeviatoricResponse& out) {
 }
 
 void decompose(std::span<const TensorLanes> b, std::span<DeviatoricResponse> out) {
-  constexpr std::size_t at_most = 8; // what is decomposed side by side
-  constexpr auto batch = idx(points_at_once);
-  std::array<Mat3, at_most> tensors;
-  std::array<Spectral, at_most> predictors;
-  for (std::size_t first = 0; first < b.size(); first += at_most / batch) {
-    const std::size_t n = batch * std::min(at_most / batch, b.size() - first);
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t k = 0; k < tensor_components.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
-        const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
-        const double value = b[first + p / batch][k][static_cast<int>(p % batch)];
-        tensors[p](i, j) = value;
-        tensors[p](j, i) = value;
-      }
-    spectral(std::span(tensors).first(n), std::span(predictors).first(n));
-    for (std::size_t k = 0; k < n / batch; ++k)
+  constexpr auto batches = static_cast<std::size_t>(tensors_at_once / points_at_once);
+  for (std::size_t first = 0; first < b.size(); first += batches) {
+    const std::span<const TensorLanes> now = b.subspan(first, std::min(batches, b.size() - first));
+    TensorsSideBySide tensors;
+    for (std::size_t k = 0; k < tensors.size(); ++k)
+      tensors[k] = Lanes<tensors_at_once>::of([&](int l) {
+        return now[std::min(idx(l / points_at_once), now.size() - 1)][k][l % points_at_once];
+      });
+    const SpectralSideBySide decomposed = spectral(tensors);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const auto part = [&](const Lanes<tensors_at_once>& all) {
+        return PointLanes::of([&](int l) { return all[static_cast<int>(k) * points_at_once + l]; });
+      };
       for (std::size_t a = 0; a < 3; ++a) {
-        const auto axis = static_cast<Eigen::Index>(a);
-        const Spectral* own = predictors.data() + k * batch;
-        out[first + k].values[a] = PointLanes::of([&](int l) { return own[l].values[axis]; });
+        out[first + k].values[a] = part(decomposed.values[a]);
         for (std::size_t i = 0; i < 3; ++i)
-          out[first + k].axes[i][a] = PointLanes::of(
-              [&](int l) { return own[l].vectors(static_cast<Eigen::Index>(i), axis); });
+          out[first + k].axes[i][a] = part(decomposed.vectors[a][i]);
       }
+    }
   }
 }
 

@@ -60,11 +60,6 @@ using PrincipalLanes = std::array<PointLanes, 3>;
 /// Symmetric tensors: xx, yy, zz, xy, yz, xz.
 using TensorLanes = std::array<PointLanes, 6>;
 
-/// Row and column of each component of a symmetric tensor; likewise the axes of each of the strains
-/// in principal axes: those along the axes 0, 1, 2 and the shears 01, 12, 02.
-constexpr std::array<std::array<std::size_t, 2>, 6> tensor_components{
-    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
-
 /// Deviatoric response of a batch of points, mostly in the principal axes of the predictors.
 struct DeviatoricResponse {
   PrincipalLanes values;                       ///< principal values of b_e,pred ...
