@@ -65,6 +65,24 @@ TEST(Elimination, hands_every_front_to_one_that_has_a_place_for_all_its_rows) {
   }
 }
 
+TEST(Elimination, begins_with_what_stands_alone) {
+  for (const Mesh& mesh : meshes()) {
+    const BlockPattern pattern = block_pattern(mesh);
+    std::vector<char> alone(idx(pattern.n_dofs()));
+    for (std::size_t i = 0; i < alone.size(); i += 3)
+      alone[i] = 1;
+    const auto n = static_cast<std::size_t>(std::count(alone.begin(), alone.end(), char{1}));
+    const Elimination elimination(pattern, fill_reducing_order(pattern), alone);
+    for (std::size_t i = 0; i < alone.size(); ++i)
+      EXPECT_EQ(alone[idx(elimination.order()[i])] != 0, i < n);
+    for (const Front& front : elimination.fronts())
+      if (idx(front.first) < n) {
+        EXPECT_EQ(front.columns, 1);
+        EXPECT_EQ(front.rows, 0);
+      }
+  }
+}
+
 /// The stack of complements depends on it: what a front takes from it lies on top.
 TEST(Elimination, puts_children_just_before_their_parent) {
   for (const Mesh& mesh : meshes()) {

@@ -395,6 +395,42 @@ TEST(LinearSolver, comes_back_to_cholmod_after_an_indefinite_matrix) {
   EXPECT_LE(positive.error(positive.x), accuracy);
 }
 
+/// Takes away what couples every n-th unknown with others.
+std::vector<char> set_every_nth_alone(Problem& problem, Index n) {
+  std::vector<char> alone(idx(problem.pattern.n_dofs()));
+  for (Index i = 0; i < problem.pattern.n_dofs(); i += n)
+    alone[idx(i)] = 1;
+  for (Index i = 0; i < problem.pattern.n_dofs(); ++i)
+    for (Index k = problem.row(i); k < problem.row(i + 1); ++k) {
+      const Index j = problem.pattern.columns[idx(k)];
+      if (i != j && (alone[idx(i)] != 0 || alone[idx(j)] != 0))
+        problem.matrix.values[idx(k)] = 0.0;
+    }
+  problem.refresh();
+  return alone;
+}
+
+TEST(LinearSolver, leaves_unknowns_that_stand_alone_out_of_its_factorizations) {
+  for (const SolverChoice choice : {SolverChoice::automatic, SolverChoice::cholmod}) {
+    Problem whole(Sort::positive);
+    LinearSolver solver(whole.pattern, {choice});
+    ASSERT_TRUE(solver.solve(whole.matrix, true, whole.rhs, whole.x));
+    const double flops = solver.work().last_flops;
+    for (const Index n : {Index{3}, Index{5}, Index{5}}) {
+      Problem problem(Sort::positive);
+      const std::vector<char> alone = set_every_nth_alone(problem, n);
+      solver.set_alone(alone);
+      ASSERT_TRUE(solver.solve(problem.matrix, true, problem.rhs, problem.x, {1e-10}));
+      EXPECT_LE(problem.error(problem.x), 2e-10);
+      EXPECT_LT(solver.work().last_flops, 0.9 * flops);
+    }
+    solver.set_alone(std::vector<char>(idx(whole.pattern.n_dofs())));
+    ASSERT_TRUE(solver.solve(whole.matrix, true, whole.rhs, whole.x));
+    EXPECT_LE(whole.error(whole.x), 2e-10);
+    EXPECT_EQ(solver.work().last_flops, flops);
+  }
+}
+
 TEST(LinearSolver, gives_the_exact_reason_for_a_singular_matrix) {
   for (const SolverChoice choice :
        {SolverChoice::automatic, SolverChoice::cholmod, SolverChoice::mumps, SolverChoice::umfpack})
