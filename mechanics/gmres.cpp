@@ -27,6 +27,18 @@ void add(double s, std::span<const double> x, std::span<double> y) {
     y[i] += s * x[i];
 }
 
+void multiply(std::span<const double> a, std::span<const double> b, std::vector<double>& product) {
+  product.resize(a.size());
+  for (std::size_t i = 0; i < product.size(); ++i)
+    product[i] = a[i] * b[i];
+}
+
+void divide(std::span<const double> a, std::span<const double> b, std::vector<double>& quotient) {
+  quotient.resize(a.size());
+  for (std::size_t i = 0; i < quotient.size(); ++i)
+    quotient[i] = a[i] / b[i];
+}
+
 /// Whether a residual that has come down to `residual` in k steps will not reach the tolerance in
 /// `most`, should it go on like that.
 bool too_slow(double residual, double tolerance, int k, int most) {
@@ -80,23 +92,24 @@ void Gmres::combine(int k, std::span<double> x) const {
 
 GmresReport Gmres::solve(const SparseMatrix& matrix,
                          Factorization& preconditioner,
+                         std::span<const double> weights,
                          std::span<const double> rhs,
                          std::span<double> x,
                          double tolerance,
                          int most,
                          std::span<const std::vector<double>> known) {
   const std::size_t n = rhs.size();
-  const double scale = std::sqrt(dot(rhs, rhs));
+  basis_.resize(idx(most) + 1);
+  multiply(weights, rhs, basis_[0]);
+  const double scale = std::sqrt(dot(basis_[0], basis_[0]));
   if (!(scale > 0.0) || !std::isfinite(scale))
     return {};
-  basis_.resize(idx(most) + 1);
   directions_.resize(idx(most));
   columns_.resize(idx(most));
   cosines_.resize(idx(most));
   sines_.resize(idx(most));
   projected_.assign(idx(most) + 1, 0.0);
   projected_[0] = scale;
-  basis_[0].assign(rhs.begin(), rhs.end());
   for (double& value : basis_[0])
     value /= scale;
   GmresReport report;
@@ -104,12 +117,13 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
     if (idx(k) < known.size()) {
       directions_[idx(k)] = known[idx(k)];
     } else {
-      directions_[idx(k)] = basis_[idx(k)];
+      divide(basis_[idx(k)], weights, directions_[idx(k)]);
       preconditioner.solve(directions_[idx(k)]);
       ++report.solves;
     }
     basis_[idx(k) + 1].resize(n);
     matrix.multiply(directions_[idx(k)], basis_[idx(k) + 1]);
+    multiply(weights, basis_[idx(k) + 1], basis_[idx(k) + 1]);
     columns_[idx(k)].assign(idx(k) + 2, 0.0);
     const double length = extend(k);
     if (!std::isfinite(length))

@@ -31,12 +31,14 @@ public:
   /// Gives up as soon as the way the residual shrinks says that `most` iterations will not do.
   ///
   /// @param preconditioner  holds a factorization of a matrix like this one
+  /// @param weights         > 0: of each unknown's residual in the norm that is made small
   /// @param x               out: the solution; undefined unless the report says `converged`
-  /// @param tolerance       relative residual to reach [-], > 0
+  /// @param tolerance       relative residual to reach [-], > 0, in that norm
   /// @param most            iterations
   /// @param known           directions to begin with, in place of preconditioned residuals
   [[nodiscard]] GmresReport solve(const SparseMatrix& matrix,
                                   Factorization& preconditioner,
+                                  std::span<const double> weights,
                                   std::span<const double> rhs,
                                   std::span<double> x,
                                   double tolerance,

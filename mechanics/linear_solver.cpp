@@ -201,6 +201,38 @@ Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
   return report;
 }
 
+/// Weights by which the norm of a residual is about the energy of what is missing: stiff contacts
+/// do not drown the forces within the part. Where they are far stiffer than what is usual even that
+/// asks too little of the part. (N.6)
+///
+/// @return a factor for the relative residual that will do, <= 1
+double LinearSolver::weigh(const SparseMatrix& matrix) {
+  const std::size_t n = residual_.size();
+  if (diagonal_.empty())
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto row = pattern_->columns.begin() + pattern_->row_start[i];
+      const auto end = pattern_->columns.begin() + pattern_->row_start[i + 1];
+      diagonal_.push_back(static_cast<Index>(
+          std::lower_bound(row, end, static_cast<Index>(i)) - pattern_->columns.begin()));
+    }
+  double largest = 0.0;
+  for (const Index entry : diagonal_)
+    largest = std::max(largest, std::abs(matrix.values[idx(entry)]));
+  // Powers of two of the ratio: other units of length or force change nothing, to the bit.
+  constexpr int most = 80;
+  constexpr int usual = 7; // 4 to 7 with the penalties chosen by default
+  long sum = 0;
+  weights_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double ratio = largest / std::abs(matrix.values[idx(diagonal_[i])]);
+    const int below = ratio < HUGE_VAL ? std::min(std::ilogb(ratio), most) : most;
+    weights_[i] = std::ldexp(1.0, below / 2);
+    sum += below;
+  }
+  const auto mean = static_cast<int>(sum / static_cast<long>(n));
+  return std::ldexp(1.0, std::min(0, usual - mean));
+}
+
 GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
                                   std::span<const double> rhs,
                                   std::span<double> x,
@@ -208,7 +240,8 @@ GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
                                   int most,
                                   Known known) {
   const Stopwatch watch(work_.substitution);
-  const GmresReport report = gmres_.solve(matrix, *last_, rhs, x, tolerance, most, known);
+  const double enough = std::max(weigh(matrix) * tolerance, exact);
+  const GmresReport report = gmres_.solve(matrix, *last_, weights_, rhs, x, enough, most, known);
   work_.substitutions += report.solves;
   return report;
 }
@@ -225,7 +258,7 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
     return SolveReport{"zero", 0.0};
   }
   const bool may_reuse =
-      demand.tolerance > 0.0 && !demand.anew && settings_.choice == SolverChoice::automatic;
+      demand.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
   if (most > 0) {
     const GmresReport report = iterate(matrix, rhs, x, demand.tolerance, most, {});
@@ -308,7 +341,7 @@ bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
   Factorization& single = prepared(single_, [&] { return make_single(fronts); });
   // Where nothing happens the next matrix is much like the last.
   constexpr double far_from_bad = 0.1;
-  const bool asks = !(demand.tolerance > 0.0 && !demand.anew && last_ == &single &&
+  const bool asks = !(demand.tolerance > 0.0 && !demand.far && last_ == &single &&
                       correction_ <= far_from_bad * good_correction);
   first_.clear();
   const bool serves =

@@ -37,7 +37,7 @@ struct SolverSettings {
 /// What is asked of a solution.
 struct Demand {
   double tolerance = 0.0; ///< relative residual that will do [-]; 0: as exact as can be
-  bool anew = false;      ///< the matrix has little in common with the last one
+  bool far = false;       ///< the matrix may have little in common with the last one
 };
 
 /// What the last solution did, for the log and the summary.
@@ -205,6 +205,7 @@ private:
                                     double tolerance,
                                     int most,
                                     Known known);
+  [[nodiscard]] double weigh(const SparseMatrix& matrix);
   void take_symmetric_part(const SparseMatrix& matrix);
   [[nodiscard]] std::vector<Index> transposed_entries() const;
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
@@ -228,6 +229,8 @@ private:
   /// ... and the matrix it is of.
   enum class Held { earlier, neighbour, current } held_ = Held::earlier;
   Gmres gmres_;
+  std::vector<Index> diagonal_; ///< entry of each unknown
+  std::vector<double> weights_; ///< of each unknown's residual
   SparseMatrix symmetric_part_;
   Patience symmetric_patience_;            ///< with the symmetric part
   Patience single_patience_;               ///< with L S L^T in single precision

@@ -232,8 +232,8 @@ Outcome<SolveReport> Newton::solve_bordered(const Demand& demand) {
     for (std::size_t i = 0; i < n; ++i)
       if (fixed_[i] != 0)
         column[i] = 0.0;
-    const auto again = solver_.solve_again(system_.tangent, system_.symmetric, column, influence[j],
-                                           demand.tolerance);
+    const auto again =
+        solver_.solve_again(system_.tangent, system_.symmetric, column, influence[j], 0.0);
     if (!again)
       return again.error();
   }
@@ -442,11 +442,9 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     const bool expected_last = settled_ && softening.slip == 1.0 && missing() == 0.0 &&
                                expected_residual(before, relative) <= settings_.tolerance;
     before = relative;
-    // After an event - a contact that opens or closes, a line search - nothing but the new
-    // tangent's own factorization will do.
+    // After an event - a contact that opens or closes, a line search - the tangent is another.
     const auto solved =
-        correct(prescribed, x,
-                settled_ ? Demand{forcing(relative, settings_.tolerance)} : Demand{.anew = true});
+        correct(prescribed, x, Demand{forcing(relative, settings_.tolerance), !settled_});
     if (!solved)
       return solved.error();
     if (iteration > 1 && missing() == 0.0)

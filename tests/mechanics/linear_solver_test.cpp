@@ -289,7 +289,7 @@ TEST(LinearSolver, takes_away_the_coupling_that_it_is_told_of) {
         problem.matrix.values[static_cast<std::size_t>(k)] = 3e4;
     for (Index k = problem.row(row); k < problem.row(row + 1); ++k)
       if (problem.pattern.columns[static_cast<std::size_t>(k)] == i)
-        coupling.push_back({row, k, 0.3 * 3e4});
+        coupling.push_back({row, k, 3.0 * 3e4});
   }
   for (const EntryPart& part : coupling)
     problem.matrix.values[static_cast<std::size_t>(part.entry)] += part.value;
