@@ -47,6 +47,17 @@ ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::T
   return before > 0.0 ? after / (after - before) : 1.0;
 }
 
+std::vector<double> ContactTerm::touches(const mechanics::Trial& trial) const {
+  std::vector<double> times;
+  for (std::size_t t = 0; t < tools_.size(); ++t)
+    for (std::size_t k = 0; acts(t, trial.time) && k < surface_->n_points(); ++k)
+      if (!closed_on(t, k))
+        if (const double share = touching_share(t, k, trial); share > 0.0)
+          times.push_back(1.0 - share);
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
 std::vector<Vec3> ContactTerm::turns(std::size_t t, const mechanics::Trial& trial) const {
   std::vector<Vec3> turns(idx(surface_->n_faces()), Vec3::Zero());
   if (foretold_.empty() || pattern_->dim != 3)

@@ -317,6 +317,8 @@ private:
   [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
   /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
   [[nodiscard]] std::vector<double> foretold(double dt) const;
+  /// The step, or as much of it as passes before more of the part comes to touch. (P.27)
+  [[nodiscard]] double up_to_touch(double step);
   [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
   /// Whether the part lies on any tool.
   [[nodiscard]] bool touched() const;
@@ -325,13 +327,11 @@ private:
   /// Whether a tool's force falls so far in the increment just tried that half of its work, with
   /// the force before, would spoil the balance of energy. (P.23)
   [[nodiscard]] bool lets_go_too_fast(double dt) const;
-  /// Whether an increment just tried, longer than increments are by default, misses too much of
-  /// its work. (P.24)
-  ///
-  /// @param length  of the stage [s]
   /// Work that says nothing: no increment is refused for it. [N mm]
   [[nodiscard]] double work_of_rounding() const;
-  /// @return what it misses; empty: no more than it may
+  /// What an increment just tried misses of its work; empty: no more than it may. (P.24)
+  ///
+  /// @param length  of the stage [s]
   [[nodiscard]] std::string misses_too_much(double dt, double length) const;
   /// By way of softer contact, after an increment has failed. (N.10)
   ///
