@@ -212,8 +212,8 @@ double LinearSolver::weigh(const SparseMatrix& matrix) {
     for (std::size_t i = 0; i < n; ++i) {
       const auto row = pattern_->columns.begin() + pattern_->row_start[i];
       const auto end = pattern_->columns.begin() + pattern_->row_start[i + 1];
-      diagonal_.push_back(static_cast<Index>(
-          std::lower_bound(row, end, static_cast<Index>(i)) - pattern_->columns.begin()));
+      diagonal_.push_back(static_cast<Index>(std::lower_bound(row, end, static_cast<Index>(i)) -
+                                             pattern_->columns.begin()));
     }
   double largest = 0.0;
   for (const Index entry : diagonal_)
@@ -257,8 +257,7 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
     std::fill(x.begin(), x.end(), 0.0);
     return SolveReport{"zero", 0.0};
   }
-  const bool may_reuse =
-      demand.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
+  const bool may_reuse = demand.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
   if (most > 0) {
     const GmresReport report = iterate(matrix, rhs, x, demand.tolerance, most, {});

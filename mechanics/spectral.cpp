@@ -103,8 +103,8 @@ void spectral(std::span<const Mat3> A, std::span<Spectral> out) {
     for (std::size_t k = 0; k < tensors.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
       const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
-      tensors[k] =
-          Row::of([&](int l) { return A[first + std::min(static_cast<std::size_t>(l), n - 1)](i, j); });
+      tensors[k] = Row::of(
+          [&](int l) { return A[first + std::min(static_cast<std::size_t>(l), n - 1)](i, j); });
     }
     const SpectralSideBySide batch = spectral(tensors);
     for (std::size_t l = 0; l < n; ++l)

@@ -40,8 +40,8 @@ struct SpectralSideBySide {
   std::array<std::array<Lanes<tensors_at_once>, 3>, 3> vectors; ///< vectors[a][i], of value a
 };
 
-/// Decompositions of symmetric tensors by Jacobi rotations, which give small eigenvalues to the same
-/// relative accuracy as large ones.
+/// Decompositions of symmetric tensors by Jacobi rotations, which give small eigenvalues to the
+/// same relative accuracy as large ones.
 [[nodiscard]] SpectralSideBySide spectral(const TensorsSideBySide& A);
 /// The same of any number of them, shape (n).
 void spectral(std::span<const Mat3> A, std::span<Spectral> out);

@@ -20,7 +20,7 @@ double share_up_to_touch(const std::vector<double>& touches) {
   constexpr double between = 0.25; // faces that come down one after the other
   constexpr double enough = 0.35;  // ... the second of them no sooner than here
   constexpr double before = 0.05;
-  for (std::size_t i = 0; i < touches.size(); ++i)
+  for (std::size_t i = 0; i < touches.size() && touches[i] < 1.0 - before; ++i)
     if (i == 0 ? touches[0] > late : touches[i] > std::max(touches[i - 1] + between, enough))
       return touches[i] - before;
   return 1.0;
@@ -29,7 +29,7 @@ double share_up_to_touch(const std::vector<double>& touches) {
 } // namespace
 
 double Process::up_to_touch(double step) {
-  if (!contact_ || velocity_.empty() || last_step_.empty())
+  if (!contact_ || last_step_.empty())
     return step;
   const std::vector<double> x = foretold(step);
   contact_->foretell(x);
