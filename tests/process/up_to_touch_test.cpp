@@ -12,11 +12,11 @@
 namespace billet::process::up_to_touch_test {
 namespace {
 
-constexpr double longest = 0.02;
+constexpr double longest = 0x1p-6; // [s]; sums of it are exact
 
-/// A block without Poisson's ratio that a die presses, in increments of 0.02 s, while others come
-/// from the right at 1 mm/s: each has so far to go.
-Scene pressed_block(const std::vector<double>& gaps) {
+/// A block without Poisson's ratio that a die presses, while others come from the right at 1 mm/s:
+/// they touch after so many of the longest increments.
+Scene pressed_block(const std::vector<double>& touches) {
   Upsetting u;
   u.analysis = Analysis::plane_strain;
   u.mesh = mechanics::box_mesh(
@@ -25,69 +25,66 @@ Scene pressed_block(const std::vector<double>& gaps) {
   u.material = elastic_body(1e3, 0.0);
   Scene scene = upsetting_scene(std::move(u));
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
-  for (const double gap : gaps)
+  for (const double touch : touches)
     scene.tools.push_back(moving_tool(
-        "side", geometry::make_plane(Vec3(10.0 + gap, 0, 0), -Vec3::UnitX()), -Vec3::UnitX()));
+        "side", geometry::make_plane(Vec3(10.0 + touch * longest, 0, 0), -Vec3::UnitX()),
+        -Vec3::UnitX()));
   scene.touch.assign(scene.tools.size(), 0);
   scene.stages[0].tools.assign(scene.tools.size(), 1);
-  scene.stages[0].end = 0.5;
+  scene.stages[0].end = 32.0 * longest;
   scene.increments.first = scene.increments.max = longest;
   return scene;
 }
 
+/// Ends of the increments, in longest ones.
 std::vector<double> ends(const FinishedRun& done) {
   EXPECT_EQ(done.status, RunStatus::done);
   std::vector<double> times;
   for (const Entry& entry : done.recorder.entries)
-    times.push_back(entry.report.time);
+    times.push_back(entry.report.time / longest);
   return times;
 }
 
 bool ends_at(const FinishedRun& done, double time) {
   for (const double end : ends(done))
-    if (std::abs(end - time) < 1e-9)
+    if (std::abs(end - time) < 1e-6)
       return true;
   return false;
 }
 
 TEST(UpToTouch, EndsAnIncrementJustBeforeATouchInItsSecondHalf) {
-  const FinishedRun done = run(pressed_block({0.335})); // three quarters of the way to 0.34
-  EXPECT_TRUE(ends_at(done, 0.335 - 0.05 * longest));
-  EXPECT_FALSE(ends_at(done, 0.34));
-  EXPECT_TRUE(ends_at(done, 0.32));
-  EXPECT_TRUE(ends_at(done, 0.335 + 0.95 * longest)) << "the one that touches is a whole one";
+  const FinishedRun done = run(pressed_block({21.75}));
+  EXPECT_TRUE(ends_at(done, 21.0));
+  EXPECT_TRUE(ends_at(done, 21.7));
+  EXPECT_FALSE(ends_at(done, 22.0));
+  EXPECT_TRUE(ends_at(done, 22.7)) << "the one that touches is a whole one";
   EXPECT_GT(done.last().loads[1].force.norm(), 0.0);
 }
 
 TEST(UpToTouch, LeavesATouchInTheFirstHalfOrAtTheVeryEndAsItIs) {
-  for (const double gap : {0.325, 0.3395}) {
-    const FinishedRun done = run(pressed_block({gap}));
-    EXPECT_TRUE(ends_at(done, 0.34)) << gap;
-    EXPECT_EQ(ends(done).size(), 25u) << gap;
+  for (const double touch : {21.25, 21.97}) {
+    const FinishedRun done = run(pressed_block({touch}));
+    EXPECT_TRUE(ends_at(done, 22.0)) << touch;
+    EXPECT_EQ(ends(done).size(), 32u) << touch;
   }
 }
 
 TEST(UpToTouch, EndsBeforeASecondTouchThatComesWellAfterTheFirst) {
-  const FinishedRun two = run(pressed_block({0.322, 0.330})); // 0.1 and 0.5 of an increment
-  EXPECT_TRUE(ends_at(two, 0.330 - 0.05 * longest));
-  const FinishedRun together = run(pressed_block({0.322, 0.326})); // 0.1 and 0.3
-  EXPECT_TRUE(ends_at(together, 0.34));
+  EXPECT_TRUE(ends_at(run(pressed_block({21.1, 21.5})), 21.45));
+  EXPECT_TRUE(ends_at(run(pressed_block({21.2, 21.4})), 22.0));
 }
 
 TEST(UpToTouch, ComesToATouchAtALandingInOneIncrement) {
-  Scene scene = pressed_block({0.34});
-  scene.landing_times = {0.34};
-  for (const double end : ends(run(std::move(scene))))
-    EXPECT_FALSE(end > 0.32 + 1e-9 && end < 0.34 - 1e-9) << end;
+  Scene scene = pressed_block({22.0});
+  scene.landing_times = {22.0 * longest};
+  EXPECT_EQ(ends(run(std::move(scene))).size(), 32u);
 }
 
 TEST(UpToTouch, DoesNotWaitForToolsThatTurn) {
-  Scene scene = pressed_block({0.335});
+  Scene scene = pressed_block({21.75});
   scene.tools[1].motion.rotation =
-      geometry::Rotation{Vec3(10.335, 0, 0), Vec3::UnitZ(), TimeFunction(1e-9)};
-  const FinishedRun done = run(std::move(scene));
-  EXPECT_TRUE(ends_at(done, 0.34));
-  EXPECT_EQ(ends(done).size(), 25u);
+      geometry::Rotation{Vec3(10.0, 0, 0), Vec3::UnitZ(), TimeFunction(1e-9)};
+  EXPECT_EQ(ends(run(std::move(scene))).size(), 32u);
 }
 
 } // namespace
