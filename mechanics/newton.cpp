@@ -224,6 +224,8 @@ Outcome<SolveReport> Newton::solve_bordered(const Demand& demand) {
   auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, demand);
   if (!solved || m == 0)
     return solved;
+  // A tool in equilibrium between its load and contact is moved by the small rest of both.
+  constexpr double of_columns = 1e-6;
   std::vector<std::vector<double>> influence(m, std::vector<double>(n));
   Eigen::MatrixXd reduced(m, m);
   Eigen::VectorXd rest(m);
@@ -233,7 +235,7 @@ Outcome<SolveReport> Newton::solve_bordered(const Demand& demand) {
       if (fixed_[i] != 0)
         column[i] = 0.0;
     const auto again =
-        solver_.solve_again(system_.tangent, system_.symmetric, column, influence[j], 0.0);
+        solver_.solve_again(system_.tangent, system_.symmetric, column, influence[j], of_columns);
     if (!again)
       return again.error();
   }
