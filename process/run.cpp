@@ -428,7 +428,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const double landing = next_landing(stage.end);
     const double whole =
         step_towards(landing - time_, std::min(control.next(), longest_for_blows()));
-    const double step = failures == 0 ? std::max(up_to_touch(whole), std::min(whole, *limit.min)) : whole;
+    const double step =
+        failures == 0 ? std::max(up_to_touch(whole), std::min(whole, *limit.min)) : whole;
     const bool lands = step == landing - time_;
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
