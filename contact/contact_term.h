@@ -166,9 +166,10 @@ public:
   /// @param x  shape (n_dofs + n_extra) [mm]
   void foretell(std::span<const double> x);
   /// When points that are open come to touch in the increment as it has been foretold, as shares of
-  /// it, the earliest first. Tools that turn are left out: rolls take in one point after the other.
-  /// (P.27)
+  /// it, the earliest first. (P.27)
   [[nodiscard]] std::vector<double> touches(const mechanics::Trial& trial) const;
+  /// Whether a tool that acts turns in an increment.
+  [[nodiscard]] bool any_turns(const mechanics::Trial& trial) const;
   /// Makes the normal penalty stiffer from the next trial on. (C.21)
   void stiffen(double factor) { stiffening_ *= factor; }
   /// Changes the penalty with which the tries of the next increment begin; below that of the case

@@ -47,19 +47,24 @@ ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::T
   return before > 0.0 ? after / (after - before) : 1.0;
 }
 
+bool ContactTerm::any_turns(const mechanics::Trial& trial) const {
+  const auto angle = [&](std::size_t t, double time, std::span<const double> x) {
+    return tools_[t].motion.angle(time, driven(t, x));
+  };
+  for (std::size_t t = 0; t < tools_.size(); ++t)
+    if (acts(t, trial.time) &&
+        angle(t, trial.time, trial.x) != angle(t, trial.time_old, trial.x_old))
+      return true;
+  return false;
+}
+
 std::vector<double> ContactTerm::touches(const mechanics::Trial& trial) const {
   std::vector<double> times;
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    const auto angle = [&](double time, std::span<const double> x) {
-      return tools_[t].motion.angle(time, driven(t, x));
-    };
-    if (!acts(t, trial.time) || angle(trial.time, trial.x) != angle(trial.time_old, trial.x_old))
-      continue;
-    for (std::size_t k = 0; k < surface_->n_points(); ++k)
+  for (std::size_t t = 0; t < tools_.size(); ++t)
+    for (std::size_t k = 0; acts(t, trial.time) && k < surface_->n_points(); ++k)
       if (!closed_on(t, k))
         if (const double share = touching_share(t, k, trial); share > 0.0)
           times.push_back(1.0 - share);
-  }
   std::sort(times.begin(), times.end());
   return times;
 }

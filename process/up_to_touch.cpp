@@ -1,4 +1,7 @@
 // Increments that end where more of the part comes to touch a tool. (P.27)
+//
+// In the plane, between dies, on one mesh: in space points come down in any order, rolls take in
+// one after the other, and new meshes come where a tool touches anyhow; nothing is saved there.
 
 #include "process/run.h"
 
@@ -29,11 +32,14 @@ double share_up_to_touch(const std::vector<double>& touches) {
 } // namespace
 
 double Process::up_to_touch(double step) {
-  if (!contact_ || last_step_.empty())
+  if (!contact_ || last_step_.empty() || scene_.mesh.dimension() == 3 || scene_.remesh)
     return step;
   const std::vector<double> x = foretold(step);
+  const mechanics::Trial trial{time_, time_ + step, x_, x, {}};
+  if (contact_->any_turns(trial))
+    return step;
   contact_->foretell(x);
-  return step * share_up_to_touch(contact_->touches({time_, time_ + step, x_, x, {}}));
+  return step * share_up_to_touch(contact_->touches(trial));
 }
 
 } // namespace billet::process
