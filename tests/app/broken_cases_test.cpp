@@ -203,6 +203,11 @@ std::vector<Broken> wrong_scenes() {
   Broken overlap = lacking("billet_overlaps_a_die", {{"point = [0, 7.5]", "point = [0, 7]"}},
                            {"case.toml", "the workpiece overlaps tool 'punch'", "0.5 deep", "7.5"});
   overlap.status = 4;
+  Broken turned = lacking("turned_tool", {{"normal = [0, -1]", "normal = [0, 1]"}},
+                          {"the workpiece overlaps tool 'punch'", "7.5 deep",
+                           "the whole workpiece lies inside of the tool, which may be turned",
+                           "a plane's normal points out of its tool"});
+  turned.status = 4;
   Broken never = lacking("touch_that_never_meets",
                          {{"point = [0, 7.5]", "point = [0, 9]"},
                           {punch_motion, "motion = { velocity = [0, 1] }\ntouch = true"}},
@@ -210,6 +215,7 @@ std::vector<Broken> wrong_scenes() {
   never.status = 4;
   return {
       std::move(overlap),
+      std::move(turned),
       std::move(never),
       {"body_without_support",
        edited(upsetting,
