@@ -366,6 +366,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
     level_faces(t, pose(t, trial.time, trial.x), trial.x);
     choose_even_faces(t);
   }
+  ++since_parting_;
   stiffening_old_ = stiffening_;
   stiffening_next_ = stiffening_;
   forget_foretold();
@@ -456,9 +457,10 @@ void ContactTerm::commit_tool(std::size_t t, const mechanics::Trial& trial) {
     // What opens, or comes to a tool that touches already, has rubbed on the way by the trapezoid
     // that the work of tools is taken by: one point's contact passes to another.
     Vec3 rubs = Vec3::Zero();
-    if (history.closed() && now.status == Status::open)
+    if (history.closed() && now.status == Status::open) {
       rubs = history.shear;
-    else if (touched && !history.closed() && state.touching[k])
+      since_parting_ = -1;
+    } else if (touched && !history.closed() && state.touching[k])
       rubs = (1.0 - *state.touching[k]) * now.shear;
     work_.friction += areas_[k] * std::max(0.0, -0.5 * rubs.dot(position - history.position));
     work_.enforcement += areas_[k] * enforcement_work(history, now, state.multiplier[k]);

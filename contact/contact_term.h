@@ -168,6 +168,8 @@ public:
   /// When points that are open come to touch in the increment as it has been foretold, as shares of
   /// it, the earliest first. (P.27)
   [[nodiscard]] std::vector<double> touches(const mechanics::Trial& trial) const;
+  /// Increments committed since a point last left a tool, or since the first.
+  [[nodiscard]] int since_parting() const { return since_parting_; }
   /// Whether a tool that acts turns in an increment.
   [[nodiscard]] bool any_turns(const mechanics::Trial& trial) const;
   /// Makes the normal penalty stiffer from the next trial on. (C.21)
@@ -427,6 +429,7 @@ private:
   std::span<const Tool> tools_;
   double reach_;
   std::vector<char> enabled_;
+  int since_parting_ = 0;
   std::vector<char> held_;  ///< likewise one flag a tool
   std::vector<char> rests_; ///< likewise
   std::vector<ToolState> states_;

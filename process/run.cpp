@@ -413,6 +413,9 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   // While tools draw back points part in rows: where the last increment was cut back, too, halves
   // would be cut back and back.
   int in_rows = 0;
+  // An increment has been refused lately: for so many more they end before touches.
+  constexpr int increments_wary = 20;
+  int wary = 0;
   const auto parts_in_rows = [&] { return in_rows > 0 && !retreating_.empty(); };
   bool rested = false;
   while (time_ < stage.end) {
@@ -428,8 +431,9 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const double landing = next_landing(stage.end);
     const double whole =
         step_towards(landing - time_, std::min(control.next(), longest_for_blows()));
+    const bool ends_before_touches = failures == 0 && wary > 0;
     const double step =
-        failures == 0 ? std::max(up_to_touch(whole), std::min(whole, *limit.min)) : whole;
+        ends_before_touches ? std::max(up_to_touch(whole), std::min(whole, *limit.min)) : whole;
     const bool lands = step == landing - time_;
     const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
     release_tools(time_ + step, gone);
@@ -476,6 +480,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       control.accepted(step, last_iterations_, missed_since(before, (time_ - start) / length));
       constexpr int remembered = 3;
       in_rows = failures > 0 ? remembered : std::max(0, in_rows - 1);
+      wary = failures > 0 ? increments_wary : std::max(0, wary - 1);
       failures = refusals = 0;
       tried.clear();
       if (stop_requested(observers))

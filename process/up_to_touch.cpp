@@ -1,7 +1,4 @@
-// Increments that end where more of the part comes to touch a tool. (P.27)
-//
-// In the plane, between dies, on one mesh: in space points come down in any order, rolls take in
-// one after the other, and new meshes come where a tool touches anyhow; nothing is saved there.
+#include "process/up_to_touch.h"
 
 #include "process/run.h"
 
@@ -11,14 +8,7 @@
 
 namespace billet::process {
 
-namespace {
-
-/// Where an increment had better end, as a share of it, whose touches come at these.
-///
-/// Once a point touches, all goes on in another way than it did: an increment that begins there is
-/// guessed well, one that goes on far beyond is not, least of all when a second face comes down in
-/// it.
-double share_up_to_touch(const std::vector<double>& touches) {
+double share_up_to_touch(std::span<const double> touches) {
   constexpr double late = 0.5;     // the first touch: what is before it is worth an increment
   constexpr double between = 0.25; // faces that come down one after the other
   constexpr double enough = 0.35;  // ... the second of them no sooner than here
@@ -29,10 +19,13 @@ double share_up_to_touch(const std::vector<double>& touches) {
   return 1.0;
 }
 
-} // namespace
-
 double Process::up_to_touch(double step) {
-  if (!contact_ || last_step_.empty() || scene_.mesh.dimension() == 3 || scene_.remesh)
+  // Where points leave as others come, trapezoids of work that begin at every touch and do not end
+  // where points part miss in one direction. In space points come down in any order, new meshes
+  // come where a tool touches anyhow, and where driven tools will be is not known.
+  constexpr int lately = 10;
+  if (!contact_ || last_step_.empty() || contact_->since_parting() < lately ||
+      scene_.mesh.dimension() == 3 || scene_.remesh || x_.size() > x0_.size())
     return step;
   const std::vector<double> x = foretold(step);
   const mechanics::Trial trial{time_, time_ + step, x_, x, {}};
