@@ -208,6 +208,8 @@ Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
 /// @return a factor for the relative residual that will do, <= 1
 double LinearSolver::weigh(const SparseMatrix& matrix) {
   const std::size_t n = residual_.size();
+  if (n == 0)
+    return 1.0;
   if (diagonal_.empty())
     for (std::size_t i = 0; i < n; ++i) {
       const auto row = pattern_->columns.begin() + pattern_->row_start[i];
