@@ -388,7 +388,7 @@ Scene sudden_billet() {
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 3, 0.6, contact::Frictionless{}));
   scene.tools[0].motion.velocity.reset();
   scene.tools[0].motion.displacement = std::array{
-      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -0.15}, {1.001, -9.0}, {2.0, -9.0}}),
+      TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {1.0, -0.15}, {1.005, -9.0}, {2.0, -9.0}}),
       TimeFunction(0.0)};
   scene.stages[0].end = 2.0;
   scene.increments.first = scene.increments.max = 1.0;
@@ -402,7 +402,7 @@ TEST(Remeshing, AnswersFailedIncrements) {
   ASSERT_EQ(done.status, RunStatus::done);
   ASSERT_FALSE(done.process->remeshings().empty());
   EXPECT_EQ(done.process->remeshings()[0].cause, "failed increments");
-  EXPECT_LE(done.process->remeshings()[0].time, 1.0 + 0.001);
+  EXPECT_LE(done.process->remeshings()[0].time, 1.0 + 0.005);
   // The tries that failed have softened the contact. Those on the old mesh must not soften that of
   // the new one: an increment was taken with a face half an element deep and an eighth of the
   // force.
