@@ -7,6 +7,8 @@ import calculix
 import timed
 from models import HALF_LENGTH, HARDENING, POISSON, RADIUS, TRAVEL, YIELD, YOUNG
 
+TOLERANCE = 1e-6  # solver.tolerance, its default
+
 
 def run(model, mu, program, threads, timeout, folder):
     """Solves `model` in `folder`; returns cost, increments, iterations and the force curve."""
@@ -22,7 +24,7 @@ def run(model, mu, program, threads, timeout, folder):
     curve = [(-float(row["punch.displacement_" + axial(mesh)]) / HALF_LENGTH,
               abs(float(row["punch.force_" + axial(mesh)])) / model.share / 1000) for row in history]
     return {**cost.as_dict(), "program": version(results / "summary.json"),
-            "element": model.element, "nodes": len(mesh.nodes), "elements": len(mesh.elements),
+            "element": model.element, "residual": TOLERANCE, "nodes": len(mesh.nodes), "elements": len(mesh.elements),
             "increments": len(history), "iterations": count_iterations(results, history),
             "curve": curve, "message": last_line(folder / "billet.log", cost.status)}
 

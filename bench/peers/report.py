@@ -1,4 +1,4 @@
-"""What two runs of one model have in common and where they differ: text or Markdown."""
+"""What the runs of one model have in common and where they differ: text or Markdown."""
 
 STATIONS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
 
@@ -38,16 +38,23 @@ def difference(first, second, reduction):
 
 
 def rows(result):
-    """One row a program, then their differences; the first row is the peer's."""
-    runs = [result[name] for name in ("calculix", "billet") if name in result]
-    table = [[result["model"], result["friction"], f"{run['program']} {run['element']}",
-              f"{run['cpu']:.2f}", f"{run['wall']:.2f}", f"{run['memory']:.0f}",
-              str(run["increments"]), str(run["iterations"]),
-              f"{run['iterations'] / max(1, run['increments']):.1f}",
-              *[force(run, s) for s in STATIONS], outcome(run)] for run in runs]
-    if len(runs) == 2:
-        table.append(differences(*runs))
+    """One row a run, billet's the last; under each of the peer's how billet compares with it."""
+    runs = result["runs"]
+    ours = next((run for run in runs if is_billet(run)), None)
+    table = []
+    for run in runs:
+        table.append([result["model"], result["friction"], f"{run['program']} {run['element']}",
+                      f"{run['residual']:g}", f"{run['cpu']:.2f}", f"{run['wall']:.2f}",
+                      f"{run['memory']:.0f}", str(run["increments"]), str(run["iterations"]),
+                      f"{run['iterations'] / max(1, run['increments']):.1f}",
+                      *[force(run, s) for s in STATIONS], outcome(run)])
+        if ours is not None and run is not ours:
+            table.append(differences(run, ours))
     return table
+
+
+def is_billet(run):
+    return run["program"].startswith("billet")
 
 
 def differences(peer, ours):
@@ -56,13 +63,13 @@ def differences(peer, ours):
         return f"{peer[key] / ours[key]:.2f} x" if ours[key] else "-"
 
     same = abs(reached(peer) - reached(ours)) < 1e-3
-    return ["", "", "CalculiX / billet", ratio("cpu"), ratio("wall"), ratio("memory"),
+    return ["", "", "  over billet", "", ratio("cpu"), ratio("wall"), ratio("memory"),
             ratio("increments"), ratio("iterations"), "",
             *[difference(peer, ours, s) for s in STATIONS], "" if same else "ends differ"]
 
 
-HEAD = ["model", "friction", "program", "CPU s", "wall s", "MB", "increments", "iterations", "per increment",
-        *[f"kN at {100 * s:.0f} %" for s in STATIONS], "reached"]
+HEAD = ["model", "friction", "program", "residual", "CPU s", "wall s", "MB", "increments", "iterations",
+        "per increment", *[f"kN at {100 * s:.0f} %" for s in STATIONS], "reached"]
 
 
 def text(results):
