@@ -47,7 +47,7 @@ constexpr double largest_correction = 1e-3;
 ///
 /// @param correction  of the factorization's first solution
 double small_tolerance(double asked, double correction) {
-  constexpr double loosest = 1e-6;
+  constexpr double loosest = 1e-4;
   return correction <= good_correction ? std::clamp(asked, exact, loosest) : exact;
 }
 
