@@ -33,11 +33,8 @@ struct Bulk::Scratch {
   std::vector<double> x_old;
   std::vector<double> x;
   std::vector<double> force;
-  std::vector<double> tangent;
-  double kernel_time = 0.0;  ///< of the elements timed [s]
-  double scatter_time = 0.0; ///< likewise
 
-  explicit Scratch(std::size_t size) : x_old(size), x(size), force(size), tangent(size * size) {}
+  explicit Scratch(std::size_t size) : x_old(size), x(size), force(size) {}
 };
 
 void gather(std::span<const double> x, std::span<const Index> nodes, int dim, double* out) {
@@ -108,7 +105,7 @@ double Bulk::reference_volume() const {
 }
 
 ElementStatus
-Bulk::run_element(Index element, const Trial& trial, bool forces_only, Scratch& scratch) {
+Bulk::add_element(Index element, const Trial& trial, System& system, Scratch& scratch) {
   const int dim = pattern_->dim;
   gather(trial.x_old, mesh_->cell(element), dim, scratch.x_old.data());
   gather(trial.x, mesh_->cell(element), dim, scratch.x.data());
@@ -121,20 +118,18 @@ Bulk::run_element(Index element, const Trial& trial, bool forces_only, Scratch& 
                         {trial.time - trial.time_old, temperatures_.empty()
                                                           ? std::span<const double>()
                                                           : temperatures().subspan(first, n)}};
-  ElementOutput out{scratch.force.data(), forces_only ? nullptr : scratch.tangent.data(),
+  BlockPlaces places;
+  if (!system.forces_only)
+    places = scatter_.places(*pattern_, element, system.tangent.values);
+  ElementOutput out{scratch.force.data(), system.forces_only ? nullptr : &places,
                     std::span(trial_states_).subspan(first, n), 0.0,
                     std::span(trial_shape_energies_).subspan(first, n)};
   const ElementStatus status = kernel_(material_, in, out);
   if (status != ElementStatus::good)
     return status;
   increments_[idx(element)] = out.largest_plastic_increment;
+  scatter_.add(dim, element, scratch.force.data(), system.residual);
   return status;
-}
-
-void Bulk::add_element(Index element, System& system, const Scratch& scratch) const {
-  scatter_.add(pattern_->dim, element, scratch.force.data(), system.residual);
-  if (!system.forces_only)
-    scatter_.add(*pattern_, element, scratch.tangent.data(), system.tangent.values);
 }
 
 Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
@@ -146,40 +141,19 @@ Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
   const auto& order = scatter_.order();
   const auto work = [&](const tbb::blocked_range<std::size_t>& range) {
     Scratch& mine = scratch.local();
-    for (std::size_t k = range.begin(); k < range.end(); ++k) {
-      constexpr std::size_t timed_one_in = 8;
-      const bool timed = k % timed_one_in == 0;
-      const double begun = timed ? seconds_now() : 0.0;
-      if (run_element(order[k], trial, system.forces_only, mine) != ElementStatus::good) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k)
+      if (add_element(order[k], trial, system, mine) != ElementStatus::good) {
         // The lowest number wins whatever the order in which threads meet bad elements.
         Index known = bad.load();
         while (order[k] < known && !bad.compare_exchange_weak(known, order[k])) {
         }
-        continue;
       }
-      const double between = timed ? seconds_now() : 0.0;
-      add_element(order[k], system, mine);
-      if (timed) {
-        mine.kernel_time += between - begun;
-        mine.scatter_time += seconds_now() - between;
-      }
-    }
   };
-  const double begun = seconds_now();
+  const Stopwatch timed(assembly_time_);
   const auto& start = scatter_.colour_start();
   for (std::size_t c = 0; c + 1 < start.size() && bad.load() == none; ++c)
     tbb::parallel_for(tbb::blocked_range<std::size_t>(idx(start[c]), idx(start[c + 1]), grain),
                       work);
-  double kernels = 0.0;
-  double scatters = 0.0;
-  for (const Scratch& each : scratch) {
-    kernels += each.kernel_time;
-    scatters += each.scatter_time;
-  }
-  const double spent = seconds_now() - begun;
-  const double share = scatters > 0.0 ? scatters / (kernels + scatters) : 0.0;
-  times_.scatter += share * spent;
-  times_.elements += (1.0 - share) * spent;
   if (bad.load() != none)
     return Failure{fmt::format("element {} is inverted or distorted beyond use", bad.load())};
   largest_plastic_increment_ = *std::max_element(increments_.begin(), increments_.end());

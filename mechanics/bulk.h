@@ -74,12 +74,8 @@ public:
   [[nodiscard]] ElementKind kind() const { return mesh_->kind; }
   /// Reference volumes, shape (n_elements, points) [mm^3].
   [[nodiscard]] std::span<const double> volumes() const { return volumes_; }
-  /// Time of all assemblies, and the share of it that went into adding to the system [s].
-  struct Times {
-    double elements = 0.0;
-    double scatter = 0.0;
-  };
-  [[nodiscard]] const Times& times() const { return times_; }
+  /// Time of all assemblies [s].
+  [[nodiscard]] double assembly_time() const { return assembly_time_; }
   /// Largest plastic strain increment of the last trial [-].
   [[nodiscard]] double largest_plastic_increment() const { return largest_plastic_increment_; }
   /// Plastic work of all commits [N mm].
@@ -112,9 +108,8 @@ private:
   struct Scratch;
   /// Volumes of the points, shape (n_elements, points) [mm^3].
   [[nodiscard]] std::vector<double> volumes_at(std::span<const double> x) const;
-  /// Forces and tangent of an element, in the scratch.
-  ElementStatus run_element(Index element, const Trial& trial, bool forces_only, Scratch& scratch);
-  void add_element(Index element, System& system, const Scratch& scratch) const;
+  /// Adds forces and tangent of an element, if it is good.
+  ElementStatus add_element(Index element, const Trial& trial, System& system, Scratch& scratch);
   [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x,
                                              std::span<const double> shape_energies) const;
   /// Of a point in the last assembled trial, per reference volume [MPa].
@@ -137,7 +132,7 @@ private:
   std::vector<double> increments_; ///< largest plastic increment of each element
   double largest_plastic_increment_ = 0.0;
   double plastic_work_ = 0.0;
-  Times times_;
+  double assembly_time_ = 0.0;
 };
 
 /// Positions of a group's nodes, gathered; shape (nodes, dim).

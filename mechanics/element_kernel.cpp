@@ -344,19 +344,19 @@ template <class Element, Analysis analysis> struct Kernel {
     }
   }
 
-  /// Writes the blocks, of which those below the diagonal follow by symmetry, node by node.
-  static void spread(const Blocks& blocks, double* tangent) {
-    Eigen::Map<Eigen::Matrix<double, size, size, Eigen::RowMajor>> K(tangent);
-    for (std::size_t block = 0; block < blocks.size(); ++block) {
-      const auto [i, j] = components[block];
-      for (int a = 0; a < nodes; ++a) {
-        const NodalRow& row = blocks[block][idx(a)];
-        for (int b = 0; b < nodes; ++b) {
-          K(a * dim + i, b * dim + j) = row[b];
-          K(b * dim + j, a * dim + i) = row[b];
+  /// Adds the blocks, of which those below the diagonal follow by symmetry, node by node.
+  static void add_to(const BlockPlaces& places, const Blocks& K) {
+    const Index* block = places.blocks;
+    for (int a = 0; a < nodes; ++a)
+      for (int b = 0; b < nodes; ++b) {
+        double* at = places.rows[idx(a)] + idx(*block++) * dim;
+        for (std::size_t k = 0; k < K.size(); ++k) {
+          const auto [i, j] = components[k];
+          at[idx(i) * places.apart[idx(a)] + idx(j)] += K[k][idx(a)][b];
+          if (i != j)
+            at[idx(j) * places.apart[idx(a)] + idx(i)] += K[k][idx(b)][a];
         }
       }
-    }
   }
 
   /// Kirchhoff stress of a point of a batch.
@@ -433,7 +433,7 @@ template <class Element, Analysis analysis> struct Kernel {
     if (out.tangent != nullptr) {
       if constexpr (Element::mean_dilatation)
         add_dyad(K, kappa * (1.0 - log_theta) / (theta * theta * V0), dilatation);
-      spread(K, out.tangent);
+      add_to(*out.tangent, K);
     }
     return ElementStatus::good;
   }

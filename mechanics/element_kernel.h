@@ -6,13 +6,14 @@
 // (variational mean dilatation, M.11-M.13), which keeps the tangent symmetric.
 //
 // Shapes   positions (nodes, dim) row by row; local vectors (nodes * dim); local matrices
-//          (nodes * dim, nodes * dim) row by row.
+//          go to the system's matrix block by block.
 
 #pragma once
 
 #include "mechanics/force_term.h"
 #include "mechanics/materials/j2_hencky.h"
 #include "mechanics/mesh.h"
+#include "mechanics/sparse_matrix.h"
 
 #include <span>
 
@@ -30,7 +31,7 @@ struct ElementInput {
 /// What an element gives; the arrays belong to the caller.
 struct ElementOutput {
   double* force = nullptr;              ///< internal forces, overwritten
-  double* tangent = nullptr;            ///< overwritten; null: not wanted
+  const BlockPlaces* tangent = nullptr; ///< where it is added; null: not wanted
   std::span<PointState> trial;          ///< trial states
   double largest_plastic_increment = 0; ///< over the points [-]
   std::span<double> shape_energies;     ///< elastic, of the trial states [MPa]; empty: not wanted

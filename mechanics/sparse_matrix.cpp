@@ -146,6 +146,19 @@ void Scatter::colour(Index n_nodes) {
   }
 }
 
+BlockPlaces
+Scatter::places(const BlockPattern& pattern, Index group, std::span<double> values) const {
+  BlockPlaces places;
+  places.blocks = offsets_.data() + at(group) * idx(size_);
+  for (std::size_t a = 0; a < idx(size_); ++a) {
+    const std::size_t row = idx(nodes(group)[a]) * idx(pattern.dim);
+    const Index first = pattern.row_start[row];
+    places.rows[a] = values.data() + first;
+    places.apart[a] = idx(pattern.row_start[row + 1] - first);
+  }
+  return places;
+}
+
 void Scatter::add(const BlockPattern& pattern,
                   Index group,
                   const double* local,

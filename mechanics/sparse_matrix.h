@@ -8,6 +8,7 @@
 
 #include "mechanics/mesh.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,6 +41,15 @@ struct EntryPart {
   double value;
 };
 
+/// Where the blocks of an element's tangent are added: for each of its nodes the first entry of the
+/// rows and how far they lie apart, and which block of them belongs to each node.
+struct BlockPlaces {
+  static constexpr std::size_t most_nodes = 20;
+  std::array<double*, most_nodes> rows;
+  std::array<std::size_t, most_nodes> apart;
+  const Index* blocks; ///< shape (nodes, nodes)
+};
+
 /// Where the blocks of equally large groups of nodes (elements or faces) go in the matrix, and an
 /// order in which groups of one colour share no node: sums come out the same to the bit for any
 /// number of threads.
@@ -60,6 +70,9 @@ public:
   [[nodiscard]] const std::vector<Index>& order() const { return order_; }
   [[nodiscard]] const std::vector<Index>& colour_start() const { return colour_start_; }
 
+  /// Where a group's blocks lie in `values`. @pre size() is at most BlockPlaces::most_nodes
+  [[nodiscard]] BlockPlaces
+  places(const BlockPattern& pattern, Index group, std::span<double> values) const;
   /// Adds a local matrix, shape (size * dim, size * dim) row by row, to `values`.
   void add(const BlockPattern& pattern,
            Index group,

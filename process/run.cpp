@@ -538,7 +538,7 @@ void Process::take_times() {
   const mechanics::SolverWork& work = newton_->solver_work();
   const double search = contact_ ? contact_->times().search : 0.0;
   const double contact = contact_ ? contact_->times().elements : 0.0;
-  const double elements = bulk_->times().elements;
+  const double elements = bulk_->assembly_time();
   times_.search = earlier_times_.search + search;
   times_.contact = earlier_times_.contact + contact;
   times_.elements = earlier_times_.elements + elements;

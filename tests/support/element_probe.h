@@ -84,15 +84,21 @@ public:
       : kernel_(mechanics::element_kernel(element.kind, element.analysis)),
         material_(std::move(material)), dt_(dt), x_(std::move(X)),
         states_(static_cast<std::size_t>(mechanics::points_per_element(element.kind))),
-        trial_(states_), volumes_(states_.size()), force_(size()), tangent_(size(), size()) {
+        trial_(states_), volumes_(states_.size()), force_(size()), tangent_(size(), size()),
+        nodes_(mechanics::nodes_per_element(element.kind)) {
     mechanics::point_volumes(element.kind, element.analysis, x_.data(), volumes_);
+    for (Index a = 0; a < nodes_; ++a)
+      for (Index b = 0; b < nodes_; ++b)
+        blocks_.push_back(b);
   }
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(x_.size()); }
 
   /// Evaluates forces, tangent and trial states at nodal positions.
   mechanics::ElementStatus evaluate(const std::vector<double>& x) {
-    mechanics::ElementOutput out{force_.data(), tangent_.data(), trial_, 0.0, {}};
+    tangent_.setZero();
+    const mechanics::BlockPlaces places = tangent_places();
+    mechanics::ElementOutput out{force_.data(), &places, trial_, 0.0, {}};
     const auto status = kernel_(material_, {x_.data(), x.data(), volumes_, states_, {dt_}}, out);
     plastic_increment_ = out.largest_plastic_increment;
     return status;
@@ -114,6 +120,16 @@ public:
   [[nodiscard]] double plastic_increment() const { return plastic_increment_; }
 
 private:
+  [[nodiscard]] mechanics::BlockPlaces tangent_places() {
+    mechanics::BlockPlaces places{};
+    for (Index a = 0; a < nodes_; ++a) {
+      places.rows[static_cast<std::size_t>(a)] = tangent_.data() + size() / nodes_ * a * size();
+      places.apart[static_cast<std::size_t>(a)] = x_.size();
+    }
+    places.blocks = blocks_.data();
+    return places;
+  }
+
   mechanics::ElementKernel kernel_;
   mechanics::Material material_;
   double dt_;
@@ -123,6 +139,8 @@ private:
   std::vector<double> volumes_;
   Eigen::VectorXd force_;
   Matrix tangent_;
+  Index nodes_;
+  std::vector<Index> blocks_; ///< for each node all, in their order
   double plastic_increment_ = 0.0;
 };
 
