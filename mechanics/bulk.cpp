@@ -21,13 +21,6 @@
 
 namespace billet::mechanics {
 
-namespace {
-
-/// Elements a task should have at least: below it the threads cost more than they save.
-constexpr std::size_t grain = 16;
-
-} // namespace
-
 /// Local arrays of one thread.
 struct Bulk::Scratch {
   std::vector<double> x_old;
@@ -139,21 +132,23 @@ Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
   const auto size = idx(scatter_.size() * pattern_->dim);
   tbb::enumerable_thread_specific<Scratch> scratch([size] { return Scratch(size); });
   const auto& order = scatter_.order();
+  const auto& pieces = scatter_.piece_start();
   const auto work = [&](const tbb::blocked_range<std::size_t>& range) {
     Scratch& mine = scratch.local();
-    for (std::size_t k = range.begin(); k < range.end(); ++k)
-      if (add_element(order[k], trial, system, mine) != ElementStatus::good) {
+    for (Index i = pieces[range.begin()]; i < pieces[range.end()]; ++i) {
+      const Index element = order[idx(i)];
+      if (add_element(element, trial, system, mine) != ElementStatus::good) {
         // The lowest number wins whatever the order in which threads meet bad elements.
         Index known = bad.load();
-        while (order[k] < known && !bad.compare_exchange_weak(known, order[k])) {
+        while (element < known && !bad.compare_exchange_weak(known, element)) {
         }
       }
+    }
   };
   const Stopwatch timed(assembly_time_);
   const auto& start = scatter_.colour_start();
   for (std::size_t c = 0; c + 1 < start.size() && bad.load() == none; ++c)
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(idx(start[c]), idx(start[c + 1]), grain),
-                      work);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(idx(start[c]), idx(start[c + 1])), work);
   if (bad.load() != none)
     return Failure{fmt::format("element {} is inverted or distorted beyond use", bad.load())};
   largest_plastic_increment_ = *std::max_element(increments_.begin(), increments_.end());

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <type_traits>
 #include <utility>
 
@@ -113,36 +114,88 @@ Scatter::Scatter(const BlockPattern& pattern, std::vector<Index> groups, int siz
     for (const Index a : nodes(g))
       for (const Index b : nodes(g))
         offsets_.push_back(pattern.offset(a, b));
-  colour(pattern.n_nodes());
+  colour(pattern.n_nodes(), pieces(pattern.n_nodes()));
 }
 
-void Scatter::colour(Index n_nodes) {
-  // Greedy: each group takes the first colour none of its nodes has yet. 64 colours suffice for
-  // any mesh met so far; groups beyond them go to colours of their own, one each.
-  constexpr int most = 64;
-  std::vector<std::uint64_t> used(idx(n_nodes), 0);
-  std::vector<std::vector<Index>> members(most);
-  for (Index g = 0; g < n_groups(); ++g) {
-    std::uint64_t taken = 0;
+/// Grown from neighbour to neighbour, each piece from where the one before stopped.
+std::vector<std::vector<Index>> Scatter::pieces(Index n_nodes) const {
+  // Large for what few rows they share, small enough for some threads to have several of a colour.
+  constexpr Index smallest = 4, largest = 64, usual_number = 64;
+  const auto enough = idx(std::clamp(n_groups() / usual_number, smallest, largest));
+  std::vector<std::vector<Index>> around(idx(n_nodes));
+  for (Index g = 0; g < n_groups(); ++g)
     for (const Index a : nodes(g))
-      taken |= used[idx(a)];
-    int c = 0;
+      around[idx(a)].push_back(g);
+  enum class State : char { unmet, waiting, taken };
+  std::vector<State> state(idx(n_groups()), State::unmet);
+  std::deque<Index> waiting; // neighbours of earlier pieces, some of them taken since
+  Index lowest = 0;
+  const auto seed = [&] {
+    while (!waiting.empty() && state[idx(waiting.front())] == State::taken)
+      waiting.pop_front();
+    if (!waiting.empty())
+      return waiting.front();
+    while (state[idx(lowest)] == State::taken)
+      ++lowest;
+    return lowest;
+  };
+  std::vector<std::vector<Index>> pieces;
+  for (std::size_t done = 0; done < state.size(); done += pieces.back().size()) {
+    std::vector<Index> piece{seed()};
+    state[idx(piece.front())] = State::taken;
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      for (const Index a : nodes(piece[k]))
+        for (const Index g : around[idx(a)]) {
+          State& of_neighbour = state[idx(g)];
+          if (of_neighbour == State::taken)
+            continue;
+          if (piece.size() < enough) {
+            of_neighbour = State::taken;
+            piece.push_back(g);
+          } else if (of_neighbour == State::unmet) {
+            of_neighbour = State::waiting;
+            waiting.push_back(g);
+          }
+        }
+    std::sort(piece.begin(), piece.end()); // as their states and nodes lie in memory
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+void Scatter::colour(Index n_nodes, const std::vector<std::vector<Index>>& pieces) {
+  // Greedy: each piece takes the first colour none of its nodes has yet. 64 colours suffice for
+  // any mesh met so far; pieces beyond them go to colours of their own, one each.
+  constexpr std::size_t most = 64;
+  std::vector<std::uint64_t> used(idx(n_nodes), 0);
+  std::vector<std::vector<std::size_t>> members(most);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    std::uint64_t taken = 0;
+    for (const Index g : pieces[p])
+      for (const Index a : nodes(g))
+        taken |= used[idx(a)];
+    std::size_t c = 0;
     while (c < most && ((taken >> c) & 1U) != 0)
       ++c;
     if (c == most) {
-      members.push_back({g});
+      members.push_back({p});
       continue;
     }
-    members[idx(c)].push_back(g);
-    for (const Index a : nodes(g))
-      used[idx(a)] |= std::uint64_t{1} << c;
+    members[c].push_back(p);
+    for (const Index g : pieces[p])
+      for (const Index a : nodes(g))
+        used[idx(a)] |= std::uint64_t{1} << c;
   }
+  piece_start_.push_back(0);
   colour_start_.push_back(0);
   for (const auto& list : members) {
     if (list.empty())
       continue;
-    order_.insert(order_.end(), list.begin(), list.end());
-    colour_start_.push_back(static_cast<Index>(order_.size()));
+    for (const std::size_t p : list) {
+      order_.insert(order_.end(), pieces[p].begin(), pieces[p].end());
+      piece_start_.push_back(static_cast<Index>(order_.size()));
+    }
+    colour_start_.push_back(static_cast<Index>(piece_start_.size()) - 1);
   }
 }
 

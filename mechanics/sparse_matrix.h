@@ -51,8 +51,8 @@ struct BlockPlaces {
 };
 
 /// Where the blocks of equally large groups of nodes (elements or faces) go in the matrix, and an
-/// order in which groups of one colour share no node: sums come out the same to the bit for any
-/// number of threads.
+/// order in pieces of neighbours, those of one colour without a common node: sums come out the same
+/// to the bit for any number of threads, and rows are added to while they are at hand.
 class Scatter {
 public:
   /// @param groups  shape (n_groups, size), node numbers
@@ -66,8 +66,10 @@ public:
   [[nodiscard]] std::span<const Index> nodes(Index group) const {
     return std::span(groups_).subspan(at(group), static_cast<std::size_t>(size_));
   }
-  /// Groups by colour: colour c holds order[colour_start[c] .. colour_start[c + 1]).
+  /// Groups by piece: piece p holds order[piece_start[p] .. piece_start[p + 1]).
   [[nodiscard]] const std::vector<Index>& order() const { return order_; }
+  [[nodiscard]] const std::vector<Index>& piece_start() const { return piece_start_; }
+  /// Pieces by colour: colour c holds those from colour_start[c] to colour_start[c + 1] - 1.
   [[nodiscard]] const std::vector<Index>& colour_start() const { return colour_start_; }
 
   /// Where a group's blocks lie in `values`. @pre size() is at most BlockPlaces::most_nodes
@@ -90,12 +92,14 @@ private:
   [[nodiscard]] std::size_t at(Index group) const {
     return static_cast<std::size_t>(group) * static_cast<std::size_t>(size_);
   }
-  void colour(Index n_nodes);
+  [[nodiscard]] std::vector<std::vector<Index>> pieces(Index n_nodes) const;
+  void colour(Index n_nodes, const std::vector<std::vector<Index>>& pieces);
 
   int size_ = 0;
   std::vector<Index> groups_;
   std::vector<Index> offsets_; ///< shape (n_groups, size, size)
   std::vector<Index> order_;
+  std::vector<Index> piece_start_;
   std::vector<Index> colour_start_;
 };
 

@@ -87,8 +87,8 @@ public:
         trial_(states_), volumes_(states_.size()), force_(size()), tangent_(size(), size()),
         nodes_(mechanics::nodes_per_element(element.kind)) {
     mechanics::point_volumes(element.kind, element.analysis, x_.data(), volumes_);
-    for (Index a = 0; a < nodes_; ++a)
-      for (Index b = 0; b < nodes_; ++b)
+    for (mechanics::Index a = 0; a < nodes_; ++a)
+      for (mechanics::Index b = 0; b < nodes_; ++b)
         blocks_.push_back(b);
   }
 
@@ -122,7 +122,7 @@ public:
 private:
   [[nodiscard]] mechanics::BlockPlaces tangent_places() {
     mechanics::BlockPlaces places{};
-    for (Index a = 0; a < nodes_; ++a) {
+    for (mechanics::Index a = 0; a < nodes_; ++a) {
       places.rows[static_cast<std::size_t>(a)] = tangent_.data() + size() / nodes_ * a * size();
       places.apart[static_cast<std::size_t>(a)] = x_.size();
     }
@@ -139,8 +139,8 @@ private:
   std::vector<double> volumes_;
   Eigen::VectorXd force_;
   Matrix tangent_;
-  Index nodes_;
-  std::vector<Index> blocks_; ///< for each node all, in their order
+  mechanics::Index nodes_;
+  std::vector<mechanics::Index> blocks_; ///< for each node all, in their order
   double plastic_increment_ = 0.0;
 };
 
