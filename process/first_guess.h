@@ -1,4 +1,4 @@
-// Where the next increment probably ends: what Newton's method begins with. (P.2)
+// Where the next increment probably ends: what Newton's method begins with. (P.2), (P.28)
 
 #pragma once
 
