@@ -45,12 +45,10 @@ constexpr double largest_correction = 1e-3;
 /// Relative residual that will do in a small problem, where a few iterations are all that a
 /// correction less than exact can save.
 ///
-/// @param entries     of the factor: in the smallest problems not even they cost anything
 /// @param correction  of the factorization's first solution
-double small_tolerance(const Demand& demand, double entries, double correction) {
-  constexpr double few = 3e4;
-  const double loosest = demand.early && entries > few ? 1e-4 : 1e-6;
-  return correction <= good_correction ? std::clamp(demand.tolerance, exact, loosest) : exact;
+double small_tolerance(double asked, double correction) {
+  constexpr double loosest = 1e-6;
+  return correction <= good_correction ? std::clamp(asked, exact, loosest) : exact;
 }
 
 } // namespace
@@ -362,8 +360,8 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         const Demand& demand,
                                                         Known known) {
   const bool small = most_solves(last_->cost()) == 0;
-  const double enough = small ? small_tolerance(demand, last_->cost().entries, correction_)
-                              : std::max(demand.tolerance, exact);
+  const double enough =
+      small ? small_tolerance(demand.tolerance, correction_) : std::max(demand.tolerance, exact);
   const GmresReport report = iterate(matrix, rhs, x, enough, most_iterations, known);
   if (!report.converged) {
     last_ = nullptr;

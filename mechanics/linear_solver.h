@@ -38,7 +38,6 @@ struct SolverSettings {
 struct Demand {
   double tolerance = 0.0; ///< relative residual that will do [-]; 0: as exact as can be
   bool far = false;       ///< the matrix may have little in common with the last one
-  bool early = false;     ///< the iteration that it is part of is not near its end
 };
 
 /// What the last solution did, for the log and the summary.

@@ -444,10 +444,9 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     const bool expected_last = settled_ && softening.slip == 1.0 && missing() == 0.0 &&
                                expected_residual(before, relative) <= settings_.tolerance;
     before = relative;
-    constexpr double early = 1e-3;
     // After an event - a contact that opens or closes, a line search - the tangent is another.
-    const auto solved = correct(
-        prescribed, x, Demand{forcing(relative, settings_.tolerance), !settled_, relative > early});
+    const auto solved =
+        correct(prescribed, x, Demand{forcing(relative, settings_.tolerance), !settled_});
     if (!solved)
       return solved.error();
     if (iteration > 1 && missing() == 0.0)

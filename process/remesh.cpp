@@ -223,11 +223,11 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
   for (const auto& from : remembered_)
     if (from->time < time_ && worst_quality(part.mesh, positions_in(*from)) > least)
       carried.begun.push_back(carry(*from));
-  if (guess_.known()) {
-    const std::vector<double>& step = guess_.step();
-    carried.guess = at_nodes(step);
+  if (!last_step_.empty()) {
+    carried.guess = at_nodes(last_step_);
     carried.guess.insert(carried.guess.end(),
-                         step.begin() + static_cast<std::ptrdiff_t>(x0_.size()), step.end());
+                         last_step_.begin() + static_cast<std::ptrdiff_t>(x0_.size()),
+                         last_step_.end());
   }
   carried.origins = at_nodes(x0_);
   carried.velocity = at_nodes(velocity_);
@@ -337,7 +337,7 @@ double Process::jump_from(std::span<const double> before) const {
 void Process::settle(const CarriedOver& carried,
                      std::span<const double> forces,
                      RemeshReport& report) {
-  const double dt = guess_.length();
+  const double dt = last_dt_;
   // On a long way, by a small radius above all, the mesh may end far from how it was made. In space
   // qualities are halved by less than that, and the force changes more after a shorter way.
   const bool plane = scene_.mesh.dimension() == 2;
@@ -345,7 +345,7 @@ void Process::settle(const CarriedOver& carried,
   const double least =
       of_made * worst_quality(scene_.mesh, std::span(carried.now.state.x).first(x0_.size()));
   const auto goes_through = [&](const CarriedState& from) {
-    guess_.begin_with({}, dt);
+    last_dt_ = dt;
     start_from(from, carried.sources, report);
     report.again = restore_balance(report) ? solve_again(carried.now.state) : 0;
     return report.again > 0;
@@ -372,7 +372,8 @@ void Process::settle(const CarriedOver& carried,
   if (report.balanced)
     return;
   start_from(carried.now, carried.sources, report);
-  guess_.begin_with(carried.guess, dt);
+  last_step_ = carried.guess;
+  last_dt_ = dt;
   const bool at_rest = increment_ == 0; // nothing has acted on the part yet
   report.balanced = at_rest || restore_balance(report);
 }
@@ -380,7 +381,7 @@ void Process::settle(const CarriedOver& carried,
 bool Process::restore_balance(RemeshReport& report) {
   // In next to no time rate laws neither flow nor relax.
   constexpr double share_of_increment = 1e-6;
-  const double dt = share_of_increment * guess_.length();
+  const double dt = share_of_increment * last_dt_;
   trial_x_ = x_;
   if (contact_)
     contact_->restart();
@@ -402,11 +403,11 @@ int Process::solve_again(const RunState& end) {
   const double length = end.time - time_;
   constexpr double shortest = 1.0 / 1024.0; // of that
   const double longest = std::min(longest_, length);
-  IncrementControl control({std::min(guess_.length(), longest), shortest * length, longest});
-  std::vector<double> way = end.x;
+  IncrementControl control({std::min(last_dt_, longest), shortest * length, longest});
+  last_step_ = end.x;
   for (std::size_t i = 0; i < x_.size(); ++i)
-    way[i] -= x_[i];
-  guess_.begin_with(std::move(way), length);
+    last_step_[i] -= x_[i];
+  last_dt_ = length;
   const int iterations = last_iterations_;
   int solved = 0, failures = 0;
   while (time_ < end.time && !control.exhausted()) {

@@ -48,7 +48,7 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 } // namespace
 
 void Process::start_stage(const Stage& stage) {
-  guess_.forget();
+  last_step_.clear();
   remembered_.clear();
   if (grounding_ && grounding_->share() > 1.0)
     grounding_->set_share(1.0); // it held what forces that faded could turn over
@@ -121,8 +121,11 @@ bool Process::touched() const {
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
   trial_x_ = x_;
-  if (guess_.known() && approach != mechanics::Approach::gently)
-    guess_.go_on(dt, trial_x_);
+  if (!last_step_.empty() && approach != mechanics::Approach::gently) {
+    const double factor = dt / last_dt_;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      trial_x_[i] += factor * last_step_[i];
+  }
   if (passes_through(dt, why))
     return false;
   if (contact_)
@@ -299,9 +302,13 @@ void Process::commit(double dt) {
   }
   for (const Index i : prescribed(time_ + dt).unknowns)
     reactions_[idx(i)] = newton_->residual()[idx(i)];
-  guess_.note(x_, trial_x_, dt);
-  for (std::size_t i = 0; i < velocity_.size(); ++i)
-    velocity_[i] = guess_.step()[i] / dt;
+  last_step_.resize(x_.size());
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    last_step_[i] = trial_x_[i] - x_[i];
+    if (i < velocity_.size())
+      velocity_[i] = last_step_[i] / dt;
+  }
+  last_dt_ = dt;
   x_ = trial_x_;
   time_ += dt;
   note_largest_force(of_grounding);
@@ -493,9 +500,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     tried.push_back(fmt::format("dt = {:.4g}: {}", step, why));
     // The last step remains the better guess for a shorter one, but for a start that fails again.
     constexpr int tries_with_last_step = 3;
-    guess_.straighten();
     if (failures >= tries_with_last_step)
-      guess_.forget();
+      last_step_.clear();
     refusals += refused_as_too_deep_ ? 1 : 0;
     turned_inside_out_ += refused_inside_out_ ? 1 : 0;
     control.failed(step);

@@ -15,7 +15,6 @@
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
-#include "process/first_guess.h"
 #include "process/lap.h"
 #include "process/part_boundary.h"
 #include "process/scene.h"
@@ -539,7 +538,8 @@ private:
   std::vector<double> trial_x_;
   /// Where a new mesh may begin, the earliest first.
   std::vector<std::unique_ptr<const RunState>> remembered_;
-  FirstGuess guess_; ///< of the next increment
+  std::vector<double> last_step_; ///< x_new - x_old of the last increment; empty: none
+  double last_dt_ = 0.0;
   double longest_ = 0.0; ///< increment of the present stage [s]
   std::vector<double> velocity_;
   std::vector<double> plastic_rate_;

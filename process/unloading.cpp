@@ -88,7 +88,7 @@ void Process::release_tools(double next_time, double gone_time) {
                                                 TimeFunction({{time_, 1.0}, {gone_time, 0.0}})));
     terms_.push_back(fading_.back().get());
     fading_until_ = gone_time;
-    guess_.forget();
+    last_step_.clear();
     remembered_.clear();
   }
 }

@@ -24,7 +24,7 @@ double Process::up_to_touch(double step) {
   // where points part miss in one direction. In space points come down in any order, new meshes
   // come where a tool touches anyhow, and where driven tools will be is not known.
   constexpr int lately = 10;
-  if (!contact_ || !guess_.known() || contact_->since_parting() < lately ||
+  if (!contact_ || last_step_.empty() || contact_->since_parting() < lately ||
       scene_.mesh.dimension() == 3 || scene_.remesh || x_.size() > x0_.size())
     return step;
   const std::vector<double> x = foretold(step);
