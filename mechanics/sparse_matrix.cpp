@@ -201,6 +201,7 @@ void Scatter::colour(Index n_nodes, const std::vector<std::vector<Index>>& piece
 
 BlockPlaces
 Scatter::places(const BlockPattern& pattern, Index group, std::span<double> values) const {
+  assert(idx(size_) <= BlockPlaces::most_nodes);
   BlockPlaces places;
   places.blocks = offsets_.data() + at(group) * idx(size_);
   for (std::size_t a = 0; a < idx(size_); ++a) {

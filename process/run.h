@@ -169,7 +169,7 @@ struct PhaseTimes {
   double elements = 0.0;      ///< forces and tangents of the workpiece's elements
   double search = 0.0;        ///< contact search
   double contact = 0.0;       ///< laws of the interface, contact elements
-  double assembly = 0.0;      ///< adding up the system, norms, other terms
+  double assembly = 0.0;      ///< clearing the system, norms, other terms
   double analysis = 0.0;      ///< order of the unknowns, symbolic factorization
   double factorization = 0.0; ///< numerical
   double solve = 0.0;         ///< substitutions, iterations around them, constraints
