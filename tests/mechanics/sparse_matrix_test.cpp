@@ -145,7 +145,8 @@ TEST(Scatter, adds_blocks_and_vectors_where_they_belong) {
     for (int i = 0; i < 16; ++i) {
       w[unknown(i)] += local[static_cast<std::size_t>(i)];
       for (int j = 0; j < 16; ++j)
-        D(unknown(i), unknown(j)) += block[static_cast<std::size_t>(i * 16 + j)];
+        D(unknown(i), unknown(j)) +=
+            block[static_cast<std::size_t>(i) * 16 + static_cast<std::size_t>(j)];
     }
   }
   EXPECT_EQ(dense(A), D);
