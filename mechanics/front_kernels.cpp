@@ -1,21 +1,15 @@
 #include "mechanics/front_kernels.h"
 
+#include "mechanics/front_vector.h"
+
 #include <cblas.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace billet::mechanics {
 
 namespace {
-
-using Vector [[gnu::vector_size(front_lanes * sizeof(float))]] = float;
-
-// By reference: what returns a vector is called otherwise where the processor has none so long.
-void load(const float* from, Vector& v) { std::memcpy(&v, from, sizeof v); }
-
-void store(const Vector& v, float* to) { std::memcpy(to, &v, sizeof v); }
 
 /// First row of the vector that holds a row.
 constexpr std::size_t aligned(std::size_t row) { return row / front_lanes * front_lanes; }
@@ -39,14 +33,14 @@ void subtract_block(const float* l,
                     const float* w,
                     std::size_t depth,
                     Columns c) {
-  Vector sum[vectors][columns] = {};
+  FrontVector sum[vectors][columns] = {};
   if constexpr (into == Into::present)
     for (std::size_t v = 0; v < vectors; ++v)
       for (std::size_t q = 0; q < columns; ++q)
         load(c.at(v * front_lanes, q), sum[v][q]);
   for (std::size_t p = 0; p < depth; ++p)
     for (std::size_t v = 0; v < vectors; ++v) {
-      Vector rows;
+      FrontVector rows;
       load(l + p * l_step + v * front_lanes, rows);
       for (std::size_t q = 0; q < columns; ++q)
         sum[v][q] -= rows * w[p * columns + q];
@@ -156,30 +150,6 @@ bool eliminate_few(Columns a,
   return true;
 }
 
-/// sums(q) = sum of column(i, q) x(i) over the rows from `first` on, whole vectors.
-template <std::size_t columns>
-void add_columns(const float* column,
-                 std::size_t step,
-                 std::size_t first,
-                 const float* x,
-                 float* sums) {
-  Vector sum[columns] = {};
-  for (std::size_t i = first; i < step; i += front_lanes) {
-    Vector known;
-    load(x + i, known);
-    for (std::size_t q = 0; q < columns; ++q) {
-      Vector values;
-      load(column + q * step + i, values);
-      sum[q] += values * known;
-    }
-  }
-  for (std::size_t q = 0; q < columns; ++q) {
-    sums[q] = 0.0F;
-    for (std::size_t v = 0; v < front_lanes; ++v)
-      sums[q] += sum[q][v];
-  }
-}
-
 } // namespace
 
 bool eliminate(const Panel& panel,
@@ -229,88 +199,6 @@ void form_complement(const Panel& panel, const float* signs, float* complement, 
                         rows,
                         {complement, padded(rows)}},
                        work);
-}
-
-void invert_diagonal(const Panel& panel, const float* inverses, DiagonalInverse* diagonal) {
-  static constexpr std::array<float, front_lanes* front_lanes> identity = [] {
-    std::array<float, front_lanes * front_lanes> one{};
-    for (std::size_t i = 0; i < front_lanes; ++i)
-      one[i * front_lanes + i] = 1.0F;
-    return one;
-  }();
-  const std::size_t step = padded(panel.rows);
-  for (std::size_t first = 0; first < panel.columns; first += front_lanes, ++diagonal) {
-    const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    const std::size_t rows = std::min(front_lanes, panel.rows - first);
-    const float* values = panel.values + first * step + first;
-    std::array<Vector, front_lanes> row; // beyond the panel's columns and rows those of one
-    for (std::size_t i = 0; i < front_lanes; ++i) {
-      load(identity.data() + i * front_lanes, row[i]); // what is set number by number is waited for
-      if (i < rows)
-        for (std::size_t k = 0; k < std::min(i, columns); ++k)
-          row[i] -= values[k * step + i] * row[k];
-      if (i < columns)
-        row[i] *= inverses[first + i];
-      store(row[i], diagonal->rows.data() + i * front_lanes);
-    }
-    for (std::size_t i = 0; i < front_lanes; ++i)
-      for (std::size_t j = 0; j < front_lanes; ++j)
-        diagonal->columns[j * front_lanes + i] = row[i][j];
-  }
-}
-
-namespace {
-
-/// sum of x(i) times line i.
-void combine(const std::array<float, front_lanes * front_lanes>& lines, float* x) {
-  constexpr std::size_t sums = 2; // that do not wait for each other
-  std::array<Vector, sums> sum{};
-  for (std::size_t i = 0; i < front_lanes; ++i) {
-    Vector line;
-    load(lines.data() + i * front_lanes, line);
-    sum[i % sums] += x[i] * line;
-  }
-  store(sum[0] + sum[1], x);
-}
-
-} // namespace
-
-void substitute_forward(const Panel& panel, const DiagonalInverse* diagonal, float* x) {
-  const std::size_t step = padded(panel.rows);
-  for (std::size_t first = 0; first < panel.columns; first += front_lanes) {
-    const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    const float* values = panel.values + first * step;
-    combine(diagonal[first / front_lanes].columns, x + first);
-    for (std::size_t i = first + front_lanes; i < step; i += front_lanes) {
-      Vector sum;
-      load(x + i, sum);
-      for (std::size_t j = 0; j < columns; ++j) {
-        Vector column;
-        load(values + j * step + i, column);
-        sum -= x[first + j] * column;
-      }
-      store(sum, x + i);
-    }
-  }
-}
-
-void substitute_backward(const Panel& panel, const DiagonalInverse* diagonal, float* x) {
-  constexpr std::size_t together = 4;
-  const std::size_t step = padded(panel.rows);
-  for (std::size_t end = padded(panel.columns); end > 0; end -= front_lanes) {
-    const std::size_t first = end - front_lanes;
-    const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    const float* values = panel.values + first * step;
-    std::array<float, front_lanes> sums{};
-    std::size_t j = 0;
-    for (; j + together <= columns; j += together)
-      add_columns<together>(values + j * step, step, end, x, sums.data() + j);
-    for (; j < columns; ++j)
-      add_columns<1>(values + j * step, step, end, x, sums.data() + j);
-    for (j = 0; j < columns; ++j)
-      x[first + j] -= sums[j];
-    combine(diagonal[first / front_lanes].rows, x + first);
-  }
 }
 
 } // namespace billet::mechanics

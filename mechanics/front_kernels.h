@@ -12,7 +12,6 @@
 
 #include "geometry/base/index.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -53,35 +52,5 @@ eliminate(const Panel& panel, const float* least, float* inverses, float* signs,
 /// @param signs       of the panel
 /// @param complement  out: lower triangle by columns, each padded(rows - columns) apart
 void form_complement(const Panel& panel, const float* signs, float* complement, FrontWork& work);
-
-/// Inverse of the triangle that as many columns as a vector holds have on the diagonal, with the
-/// rows beside it that fill its last vector: substitutions need products then, where each unknown
-/// would wait for the one before. By columns and by rows.
-struct DiagonalInverse {
-  std::array<float, front_lanes * front_lanes> columns;
-  std::array<float, front_lanes * front_lanes> rows;
-};
-
-/// Triangles on the diagonal of a panel.
-constexpr std::size_t diagonal_triangles(const Panel& panel) {
-  return padded(panel.columns) / front_lanes;
-}
-
-/// Inverts the triangles of an eliminated panel.
-///
-/// @param inverses  of L's diagonal
-/// @param diagonal  out, shape (diagonal_triangles(panel))
-void invert_diagonal(const Panel& panel, const float* inverses, DiagonalInverse* diagonal);
-
-/// Solves for the unknowns of a panel and takes them from the equations below.
-///
-/// @param x  shape (padded(rows)): right-hand side, overwritten with the solution in its first part
-void substitute_forward(const Panel& panel, const DiagonalInverse* diagonal, float* x);
-
-/// Solves for the unknowns of a panel when those below are known, with the transpose.
-///
-/// @param x  shape (padded(rows)): right-hand side and, below, what is known; its first part is
-///           overwritten with the solution
-void substitute_backward(const Panel& panel, const DiagonalInverse* diagonal, float* x);
 
 } // namespace billet::mechanics

@@ -1,6 +1,7 @@
 #include "mechanics/elimination.h"
 #include "mechanics/front_kernels.h"
 #include "mechanics/linear_solver.h"
+#include "mechanics/packed_panel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +53,9 @@ public:
   [[nodiscard]] bool factorize(const SparseMatrix& matrix) override;
   void solve(std::span<double> rhs) override;
   void release() override {
-    free_memory(values_);
+    free_memory(panel_);
     free_memory(diagonal_);
+    free_memory(below_);
     free_memory(stack_);
   }
   [[nodiscard]] FactorCost cost() const override {
@@ -63,7 +65,12 @@ public:
 private:
   [[nodiscard]] Panel panel(std::size_t f) {
     const Front& front = elimination_->fronts()[f];
-    return {values_.data() + panel_start_[f], idx(front.rows + front.columns), idx(front.columns)};
+    return {panel_.data(), idx(front.rows + front.columns), idx(front.columns)};
+  }
+  [[nodiscard]] PackedPanel packed(std::size_t f) {
+    const Front& front = elimination_->fronts()[f];
+    return {idx(front.rows + front.columns), idx(front.columns),
+            diagonal_.data() + triangle_start_[f], below_.data() + below_start_[f]};
   }
   void find_places();
   void find_rows();
@@ -88,9 +95,10 @@ private:
   void backward();
 
   std::shared_ptr<const Elimination> elimination_;
-  std::vector<std::size_t> panel_start_;    ///< where a front's values begin
-  std::vector<std::size_t> triangle_start_; ///< likewise its inverses
-  std::vector<std::size_t> places_;         ///< of the triangle's entries among the values
+  std::size_t panel_size_ = 0;              ///< of the largest
+  std::vector<std::size_t> triangle_start_; ///< where a front's inverses begin
+  std::vector<std::size_t> below_start_;    ///< likewise what is below them
+  std::vector<std::size_t> places_;         ///< of the triangle's entries in their front's panel
   std::vector<Rows> rows_;                  ///< of all fronts
   std::vector<std::size_t> rows_start_;     ///< shape (fronts + 1)
   std::vector<std::uint32_t> in_parent_;    ///< of each row of all fronts, the parent's
@@ -98,8 +106,9 @@ private:
   std::vector<std::vector<std::size_t>> children_;
   std::vector<std::size_t> stack_place_; ///< where a front's complement waits
   std::size_t stack_size_ = 0;
-  std::vector<float> values_;
+  std::vector<float> panel_; ///< of the front at hand
   std::vector<DiagonalInverse> diagonal_;
+  std::vector<float> below_;
   std::vector<float> inverses_; ///< of the factor's diagonal
   std::vector<float> signs_;
   std::vector<float> least_; ///< pivot by unknown
@@ -124,15 +133,15 @@ SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elim
 
 void SingleFactorization::find_places() {
   const OrderedTriangle& triangle = elimination_->triangle();
-  std::size_t values = 0;
   std::size_t triangles = 0;
+  std::size_t below = 0;
   std::size_t most_rows = 0;
   places_.resize(triangle.rows.size());
   std::vector<std::size_t> local(elimination_->order().size());
   for (const Front& front : elimination_->fronts()) {
-    const std::span<const Index> below = elimination_->rows(front);
-    for (std::size_t i = 0; i < below.size(); ++i)
-      local[idx(below[i])] = idx(front.columns) + i;
+    const std::span<const Index> rows = elimination_->rows(front);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      local[idx(rows[i])] = idx(front.columns) + i;
     const std::size_t step = padded(idx(front.columns + front.rows));
     for (Index j = front.first; j < front.first + front.columns; ++j) {
       local[idx(j)] = idx(j - front.first);
@@ -140,17 +149,18 @@ void SingleFactorization::find_places() {
         const Index row = triangle.rows[idx(k)];
         const std::size_t at =
             row < front.first + front.columns ? idx(row - front.first) : local[idx(row)];
-        places_[idx(k)] = values + idx(j - front.first) * step + at;
+        places_[idx(k)] = idx(j - front.first) * step + at;
       }
     }
-    panel_start_.push_back(values);
     triangle_start_.push_back(triangles);
-    triangles += diagonal_triangles({nullptr, idx(front.rows + front.columns), idx(front.columns)});
-    values += step * idx(front.columns);
+    below_start_.push_back(below);
+    triangles += diagonal_triangles(idx(front.columns));
+    below += packed_size(idx(front.rows + front.columns), idx(front.columns));
+    panel_size_ = std::max(panel_size_, step * idx(front.columns));
     most_rows = std::max(most_rows, step);
   }
-  panel_start_.push_back(values);
   triangle_start_.push_back(triangles);
+  below_start_.push_back(below);
   local_.resize(most_rows);
 }
 
@@ -233,11 +243,10 @@ void SingleFactorization::find_scale(const SparseMatrix& matrix) {
 void SingleFactorization::assemble(std::size_t f, const SparseMatrix& matrix) {
   const OrderedTriangle& triangle = elimination_->triangle();
   const Front& front = elimination_->fronts()[f];
-  std::fill(values_.begin() + static_cast<std::ptrdiff_t>(panel_start_[f]),
-            values_.begin() + static_cast<std::ptrdiff_t>(panel_start_[f + 1]), 0.0F);
+  std::fill_n(panel_.begin(), padded(idx(front.rows + front.columns)) * idx(front.columns), 0.0F);
   const std::size_t last = idx(triangle.start[idx(front.first + front.columns)]);
   for (std::size_t k = idx(triangle.start[idx(front.first)]); k < last; ++k)
-    values_[places_[k]] = static_cast<float>(scale_ * matrix.values[idx(triangle.entries[k])]);
+    panel_[places_[k]] = static_cast<float>(scale_ * matrix.values[idx(triangle.entries[k])]);
 }
 
 void SingleFactorization::add_columns(std::size_t child,
@@ -282,8 +291,9 @@ void SingleFactorization::add_to_complement(std::size_t child,
 }
 
 bool SingleFactorization::factorize(const SparseMatrix& matrix) {
-  values_.resize(panel_start_.back() + front_lanes); // products read a vector beyond the last row
+  panel_.resize(panel_size_ + front_lanes); // products read a vector beyond the last row
   diagonal_.resize(triangle_start_.back());
+  below_.resize(below_start_.back());
   stack_.resize(stack_size_);
   find_scale(matrix);
   std::size_t top = 0;
@@ -296,7 +306,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
     float* signs = signs_.data() + front.first;
     if (!eliminate(own, least_.data() + front.first, inverses_.data() + front.first, signs, work_))
       return false;
-    invert_diagonal(own, inverses_.data() + front.first, diagonal_.data() + triangle_start_[f]);
+    pack(own, inverses_.data() + front.first, packed(f));
     const std::size_t size = padded(idx(front.rows)) * idx(front.rows);
     if (size > 0) {
       float* complement = stack_.data() + top;
@@ -314,11 +324,11 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
 void SingleFactorization::forward() {
   for (std::size_t f = 0; f < children_.size(); ++f) {
     const Front& front = elimination_->fronts()[f];
-    const Panel own = panel(f);
+    const PackedPanel own = packed(f);
     float* local = local_.data();
     std::copy_n(x_.data() + front.first, own.columns, local);
     std::fill(local + own.columns, local + padded(own.rows), 0.0F);
-    substitute_forward(own, diagonal_.data() + triangle_start_[f], local);
+    substitute_forward(own, local);
     std::copy_n(local, own.columns, x_.data() + front.first);
     local += own.columns;
     for (const Index row : elimination_->rows(front))
@@ -329,12 +339,12 @@ void SingleFactorization::forward() {
 void SingleFactorization::backward() {
   for (std::size_t f = children_.size(); f-- > 0;) {
     const Front& front = elimination_->fronts()[f];
-    const Panel own = panel(f);
+    const PackedPanel own = packed(f);
     float* local = std::copy_n(x_.data() + front.first, own.columns, local_.data());
     for (const Index row : elimination_->rows(front))
       *local++ = x_[idx(row)];
     std::fill(local, local_.data() + padded(own.rows), 0.0F);
-    substitute_backward(own, diagonal_.data() + triangle_start_[f], local_.data());
+    substitute_backward(own, local_.data());
     std::copy_n(local_.data(), own.columns, x_.data() + front.first);
   }
 }

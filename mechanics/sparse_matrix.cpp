@@ -58,18 +58,28 @@ void add_rows(std::size_t size,
   }
 }
 
+/// Asks for the numbers that are read next: rows side by side are streams too short for the
+/// processor to foresee.
+template <std::size_t count> void fetch(const double* next) {
+  constexpr std::size_t line = 8; // numbers
+  for (std::size_t i = 0; i < count; i += line)
+    __builtin_prefetch(next + i);
+}
+
 /// y = A x, the rows of a node side by side: their columns are the same.
 template <std::size_t dim>
 void multiply_blocks(const BlockPattern& pattern,
                      const double* values,
                      const double* x,
                      double* y) {
+  constexpr std::size_t ahead = 512; // numbers, 4 kB: half and twice of it are as good
   for (std::size_t a = 0; a < idx(pattern.n_nodes()); ++a) {
     const Index first = pattern.neighbour_start[a];
     const std::size_t n = idx(pattern.neighbour_start[a + 1] - first);
     const double* row = values + pattern.row_start[a * dim];
     std::array<double, dim> sum{};
     for (std::size_t b = 0; b < n; ++b) {
+      fetch<dim * dim>(row + b * dim * dim + ahead);
       const double* at = x + idx(pattern.neighbours[idx(first) + b]) * dim;
       for (std::size_t i = 0; i < dim; ++i)
         for (std::size_t j = 0; j < dim; ++j)

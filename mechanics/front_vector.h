@@ -1,0 +1,18 @@
+// A vector of the processor, of numbers in single precision.
+
+#pragma once
+
+#include "mechanics/front_kernels.h"
+
+#include <cstring>
+
+namespace billet::mechanics {
+
+using FrontVector [[gnu::vector_size(front_lanes * sizeof(float))]] = float;
+
+// By reference: what returns a vector is called otherwise where the processor has none so long.
+inline void load(const float* from, FrontVector& v) { std::memcpy(&v, from, sizeof v); }
+
+inline void store(const FrontVector& v, float* to) { std::memcpy(to, &v, sizeof v); }
+
+} // namespace billet::mechanics
