@@ -51,6 +51,21 @@ void combine(const std::array<float, front_lanes * front_lanes>& lines, float* x
   store(sum[0] + sum[1], x);
 }
 
+/// The sum of each vector's numbers, side by side.
+[[gnu::always_inline]] inline FrontVector totals(const std::array<FrontVector, front_lanes>& v) {
+  static_assert(front_lanes == 8);
+  std::array<FrontVector, 4> pairs;
+  for (std::size_t k = 0; k < 4; ++k)
+    pairs[k] = __builtin_shufflevector(v[2 * k], v[2 * k + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
+               __builtin_shufflevector(v[2 * k], v[2 * k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  std::array<FrontVector, 2> fours;
+  for (std::size_t k = 0; k < 2; ++k)
+    fours[k] = __builtin_shufflevector(pairs[2 * k], pairs[2 * k + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
+               __builtin_shufflevector(pairs[2 * k], pairs[2 * k + 1], 2, 3, 10, 11, 6, 7, 14, 15);
+  return __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+         __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
 /// Calls `visit` with a number of columns, 1 to front_lanes, as a constant.
 template <std::size_t most = front_lanes, class Visit>
 void visit_columns(std::size_t columns, Visit visit) {
@@ -84,7 +99,7 @@ void take_columns(const float* values, std::size_t blocks, const float* x, float
 /// Takes from x(0), x(1), … the columns times what is known below, from the last row on.
 template <std::size_t columns>
 void take_rows(const float* values, std::size_t blocks, const float* below, float* x) {
-  std::array<FrontVector, columns> sum{};
+  std::array<FrontVector, front_lanes> sum{};
   values += blocks * columns * front_lanes;
   for (std::size_t b = blocks; b-- > 0;) {
     FrontVector known;
@@ -96,12 +111,9 @@ void take_rows(const float* values, std::size_t blocks, const float* below, floa
       sum[j] += column * known;
     }
   }
-  for (std::size_t j = 0; j < columns; ++j) {
-    float total = 0.0F;
-    for (std::size_t v = 0; v < front_lanes; ++v)
-      total += sum[j][v];
-    x[j] -= total;
-  }
+  FrontVector all;
+  load(x, all);
+  store(all - totals(sum), x);
 }
 
 } // namespace

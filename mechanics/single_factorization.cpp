@@ -3,6 +3,8 @@
 #include "mechanics/linear_solver.h"
 #include "mechanics/packed_panel.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -350,21 +352,25 @@ void SingleFactorization::backward() {
 }
 
 void SingleFactorization::solve(std::span<double> rhs) {
-  double most = 0.0;
-  for (const double value : rhs)
-    most = std::max(most, std::abs(value));
+  const double most =
+      Eigen::Map<const Eigen::ArrayXd>(rhs.data(), static_cast<Eigen::Index>(rhs.size()))
+          .abs()
+          .maxCoeff();
   if (most == 0.0)
     return;
-  // Of size one, so that it has all its digits in single precision whatever the units.
+  // About one, so that it has all its digits in single precision whatever the units.
+  constexpr int smallest = -1000; // whose inverse is a number as well
+  const double size = std::ldexp(1.0, std::max(std::ilogb(most), smallest));
+  const double to_one = 1.0 / size, back = scale_ * size;
   const std::span<const Index> order = elimination_->order();
   for (std::size_t i = 0; i < x_.size(); ++i)
-    x_[i] = static_cast<float>(rhs[idx(order[i])] / most);
+    x_[i] = static_cast<float>(to_one * rhs[idx(order[i])]);
   forward();
   for (std::size_t i = 0; i < x_.size(); ++i)
     x_[i] *= signs_[i];
   backward();
   for (std::size_t i = 0; i < x_.size(); ++i)
-    rhs[idx(order[i])] = scale_ * most * static_cast<double>(x_[i]);
+    rhs[idx(order[i])] = back * static_cast<double>(x_[i]);
 }
 
 } // namespace

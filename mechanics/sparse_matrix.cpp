@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -77,15 +78,16 @@ void multiply_blocks(const BlockPattern& pattern,
     const Index first = pattern.neighbour_start[a];
     const std::size_t n = idx(pattern.neighbour_start[a + 1] - first);
     const double* row = values + pattern.row_start[a * dim];
-    std::array<double, dim> sum{};
+    std::array<std::array<double, dim>, dim> sums{}; // by row and column: none waits for another
     for (std::size_t b = 0; b < n; ++b) {
       fetch<dim * dim>(row + b * dim * dim + ahead);
       const double* at = x + idx(pattern.neighbours[idx(first) + b]) * dim;
       for (std::size_t i = 0; i < dim; ++i)
         for (std::size_t j = 0; j < dim; ++j)
-          sum[i] += row[(i * n + b) * dim + j] * at[j];
+          sums[i][j] += row[(i * n + b) * dim + j] * at[j];
     }
-    std::copy(sum.begin(), sum.end(), y + a * dim);
+    for (std::size_t i = 0; i < dim; ++i)
+      y[a * dim + i] = std::accumulate(sums[i].begin(), sums[i].end(), 0.0);
   }
 }
 
