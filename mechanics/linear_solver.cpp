@@ -23,7 +23,7 @@ double norm(std::span<const double> v) {
 /// that of memory.
 int most_solves(const FactorCost& cost) {
   constexpr double per_entry = 5.0;
-  constexpr double flops_per_entry = 35.0;
+  constexpr double flops_per_entry = 50.0;
   constexpr double fewest = 8.0;
   constexpr double most = 40.0; // the directions are all kept
   const double intensity = cost.entries > 0.0 ? cost.flops / cost.entries : 0.0;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -76,7 +77,7 @@ private:
   }
   void find_places();
   void find_rows();
-  void measure_stack();
+  void measure_stacks();
   void find_scale(const SparseMatrix& matrix);
   void assemble(std::size_t f, const SparseMatrix& matrix);
   /// Adds columns of a child's complement to columns of its parent.
@@ -130,7 +131,7 @@ SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elim
   x_.resize(n);
   find_places();
   find_rows();
-  measure_stack();
+  measure_stacks();
 }
 
 void SingleFactorization::find_places() {
@@ -211,18 +212,27 @@ void SingleFactorization::find_rows() {
   rows_start_.push_back(rows_.size());
 }
 
-/// A complement is formed above those of its front's children, then takes their place.
-void SingleFactorization::measure_stack() {
+/// Fronts an even and an odd number of generations below their root have a stack each: a complement
+/// is formed in one while those of its front's children lie in the other.
+void SingleFactorization::measure_stacks() {
   const std::span<const Front> fronts = elimination_->fronts();
-  std::size_t top = 0;
+  std::vector<char> odd(fronts.size());
+  for (std::size_t f = fronts.size(); f-- > 0;)
+    odd[f] = fronts[f].parent >= 0 && odd[idx(fronts[f].parent)] == 0 ? 1 : 0;
+  std::array<std::size_t, 2> top{};
+  std::array<std::size_t, 2> size{};
   for (std::size_t f = 0; f < fronts.size(); ++f) {
-    const std::size_t rows = idx(fronts[f].rows);
-    const std::size_t size = padded(rows) * rows;
-    stack_size_ = std::max(stack_size_, top + size);
-    const std::size_t place = children_[f].empty() ? top : stack_place_[children_[f].front()];
-    stack_place_.push_back(place);
-    top = place + size;
+    const std::size_t own = idx(odd[f]), other = 1 - own;
+    stack_place_.push_back(top[own]);
+    top[own] += padded(idx(fronts[f].rows)) * idx(fronts[f].rows);
+    size[own] = std::max(size[own], top[own]);
+    if (!children_[f].empty())
+      top[other] = stack_place_[children_[f].front()];
   }
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+    if (odd[f] != 0)
+      stack_place_[f] += size[0];
+  stack_size_ = size[0] + size[1];
 }
 
 /// A power of two that brings the largest pivot to about one, whatever the units.
@@ -298,7 +308,6 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
   below_.resize(below_start_.back());
   stack_.resize(stack_size_);
   find_scale(matrix);
-  std::size_t top = 0;
   for (std::size_t f = 0; f < children_.size(); ++f) {
     const Front& front = elimination_->fronts()[f];
     const Panel own = panel(f);
@@ -309,16 +318,12 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
     if (!eliminate(own, least_.data() + front.first, inverses_.data() + front.first, signs, work_))
       return false;
     pack(own, inverses_.data() + front.first, packed(f));
-    const std::size_t size = padded(idx(front.rows)) * idx(front.rows);
-    if (size > 0) {
-      float* complement = stack_.data() + top;
+    if (front.rows > 0) {
+      float* complement = stack_.data() + stack_place_[f];
       form_complement(own, signs, complement, work_);
       for (const std::size_t child : children_[f])
         add_to_complement(child, own, complement);
-      if (stack_place_[f] < top)
-        std::copy(complement, complement + size, stack_.data() + stack_place_[f]);
     }
-    top = stack_place_[f] + size;
   }
   return true;
 }
