@@ -30,13 +30,10 @@ constexpr std::size_t diagonal_triangles(std::size_t columns) {
 ///
 /// @param rows, columns  of the panel
 constexpr std::size_t packed_size(std::size_t rows, std::size_t columns) {
-  const std::size_t whole = columns / front_lanes;
-  const std::size_t step = padded(rows);
-  // Whole groups of columns, the first with step - lanes rows, and the rest.
-  std::size_t size = whole * front_lanes * step - front_lanes * front_lanes * whole * (whole + 1) / 2;
-  if (columns % front_lanes > 0)
-    size += (columns % front_lanes) * (step - (whole + 1) * front_lanes);
-  return size;
+  const std::size_t whole = columns / front_lanes; // groups; the last rows are below all of them
+  const std::size_t blocks = whole * (padded(rows) / front_lanes) - whole * (whole + 1) / 2;
+  const std::size_t rest = columns % front_lanes;
+  return blocks * front_lanes * front_lanes + (padded(rows) - padded(columns)) * rest;
 }
 
 /// A panel, packed. Columns are taken eight at a time; of each eight their triangle's inverse, and

@@ -1,4 +1,5 @@
 #include "mechanics/front_kernels.h"
+#include "mechanics/packed_panel.h"
 #include "tests/support/figures.h"
 #include "tests/support/tensors.h"
 
@@ -110,9 +111,11 @@ TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
       std::vector<float> x(padded(rows), 0.0F);
       for (std::size_t i = 0; i < rows; ++i)
         x[i] = static_cast<float>(b[static_cast<Eigen::Index>(i)]);
-      std::vector<DiagonalInverse> diagonal(diagonal_triangles(problem.panel()));
-      invert_diagonal(problem.panel(), problem.inverses.data(), diagonal.data());
-      substitute_forward(problem.panel(), diagonal.data(), x.data());
+      std::vector<DiagonalInverse> diagonal(diagonal_triangles(columns));
+      std::vector<float> numbers(packed_size(rows, columns));
+      const PackedPanel packed{rows, columns, diagonal.data(), numbers.data()};
+      pack(problem.panel(), problem.inverses.data(), packed);
+      substitute_forward(packed, x.data());
       // What is left below: b2 - A21 A11^-1 b1.
       const auto solve = [&](const VectorXd& of) -> VectorXd {
         return problem.block(false, false).partialPivLu().solve(of);
@@ -129,12 +132,21 @@ TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
         x[static_cast<std::size_t>(i)] *= problem.signs[static_cast<std::size_t>(i)];
       for (Eigen::Index i = k; i < n; ++i)
         x[static_cast<std::size_t>(i)] = static_cast<float>(known[i - k]);
-      substitute_backward(problem.panel(), diagonal.data(), x.data());
+      substitute_backward(packed, x.data());
       const VectorXd reference =
           solve(n == k ? VectorXd(b) : VectorXd(b.head(k) - problem.block(false, true) * known));
       for (Eigen::Index i = 0; i < k; ++i)
         ASSERT_NEAR(x[static_cast<std::size_t>(i)], reference[i], digits) << rows << " " << columns;
     }
+}
+
+TEST(PackedPanel, holds_the_rows_below_each_eight_columns) {
+  EXPECT_EQ(packed_size(8, 8), 0U);
+  EXPECT_EQ(packed_size(9, 8), 64U);            // one block
+  EXPECT_EQ(packed_size(17, 5), 5U * 16);       // two of five columns
+  EXPECT_EQ(packed_size(24, 11), 128U + 3 * 8); // two of eight columns, one of three
+  EXPECT_EQ(diagonal_triangles(8), 1U);
+  EXPECT_EQ(diagonal_triangles(9), 2U);
 }
 
 TEST(FrontKernels, say_that_a_pivot_is_lost) {
