@@ -358,9 +358,8 @@ void SingleFactorization::backward() {
 
 void SingleFactorization::solve(std::span<double> rhs) {
   const double most =
-      Eigen::Map<const Eigen::ArrayXd>(rhs.data(), static_cast<Eigen::Index>(rhs.size()))
-          .abs()
-          .maxCoeff();
+      Eigen::Map<const Eigen::VectorXd>(rhs.data(), static_cast<Eigen::Index>(rhs.size()))
+          .lpNorm<Eigen::Infinity>();
   if (most == 0.0)
     return;
   // About one, so that it has all its digits in single precision whatever the units.
