@@ -128,7 +128,7 @@ template <class Frame> Packing packing_for(const Frame& frame) {
   for (const std::vector<Field>* fields : {&frame.point_fields, &frame.cell_fields})
     for (const Field& field : *fields)
       values += field.values.size();
-  constexpr std::size_t large = 32768;
+  constexpr std::size_t large = 65536;
   return values < large ? Packing::plain : Packing::zlib;
 }
 
