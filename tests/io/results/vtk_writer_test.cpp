@@ -141,7 +141,7 @@ TEST(VtkWriter, there_are_no_string_arrays_which_meshio_refuses) {
 TEST(VtkWriter, files_are_compressed_inline_with_wide_headers) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "w.vtu";
-  const Mesh mesh = mechanics::box_mesh({.cells = {30, 30, 1}});
+  const Mesh mesh = mechanics::box_mesh({.cells = {50, 50, 1}});
   write_vtu(path, sample(mesh));
   const std::string text = content_of(path);
   EXPECT_NE(text.find("header_type=\"UInt64\""), std::string::npos);
