@@ -52,7 +52,8 @@ void combine(const std::array<float, front_lanes * front_lanes>& lines, float* x
 }
 
 /// The sum of each vector's numbers, side by side.
-[[gnu::always_inline]] inline FrontVector totals(const std::array<FrontVector, front_lanes>& v) {
+[[gnu::always_inline]] inline void total(const std::array<FrontVector, front_lanes>& v,
+                                         FrontVector& sums) {
   static_assert(front_lanes == 8);
   std::array<FrontVector, 4> pairs;
   for (std::size_t k = 0; k < 4; ++k)
@@ -62,7 +63,7 @@ void combine(const std::array<float, front_lanes * front_lanes>& lines, float* x
   for (std::size_t k = 0; k < 2; ++k)
     fours[k] = __builtin_shufflevector(pairs[2 * k], pairs[2 * k + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
                __builtin_shufflevector(pairs[2 * k], pairs[2 * k + 1], 2, 3, 10, 11, 6, 7, 14, 15);
-  return __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+  sums = __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
          __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
 }
 
@@ -112,8 +113,10 @@ void take_rows(const float* values, std::size_t blocks, const float* below, floa
     }
   }
   FrontVector all;
+  FrontVector taken;
   load(x, all);
-  store(all - totals(sum), x);
+  total(sum, taken);
+  store(all - taken, x);
 }
 
 } // namespace
