@@ -119,7 +119,7 @@ void keep_order(cholmod_common& common) {
 Elimination::Elimination(const BlockPattern& pattern,
                          std::span<const Index> order,
                          std::span<const char> alone)
-    : order_(with_alone_first(order, alone)), triangle_(pattern, order_, alone) {
+    : dim_(pattern.dim), order_(with_alone_first(order, alone)), triangle_(pattern, order_, alone) {
   Session session;
   follow_elimination(pattern, alone, session.common());
   find_fronts(session.common());

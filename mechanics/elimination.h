@@ -53,6 +53,7 @@ public:
               std::span<const Index> order,
               std::span<const char> alone = {});
 
+  [[nodiscard]] int dim() const { return dim_; } ///< unknowns a node
   /// As it was given, but for branches of the elimination tree that now come one after another.
   [[nodiscard]] std::span<const Index> order() const { return order_; }
   [[nodiscard]] const OrderedTriangle& triangle() const { return triangle_; }
@@ -70,6 +71,7 @@ private:
                           cholmod_common_struct& common);
   void find_fronts(cholmod_common_struct& common);
 
+  int dim_;
   std::vector<Index> order_;
   OrderedTriangle triangle_;
   std::vector<Front> fronts_;

@@ -10,9 +10,16 @@ namespace billet::mechanics {
 
 using FrontVector [[gnu::vector_size(front_lanes * sizeof(float))]] = float;
 
+/// Two numbers: the unknowns of a node in the plane.
+using FrontPair [[gnu::vector_size(2 * sizeof(float))]] = float;
+
 // By reference: what returns a vector is called otherwise where the processor has none so long.
 inline void load(const float* from, FrontVector& v) { std::memcpy(&v, from, sizeof v); }
 
 inline void store(const FrontVector& v, float* to) { std::memcpy(to, &v, sizeof v); }
+
+inline void load(const float* from, FrontPair& v) { std::memcpy(&v, from, sizeof v); }
+
+inline void store(const FrontPair& v, float* to) { std::memcpy(to, &v, sizeof v); }
 
 } // namespace billet::mechanics

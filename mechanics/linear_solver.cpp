@@ -7,7 +7,9 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace billet::mechanics {
 
@@ -31,6 +33,10 @@ int most_solves(const FactorCost& cost) {
   return solves < fewest ? 0 : static_cast<int>(solves);
 }
 
+/// Of a number in double precision.
+constexpr int fraction_bits = 52;
+constexpr int exponent_bias = 1023;
+
 /// Relative residual that counts as exact: what a factorization and its refinement are held to.
 constexpr double exact = 1e-10;
 
@@ -41,6 +47,17 @@ constexpr int most_iterations = 24;
 /// it by that factor. (N.11)
 constexpr double good_correction = 1e-4;
 constexpr double largest_correction = 1e-3;
+
+/// Of a positive number that has all its digits, as std::ilogb, but of many at a time.
+int exponent(double number) {
+  return static_cast<int>(std::bit_cast<std::uint64_t>(number) >> fraction_bits & 0x7ff) -
+         exponent_bias;
+}
+
+/// @pre |power| < exponent_bias
+double power_of_two(int power) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(power + exponent_bias) << fraction_bits);
+}
 
 /// Relative residual that will do in a small problem, where a few iterations are all that a
 /// correction less than exact can save.
@@ -227,8 +244,9 @@ double LinearSolver::weigh(const SparseMatrix& matrix) {
   weights_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double ratio = largest / std::abs(matrix.values[idx(diagonal_[i])]);
-    const int below = ratio < HUGE_VAL ? std::min(std::ilogb(ratio), most) : most;
-    weights_[i] = std::ldexp(1.0, below / 2);
+    const int below =
+        std::min(exponent(ratio), most); // that of no number and of infinity is larger
+    weights_[i] = power_of_two(below / 2);
     sum += below;
   }
   const auto mean = static_cast<int>(sum / static_cast<long>(n));
@@ -285,31 +303,6 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
       return SolveReport{"again", report.residual};
   }
   return solve(matrix, symmetric, rhs, x, {tolerance});
-}
-
-/// For every entry of a matrix the one across the diagonal.
-std::vector<Index> LinearSolver::transposed_entries() const {
-  // Rows are walked in order, so the transpose is the next entry of its row not met so far.
-  std::vector<Index> next(pattern_->row_start.begin(), pattern_->row_start.end() - 1);
-  std::vector<Index> transposed;
-  transposed.reserve(pattern_->n_entries());
-  for (const Index column : pattern_->columns)
-    transposed.push_back(next[idx(column)]++);
-  return transposed;
-}
-
-void LinearSolver::take_symmetric_part(const SparseMatrix& matrix) {
-  if (transposed_.empty())
-    transposed_ = transposed_entries();
-  symmetric_part_.pattern = pattern_;
-  std::vector<double>& values = symmetric_part_.values;
-  values.resize(matrix.values.size());
-  for (std::size_t k = 0; k < values.size(); ++k)
-    values[k] = 0.5 * (matrix.values[k] + matrix.values[idx(transposed_[k])]);
-  for (const EntryPart& part : matrix.unsymmetric) {
-    values[idx(part.entry)] -= 0.5 * part.value;
-    values[idx(transposed_[idx(part.entry)])] -= 0.5 * part.value;
-  }
 }
 
 const std::shared_ptr<const Elimination>& LinearSolver::elimination() {
@@ -375,7 +368,7 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
                                                              std::span<const double> rhs,
                                                              std::span<double> x,
                                                              const Demand& demand) {
-  take_symmetric_part(matrix);
+  matrix.take_symmetric_part(symmetric_part_);
   const auto attempt = [&]() -> Outcome<SolveReport> {
     if (factorize_in_single(symmetric_part_, rhs, demand))
       return solve_with_neighbour("ldlt-single", matrix, rhs, x, demand,

@@ -206,8 +206,6 @@ private:
                                     int most,
                                     Known known);
   [[nodiscard]] double weigh(const SparseMatrix& matrix);
-  void take_symmetric_part(const SparseMatrix& matrix);
-  [[nodiscard]] std::vector<Index> transposed_entries() const;
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
                                                          bool symmetric,
                                                          std::span<const double> rhs,
@@ -235,7 +233,6 @@ private:
   Patience symmetric_patience_;            ///< with the symmetric part
   Patience single_patience_;               ///< with L S L^T in single precision
   bool single_lu_serves_ = true;           ///< whether LU in single precision is worth a try
-  std::vector<Index> transposed_;          ///< shape (n_entries)
   std::vector<std::vector<double>> first_; ///< a rough solution and a correction of it, if made
   double correction_ = 0.0;                ///< relative to that solution
   std::vector<double> residual_;

@@ -1,5 +1,7 @@
 #include "mechanics/elimination.h"
+#include "mechanics/front_assembly.h"
 #include "mechanics/front_kernels.h"
+#include "mechanics/front_vector.h"
 #include "mechanics/linear_solver.h"
 #include "mechanics/packed_panel.h"
 
@@ -10,8 +12,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,7 +29,16 @@ struct Rows {
   std::uint32_t count; ///< > 0
   std::uint32_t to;    ///< the first, of the parent's panel
   bool together;       ///< in turn there as well
+  bool paired;         ///< or two by two, those of a node
 };
+
+void add_pair(const float* from, float* to) {
+  FrontPair sum;
+  FrontPair more;
+  load(to, sum);
+  load(from, more);
+  store(sum + more, to);
+}
 
 /// Adds rows of a column, from the one given on, to the numbers `base` and the rows' places away.
 void add(const Rows& rows,
@@ -41,8 +54,42 @@ void add(const Rows& rows,
       to[base + i] += from[i];
     return;
   }
+  if (rows.paired) {
+    if ((end - first) % 2 != 0) { // a node's first row is above the diagonal
+      to[base + places[first]] += from[first];
+      ++first;
+    }
+    for (std::uint32_t i = first; i < end; i += 2)
+      add_pair(from + i, to + base + places[i]);
+    return;
+  }
   for (std::uint32_t i = first; i < end; ++i)
     to[base + places[i]] += from[i];
+}
+
+/// Copies `count` numbers, few as a rule: a call to the library takes longer.
+void copy_few(const float* from, std::size_t count, float* to) {
+  const auto copy = [&](auto constant) {
+    constexpr std::size_t n = decltype(constant)::value;
+    std::memcpy(to, from, n * sizeof(float));
+    from += n;
+    to += n;
+  };
+  for (; count >= front_lanes; count -= front_lanes)
+    copy(std::integral_constant<std::size_t, front_lanes>{});
+  static_assert(front_lanes == 8);
+  if ((count & 4) != 0)
+    copy(std::integral_constant<std::size_t, 4>{});
+  if ((count & 2) != 0)
+    copy(std::integral_constant<std::size_t, 2>{});
+  if ((count & 1) != 0)
+    copy(std::integral_constant<std::size_t, 1>{});
+}
+
+/// Zeros, at least `count`: whole vectors.
+void clear_vectors(float* values, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += front_lanes)
+    store(FrontVector{}, values + i);
 }
 
 /// L S L^T with the order given, S a diagonal of signs, in single precision and without pivoting.
@@ -75,11 +122,11 @@ private:
     return {idx(front.rows + front.columns), idx(front.columns),
             diagonal_.data() + triangle_start_[f], below_.data() + below_start_[f]};
   }
-  void find_places();
+  void measure_panels();
   void find_rows();
+  void find_pairs();
   void measure_stacks();
   void find_scale(const SparseMatrix& matrix);
-  void assemble(std::size_t f, const SparseMatrix& matrix);
   /// Adds columns of a child's complement to columns of its parent.
   ///
   /// @param rows    of the child's columns
@@ -98,15 +145,16 @@ private:
   void backward();
 
   std::shared_ptr<const Elimination> elimination_;
+  FrontAssembly assembly_;
   std::size_t panel_size_ = 0;              ///< of the largest
   std::vector<std::size_t> triangle_start_; ///< where a front's inverses begin
   std::vector<std::size_t> below_start_;    ///< likewise what is below them
-  std::vector<std::size_t> places_;         ///< of the triangle's entries in their front's panel
   std::vector<Rows> rows_;                  ///< of all fronts
   std::vector<std::size_t> rows_start_;     ///< shape (fronts + 1)
   std::vector<std::uint32_t> in_parent_;    ///< of each row of all fronts, the parent's
   std::vector<std::size_t> in_parent_start_;
   std::vector<std::vector<std::size_t>> children_;
+  std::vector<char> paired_;             ///< by front: its rows come two by two, those of a node
   std::vector<std::size_t> stack_place_; ///< where a front's complement waits
   std::size_t stack_size_ = 0;
   std::vector<float> panel_; ///< of the front at hand
@@ -123,48 +171,33 @@ private:
 };
 
 SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elimination)
-    : elimination_(std::move(elimination)) {
+    : elimination_(std::move(elimination)), assembly_(*elimination_) {
   const std::size_t n = elimination_->order().size();
   inverses_.resize(n);
   signs_.resize(n);
   least_.resize(n);
   x_.resize(n);
-  find_places();
+  measure_panels();
   find_rows();
   measure_stacks();
 }
 
-void SingleFactorization::find_places() {
-  const OrderedTriangle& triangle = elimination_->triangle();
+void SingleFactorization::measure_panels() {
   std::size_t triangles = 0;
   std::size_t below = 0;
   std::size_t most_rows = 0;
-  places_.resize(triangle.rows.size());
-  std::vector<std::size_t> local(elimination_->order().size());
   for (const Front& front : elimination_->fronts()) {
-    const std::span<const Index> rows = elimination_->rows(front);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      local[idx(rows[i])] = idx(front.columns) + i;
-    const std::size_t step = padded(idx(front.columns + front.rows));
-    for (Index j = front.first; j < front.first + front.columns; ++j) {
-      local[idx(j)] = idx(j - front.first);
-      for (Index k = triangle.start[idx(j)]; k < triangle.start[idx(j) + 1]; ++k) {
-        const Index row = triangle.rows[idx(k)];
-        const std::size_t at =
-            row < front.first + front.columns ? idx(row - front.first) : local[idx(row)];
-        places_[idx(k)] = idx(j - front.first) * step + at;
-      }
-    }
+    const std::size_t rows = idx(front.rows + front.columns), columns = idx(front.columns);
     triangle_start_.push_back(triangles);
     below_start_.push_back(below);
-    triangles += diagonal_triangles(idx(front.columns));
-    below += packed_size(idx(front.rows + front.columns), idx(front.columns));
-    panel_size_ = std::max(panel_size_, step * idx(front.columns));
-    most_rows = std::max(most_rows, step);
+    triangles += diagonal_triangles(columns);
+    below += packed_size(rows, columns);
+    panel_size_ = std::max(panel_size_, padded(rows) * columns);
+    most_rows = std::max(most_rows, padded(rows));
   }
   triangle_start_.push_back(triangles);
   below_start_.push_back(below);
-  local_.resize(most_rows);
+  local_.resize(most_rows + front_lanes); // cleared by whole vectors
 }
 
 void SingleFactorization::find_rows() {
@@ -195,7 +228,7 @@ void SingleFactorization::find_rows() {
         ++runs.back().count;
       else
         runs.push_back({static_cast<std::uint32_t>(in_parent_.size() - 1 - in_parent_start_.back()),
-                        1, to, true});
+                        1, to, true, false});
     }
     for (const Rows& run : runs) {
       const bool joins = rows_.size() > rows_start_.back() && run.count < few &&
@@ -210,6 +243,24 @@ void SingleFactorization::find_rows() {
     }
   }
   rows_start_.push_back(rows_.size());
+  find_pairs();
+}
+
+void SingleFactorization::find_pairs() {
+  for (std::size_t f = 0; f < children_.size(); ++f) {
+    const std::uint32_t* places = in_parent_.data() + in_parent_start_[f];
+    for (std::size_t r = rows_start_[f]; r < rows_start_[f + 1]; ++r) {
+      Rows& rows = rows_[r];
+      rows.paired = rows.count % 2 == 0;
+      for (std::uint32_t i = rows.from; rows.paired && i < rows.from + rows.count; i += 2)
+        rows.paired = places[i + 1] == places[i] + 1;
+    }
+    const std::span<const Index> below = elimination_->rows(elimination_->fronts()[f]);
+    bool paired = below.size() % 2 == 0;
+    for (std::size_t i = 0; paired && i < below.size(); i += 2)
+      paired = below[i + 1] == below[i] + 1;
+    paired_.push_back(paired ? 1 : 0);
+  }
 }
 
 /// Fronts an even and an odd number of generations below their root have a stack each: a complement
@@ -250,15 +301,6 @@ void SingleFactorization::find_scale(const SparseMatrix& matrix) {
   scale_ = std::ldexp(1.0, -exponent);
   for (std::size_t j = 0; j < least_.size(); ++j)
     least_[j] = lost * static_cast<float>(scale_ * pivot(j));
-}
-
-void SingleFactorization::assemble(std::size_t f, const SparseMatrix& matrix) {
-  const OrderedTriangle& triangle = elimination_->triangle();
-  const Front& front = elimination_->fronts()[f];
-  std::fill_n(panel_.begin(), padded(idx(front.rows + front.columns)) * idx(front.columns), 0.0F);
-  const std::size_t last = idx(triangle.start[idx(front.first + front.columns)]);
-  for (std::size_t k = idx(triangle.start[idx(front.first)]); k < last; ++k)
-    panel_[places_[k]] = static_cast<float>(scale_ * matrix.values[idx(triangle.entries[k])]);
 }
 
 void SingleFactorization::add_columns(std::size_t child,
@@ -311,7 +353,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
   for (std::size_t f = 0; f < children_.size(); ++f) {
     const Front& front = elimination_->fronts()[f];
     const Panel own = panel(f);
-    assemble(f, matrix);
+    assembly_.assemble(f, matrix, scale_, own);
     for (const std::size_t child : children_[f])
       add_to_panel(child, own);
     float* signs = signs_.data() + front.first;
@@ -333,13 +375,18 @@ void SingleFactorization::forward() {
     const Front& front = elimination_->fronts()[f];
     const PackedPanel own = packed(f);
     float* local = local_.data();
-    std::copy_n(x_.data() + front.first, own.columns, local);
-    std::fill(local + own.columns, local + padded(own.rows), 0.0F);
+    copy_few(x_.data() + front.first, own.columns, local);
+    clear_vectors(local + own.columns, padded(own.rows) - own.columns);
     substitute_forward(own, local);
-    std::copy_n(local, own.columns, x_.data() + front.first);
+    copy_few(local, own.columns, x_.data() + front.first);
     local += own.columns;
-    for (const Index row : elimination_->rows(front))
-      x_[idx(row)] += *local++;
+    const std::span<const Index> rows = elimination_->rows(front);
+    if (paired_[f] != 0)
+      for (std::size_t i = 0; i < rows.size(); i += 2)
+        add_pair(local + i, x_.data() + rows[i]);
+    else
+      for (const Index row : rows)
+        x_[idx(row)] += *local++;
   }
 }
 
@@ -347,12 +394,19 @@ void SingleFactorization::backward() {
   for (std::size_t f = children_.size(); f-- > 0;) {
     const Front& front = elimination_->fronts()[f];
     const PackedPanel own = packed(f);
-    float* local = std::copy_n(x_.data() + front.first, own.columns, local_.data());
-    for (const Index row : elimination_->rows(front))
-      *local++ = x_[idx(row)];
-    std::fill(local, local_.data() + padded(own.rows), 0.0F);
+    float* local = local_.data();
+    copy_few(x_.data() + front.first, own.columns, local);
+    local += own.columns;
+    const std::span<const Index> rows = elimination_->rows(front);
+    if (paired_[f] != 0)
+      for (std::size_t i = 0; i < rows.size(); i += 2)
+        std::memcpy(local + i, x_.data() + rows[i], 2 * sizeof(float));
+    else
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        local[i] = x_[idx(rows[i])];
+    clear_vectors(local + rows.size(), padded(own.rows) - own.rows);
     substitute_backward(own, local_.data());
-    std::copy_n(local_.data(), own.columns, x_.data() + front.first);
+    copy_few(local_.data(), own.columns, x_.data() + front.first);
   }
 }
 

@@ -91,6 +91,30 @@ void multiply_blocks(const BlockPattern& pattern,
   }
 }
 
+/// Mean of each entry and of the one across the diagonal.
+template <std::size_t dim>
+void average_blocks(const BlockPattern& pattern, const double* values, double* means) {
+  const auto row = [&](std::size_t node) { return idx(pattern.row_start[node * dim]); };
+  // Nodes are walked in order, so the transpose of a block is the next of its row not met so far.
+  std::vector<Index> next(pattern.neighbour_start.begin(), pattern.neighbour_start.end() - 1);
+  for (std::size_t a = 0; a < idx(pattern.n_nodes()); ++a) {
+    const Index start = pattern.neighbour_start[a], end = pattern.neighbour_start[a + 1];
+    const std::size_t width = idx(end - start) * dim;
+    for (Index k = next[a]; k < end; ++k) {
+      const std::size_t b = idx(pattern.neighbours[idx(k)]);
+      const Index other_start = pattern.neighbour_start[b];
+      const std::size_t other_width = idx(pattern.neighbour_start[b + 1] - other_start) * dim;
+      const std::size_t block = row(a) + idx(k - start) * dim;
+      const std::size_t other = row(b) + idx(next[b]++ - other_start) * dim;
+      for (std::size_t i = 0; i < dim; ++i)
+        for (std::size_t j = 0; j < dim; ++j) {
+          const std::size_t here = block + i * width + j, across = other + j * other_width + i;
+          means[here] = means[across] = 0.5 * (values[here] + values[across]);
+        }
+    }
+  }
+}
+
 } // namespace
 
 Index BlockPattern::offset(Index a, Index b) const {
@@ -99,6 +123,10 @@ Index BlockPattern::offset(Index a, Index b) const {
   const auto found = std::lower_bound(first, last, b);
   assert(found != last && *found == b);
   return static_cast<Index>(found - first);
+}
+
+Index BlockPattern::entry(Index row, Index column) const {
+  return row_start[idx(row)] + offset(row / dim, column / dim) * dim + column % dim;
 }
 
 BlockPattern block_pattern(const Mesh& mesh) {
@@ -273,6 +301,19 @@ void SparseMatrix::multiply(std::span<const double> x, std::span<double> y) cons
   visit_dimension(pattern->dim, [&](auto constant) {
     multiply_blocks<decltype(constant)::value>(*pattern, values.data(), x.data(), y.data());
   });
+}
+
+void SparseMatrix::take_symmetric_part(SparseMatrix& part) const {
+  part.pattern = pattern;
+  part.values.resize(values.size());
+  visit_dimension(pattern->dim, [&](auto constant) {
+    average_blocks<decltype(constant)::value>(*pattern, values.data(), part.values.data());
+  });
+  for (const EntryPart& taken : unsymmetric) {
+    part.values[idx(taken.entry)] -= 0.5 * taken.value;
+    part.values[idx(pattern->entry(pattern->columns[idx(taken.entry)], taken.row))] -=
+        0.5 * taken.value;
+  }
 }
 
 double SparseMatrix::asymmetry() const {

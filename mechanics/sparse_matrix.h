@@ -29,6 +29,8 @@ struct BlockPattern {
   [[nodiscard]] std::size_t n_entries() const { return columns.size(); }
   /// Position of node b among the neighbours of node a. @pre they are coupled
   [[nodiscard]] Index offset(Index a, Index b) const;
+  /// Position of an entry among the values. @pre the nodes of row and column are coupled
+  [[nodiscard]] Index entry(Index row, Index column) const;
 };
 
 /// Pattern of a mesh whose every cell couples all its nodes.
@@ -113,6 +115,10 @@ struct SparseMatrix {
 
   /// y = A x, shapes (n_dofs).
   void multiply(std::span<const double> x, std::span<double> y) const;
+  /// The symmetric part of what is left without `unsymmetric`.
+  ///
+  /// @param part  out
+  void take_symmetric_part(SparseMatrix& part) const;
   /// Largest |a_ij - a_ji| over the largest |a_ij|.
   [[nodiscard]] double asymmetry() const;
 };

@@ -185,5 +185,25 @@ TEST(SparseMatrix, asymmetry_is_that_of_the_dense_matrix) {
   }
 }
 
+TEST(SparseMatrix, symmetric_part_is_that_of_the_dense_matrix_without_what_is_not_symmetric) {
+  support::Random random(6);
+  for (const ElementKind kind : kinds) {
+    const BlockPattern pattern = block_pattern(sample(kind));
+    SparseMatrix A{&pattern, random.list(pattern.n_entries(), 1.0)};
+    Eigen::MatrixXd D = dense(A);
+    // Twice the same entry, two that mirror each other, one on the diagonal.
+    for (const auto& [row, column] :
+         {std::pair<Index, Index>{0, 1}, {0, 1}, {1, 0}, {2, 2}, {3, 0}}) {
+      A.unsymmetric.push_back({row, pattern.entry(row, column), 0.25});
+      D(row, column) -= 0.25;
+    }
+    SparseMatrix part;
+    A.take_symmetric_part(part);
+    const Eigen::MatrixXd reference = 0.5 * (D + D.transpose());
+    constexpr double rounding = 1e-15;
+    EXPECT_LE((dense(part) - reference).cwiseAbs().maxCoeff(), rounding);
+  }
+}
+
 } // namespace
 } // namespace billet::mechanics::sparse_matrix_test
