@@ -202,11 +202,12 @@ template <class Element, Analysis analysis> struct Kernel {
       }
     if constexpr (dim == 2)
       f[2][2] = axisymmetric ? radii : AtPoints::constant(1.0);
-    SquareLanes<3, points> b;
+    SquareLanes<3, points> b{};
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        b[i][j] = AtPoints::of(
-            [&](int g) { return old[idx(g)].b_e(static_cast<int>(i), static_cast<int>(j)); });
+      for (std::size_t j = i; j < 3; ++j)
+        if (coupled(i, j))
+          b[i][j] = b[j][i] = AtPoints::of(
+              [&](int g) { return old[idx(g)].b_e(static_cast<int>(i), static_cast<int>(j)); });
     const SquareLanes<3, points> fb = product(f, b, false);
     const SquareLanes<3, points> fbf = product(fb, f, true);
     for (std::size_t k = 0; k < batches; ++k)
@@ -226,6 +227,11 @@ template <class Element, Analysis analysis> struct Kernel {
       });
   }
 
+  /// Whether a tensor has more than a zero there: none couples a plane with what is across it.
+  static constexpr bool coupled(std::size_t i, std::size_t j) {
+    return !planar || (i == 2) == (j == 2);
+  }
+
   /// A B, or A B^T.
   static SquareLanes<3, points>
   product(const SquareLanes<3, points>& A, const SquareLanes<3, points>& B, bool transposed) {
@@ -233,7 +239,8 @@ template <class Element, Analysis analysis> struct Kernel {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t l = 0; l < 3; ++l)
-          AB[i][j] += A[i][l] * (transposed ? B[j][l] : B[l][j]);
+          if (coupled(i, l) && coupled(l, j))
+            AB[i][j] += A[i][l] * (transposed ? B[j][l] : B[l][j]);
     return AB;
   }
 
@@ -247,19 +254,23 @@ template <class Element, Analysis analysis> struct Kernel {
         T[row][s] = row < 3 ? at.axes[i][p] * at.axes[j][p]
                             : at.axes[i][p] * at.axes[j][q] + at.axes[i][q] * at.axes[j][p];
       }
-    Moduli DT;
+    // In the plane strain components follow the same rule: 2 is the one across it.
+    Moduli DT{};
     for (std::size_t s = 0; s < n_strains; ++s) {
       for (std::size_t a = 0; a < 3; ++a)
-        DT[a][s] = at.normal_moduli[a][0] * T[0][s] + at.normal_moduli[a][1] * T[1][s] +
-                   at.normal_moduli[a][2] * T[2][s];
+        for (std::size_t b = 0; b < 3; ++b)
+          if (coupled(b, s))
+            DT[a][s] += at.normal_moduli[a][b] * T[b][s];
       for (std::size_t i = 3; i < n_strains; ++i)
-        DT[i][s] = at.shear_moduli[i - 3] * T[i][s];
+        if (coupled(i, s))
+          DT[i][s] = at.shear_moduli[i - 3] * T[i][s];
     }
-    Moduli D;
+    Moduli D{};
     for (std::size_t s = 0; s < n_strains; ++s)
       for (std::size_t t = s; t < n_strains; ++t)
         for (std::size_t p = 0; p < n_strains; ++p)
-          D[s][t] += T[p][s] * DT[p][t];
+          if (coupled(p, s))
+            D[s][t] += T[p][s] * DT[p][t];
     return D;
   }
 

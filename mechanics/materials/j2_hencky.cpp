@@ -200,18 +200,23 @@ Batch strained(double mu, DeviatoricResponse& out) {
 }
 
 /// A symmetric tensor, given in principal axes, in space.
+///
+/// @tparam planar  the last axis is the one out of the plane
+template <bool planar>
 TensorLanes in_space(const DeviatoricResponse& at, const PrincipalLanes& values) {
-  TensorLanes tensor;
+  constexpr auto has = [](std::size_t i, std::size_t a) { return !planar || (i == 2) == (a == 2); };
+  TensorLanes tensor{};
   for (std::size_t k = 0; k < tensor.size(); ++k) {
     const auto [i, j] = tensor_components[k];
     for (std::size_t a = 0; a < 3; ++a)
-      tensor[k] += values[a] * (at.axes[i][a] * at.axes[j][a]);
+      if (has(i, a) && has(j, a))
+        tensor[k] += values[a] * (at.axes[i][a] * at.axes[j][a]);
   }
   return tensor;
 }
 
 /// Stresses and moduli in principal axes. (M.7), (M.8)
-void put_moduli(const Batch& at, double mu, DeviatoricResponse& out) {
+template <bool planar> void put_moduli(const Batch& at, double mu, DeviatoricResponse& out) {
   const PointLanes scaled = (2.0 * mu) * at.beta;
   const PointLanes less = (2.0 * mu) * at.share;
   PrincipalLanes direction;
@@ -219,7 +224,8 @@ void put_moduli(const Batch& at, double mu, DeviatoricResponse& out) {
     out.s[a] = scaled * at.eps[a];
     direction[a] = (2.0 * mu) * (at.eps[a] * at.per_norm);
   }
-  out.deviator = in_space(out, out.s);
+  out.deviator = in_space<planar>(out, out.s);
+  out.shear_moduli = {};
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t c = a; c < 3; ++c) {
       const PointLanes dyad = less * (direction[a] * direction[c]);
@@ -227,6 +233,8 @@ void put_moduli(const Batch& at, double mu, DeviatoricResponse& out) {
           a == c ? (2.0 / 3.0) * scaled - dyad - 2.0 * out.s[a] : (-1.0 / 3.0) * scaled - dyad;
       out.normal_moduli[c][a] = out.normal_moduli[a][c];
     }
+    if (planar && a > 0)
+      continue;
     const std::size_t i = a == 2 ? 0 : a;
     const std::size_t j = a == 2 ? 2 : a + 1;
     out.shear_moduli[a] = (0.5 * scaled) * log_differences(out.values[i], out.values[j]) - out.s[j];
@@ -235,11 +243,12 @@ void put_moduli(const Batch& at, double mu, DeviatoricResponse& out) {
 
 /// b_e in space from the strains that are left; where nothing flows the predictor, to the bit.
 /// (M.9)
+template <bool planar>
 void put_states(const Batch& at, const TensorLanes& b_pred, DeviatoricResponse& out) {
   PrincipalLanes b;
   for (std::size_t a = 0; a < 3; ++a)
     b[a] = exp_of(2.0 * (at.beta * at.eps[a]) + (2.0 / 3.0) * out.log_J);
-  const TensorLanes flowing = in_space(out, b);
+  const TensorLanes flowing = in_space<planar>(out, b);
   for (std::size_t k = 0; k < b_pred.size(); ++k)
     out.b_e[k] = where_negative(-1.0 * at.per_norm, flowing[k], b_pred[k]);
 }
@@ -247,7 +256,7 @@ void put_states(const Batch& at, const TensorLanes& b_pred, DeviatoricResponse& 
 /// Updates a batch, whose predictors are decomposed.
 ///
 /// @param conditions_of  a function of a point's number
-template <class Law, class ConditionsOf>
+template <bool planar, class Law, class ConditionsOf>
 bool update_batch(const Law& law,
                   double mu,
                   const TensorLanes& b_pred,
@@ -284,9 +293,9 @@ bool update_batch(const Law& law,
   now.beta = PointLanes::of([&](int l) { return beta[idx(l)]; });
   now.share = PointLanes::of([&](int l) { return share[idx(l)]; });
   now.per_norm = PointLanes::of([&](int l) { return per_norm[idx(l)]; });
-  put_moduli(now, mu, out);
+  put_moduli<planar>(now, mu, out);
   if (flows)
-    put_states(now, b_pred, out);
+    put_states<planar>(now, b_pred, out);
   else
     out.b_e = b_pred;
   return true;
@@ -365,6 +374,27 @@ void decompose(std::span<const TensorLanes> b, std::span<DeviatoricResponse> out
   }
 }
 
+template <bool planar, class Law>
+bool update_batches(const Law& law,
+                    const Material& material,
+                    std::span<const TensorLanes> b_pred,
+                    std::span<const PointState> old,
+                    const FlowConditions& at,
+                    std::span<DeviatoricResponse> out) {
+  constexpr auto most = idx(points_at_once);
+  for (std::size_t k = 0; k < b_pred.size(); ++k) {
+    const std::size_t first = k * most;
+    const auto conditions_of = [&](std::size_t i) -> PointConditions {
+      return {at.dt, at.temperatures.empty() ? material.temperature : at.temperatures[first + i]};
+    };
+    if (!update_batch<planar>(law, material.elasticity.shear(), b_pred[k],
+                              old.subspan(first, std::min(most, old.size() - first)), conditions_of,
+                              out[k]))
+      return false;
+  }
+  return true;
+}
+
 } // namespace
 
 bool update(const Material& material,
@@ -373,7 +403,6 @@ bool update(const Material& material,
             bool planar,
             const FlowConditions& at,
             std::span<DeviatoricResponse> out) {
-  const double mu = material.elasticity.shear();
   if (planar)
     for (std::size_t k = 0; k < b_pred.size(); ++k)
       decompose_in_plane(b_pred[k], out[k]);
@@ -381,19 +410,8 @@ bool update(const Material& material,
     decompose(b_pred, out);
   return std::visit(
       [&](const auto& law) {
-        constexpr auto most = idx(points_at_once);
-        for (std::size_t k = 0; k < b_pred.size(); ++k) {
-          const std::size_t first = k * most;
-          const auto conditions_of = [&](std::size_t i) -> PointConditions {
-            return {at.dt,
-                    at.temperatures.empty() ? material.temperature : at.temperatures[first + i]};
-          };
-          if (!update_batch(law, mu, b_pred[k],
-                            old.subspan(first, std::min(most, old.size() - first)), conditions_of,
-                            out[k]))
-            return false;
-        }
-        return true;
+        return planar ? update_batches<true>(law, material, b_pred, old, at, out)
+                      : update_batches<false>(law, material, b_pred, old, at, out);
       },
       material.flow);
 }

@@ -68,8 +68,9 @@ struct DeviatoricResponse {
   PrincipalLanes s;                            ///< principal deviatoric Kirchhoff stresses [MPa]
   TensorLanes deviator;                        ///< the same in space [MPa]
   std::array<PrincipalLanes, 3> normal_moduli; ///< d s_a / d eps_b - 2 s_a delta_ab [MPa]
-  PrincipalLanes shear_moduli;                 ///< spatial moduli of the shears 01, 12, 02 [MPa]
-  TensorLanes b_e;                             ///< of the trial states [-]
+  /// Spatial moduli of the shears 01, 12, 02, the last two 0 where the problem is planar [MPa].
+  PrincipalLanes shear_moduli;
+  TensorLanes b_e;                                      ///< of the trial states [-]
   std::array<double, points_at_once> plastic_strain;    ///< of the trial states [-]
   std::array<double, points_at_once> plastic_increment; ///< [-]
 
