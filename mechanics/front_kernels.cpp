@@ -94,10 +94,11 @@ template <Into into> void subtract_small(const Product& of, FrontWork& work) {
     of.factors(q, together, w);
     subtract_rows<into, together>(l, w, of.depth, {of.c.at(0, q), of.c.step}, aligned(q), end);
   }
-  for (; q < of.columns; ++q) {
-    of.factors(q, 1, w);
-    subtract_rows<into, 1>(l, w, of.depth, {of.c.at(0, q), of.c.step}, aligned(q), end);
-  }
+  if (q < of.columns)
+    visit_columns<together - 1>(of.columns - q, [&](auto rest) {
+      of.factors(q, rest, w);
+      subtract_rows<into, rest>(l, w, of.depth, {of.c.at(0, q), of.c.step}, aligned(q), end);
+    });
 }
 
 /// By BLAS, some columns at a time.
@@ -124,28 +125,44 @@ template <Into into> void subtract(const Product& of, FrontWork& work) {
 }
 
 /// Eliminates columns that the columns before have been taken from, one after another.
-bool eliminate_few(Columns a,
-                   std::size_t rows,
-                   std::size_t count,
-                   const float* least,
-                   float* inverses,
-                   float* signs) {
+///
+/// @param end  of the rows, whole vectors
+template <std::size_t count>
+bool eliminate_few(Columns a, std::size_t end, const float* least, float* inverses, float* signs) {
+  float scales[count];
+  float factors[count][count];
+  FrontVector column[count];
+  const auto read = [&](std::size_t row) {
+    for (std::size_t j = 0; j < count; ++j)
+      load(a.at(row, j), column[j]);
+  };
+  const auto write = [&](std::size_t row) {
+    for (std::size_t j = 0; j < count; ++j)
+      store(column[j], a.at(row, j));
+  };
+  read(0);
   for (std::size_t j = 0; j < count; ++j) {
-    const float pivot = *a.at(j, j);
+    const float pivot = column[j][j];
     if (!(std::abs(pivot) > least[j]))
       return false;
     signs[j] = pivot > 0.0F ? 1.0F : -1.0F;
     inverses[j] = 1.0F / std::sqrt(std::abs(pivot));
-    const float scale = signs[j] * inverses[j];
-    for (std::size_t i = j + 1; i < rows; ++i)
-      *a.at(i, j) *= scale;
+    scales[j] = signs[j] * inverses[j];
+    column[j] *= scales[j];
     for (std::size_t q = j + 1; q < count; ++q) {
-      const float factor = signs[j] * *a.at(q, j);
-      const float* from = a.at(0, j);
-      float* to = a.at(0, q);
-      for (std::size_t i = q; i < rows; ++i)
-        to[i] -= factor * from[i];
+      factors[j][q] = signs[j] * column[j][q];
+      column[q] -= factors[j][q] * column[j];
     }
+  }
+  write(0);
+  for (std::size_t row = front_lanes; row < end; row += front_lanes) {
+    read(row);
+    for (std::size_t j = 0; j < count; ++j) {
+      column[j] *= scales[j];
+      for (std::size_t q = j + 1; q < count; ++q)
+        column[q] -= factors[j][q] * column[j];
+    }
+    write(row);
   }
   return true;
 }
@@ -165,8 +182,12 @@ bool eliminate(const Panel& panel,
       const std::size_t inner_end = std::min(inner + few, outer_end);
       const std::size_t count = inner_end - inner;
       const Columns block{a.at(inner, inner), a.step};
-      if (!eliminate_few(block, panel.rows - inner, count, least + inner, inverses + inner,
-                         signs + inner))
+      bool good = false;
+      visit_columns(count, [&](auto n) {
+        good = eliminate_few<n>(block, padded(panel.rows) - inner, least + inner, inverses + inner,
+                                signs + inner);
+      });
+      if (!good)
         return false;
       subtract<Into::present>({block,
                                panel.rows - inner,

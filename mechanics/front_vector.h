@@ -5,6 +5,7 @@
 #include "mechanics/front_kernels.h"
 
 #include <cstring>
+#include <type_traits>
 
 namespace billet::mechanics {
 
@@ -21,5 +22,14 @@ inline void store(const FrontVector& v, float* to) { std::memcpy(to, &v, sizeof 
 inline void load(const float* from, FrontPair& v) { std::memcpy(&v, from, sizeof v); }
 
 inline void store(const FrontPair& v, float* to) { std::memcpy(to, &v, sizeof v); }
+
+/// Calls `visit` with a number of columns, 1 to `most`, as a constant.
+template <std::size_t most = front_lanes, class Visit>
+void visit_columns(std::size_t columns, Visit visit) {
+  if constexpr (most > 1)
+    if (columns < most)
+      return visit_columns<most - 1>(columns, visit);
+  visit(std::integral_constant<std::size_t, most>{});
+}
 
 } // namespace billet::mechanics

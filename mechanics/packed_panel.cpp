@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 
 namespace billet::mechanics {
 
@@ -65,15 +64,6 @@ void combine(const std::array<float, front_lanes * front_lanes>& lines, float* x
                __builtin_shufflevector(pairs[2 * k], pairs[2 * k + 1], 2, 3, 10, 11, 6, 7, 14, 15);
   sums = __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
          __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
-}
-
-/// Calls `visit` with a number of columns, 1 to front_lanes, as a constant.
-template <std::size_t most = front_lanes, class Visit>
-void visit_columns(std::size_t columns, Visit visit) {
-  if constexpr (most > 1)
-    if (columns < most)
-      return visit_columns<most - 1>(columns, visit);
-  visit(std::integral_constant<std::size_t, most>{});
 }
 
 /// Takes columns times x(0), x(1), … from the rows below.
