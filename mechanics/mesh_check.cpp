@@ -160,6 +160,7 @@ struct TangentPart {
 struct ReferenceCorner {
   /// Of the edges that leave it, right-handed. Only nodes of the edge take part.
   std::vector<std::vector<TangentPart>> tangents;
+  bool straight;                   ///< the edges are their chords
   std::vector<std::size_t> others; ///< corner at the far end of each
 };
 
@@ -167,6 +168,7 @@ ReferenceCorner reference_corner(ElementKind kind, int corner) {
   const std::span<const Vec3> corners = reference_corners(kind);
   const Vec3& at = corners[static_cast<std::size_t>(corner)];
   ReferenceCorner result;
+  result.straight = !is_quadratic(kind);
   for (const auto& [a, b] : element_edges(kind))
     if (a == corner || b == corner)
       result.others.push_back(static_cast<std::size_t>(a == corner ? b : a));
@@ -222,8 +224,10 @@ corner_frame(const ReferenceCorner& reference, std::span<const Vec3> points, std
     for (const auto& [node, weight] : reference.tangents[k])
       tangent += weight * points[node];
     frame.tangents.col(column) = tangent;
-    frame.references[column] =
-        std::max(tangent.norm(), (points[reference.others[k]] - points[corner]).norm());
+    frame.references[column] = tangent.norm();
+    if (!reference.straight)
+      frame.references[column] =
+          std::max(frame.references[column], (points[reference.others[k]] - points[corner]).norm());
   }
   return frame;
 }
