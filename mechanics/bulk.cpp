@@ -21,19 +21,28 @@
 
 namespace billet::mechanics {
 
-/// Local arrays of one thread.
+/// Local arrays of one thread: of elements side by side.
 struct Bulk::Scratch {
-  std::vector<double> x_old;
-  std::vector<double> x;
-  std::vector<double> force;
+  std::vector<std::vector<double>> x_old;
+  std::vector<std::vector<double>> x;
+  std::vector<std::vector<double>> force;
+  std::vector<BlockPlaces> places;
+  std::vector<ElementInput> in;
+  std::vector<ElementOutput> out;
 
-  explicit Scratch(std::size_t size) : x_old(size), x(size), force(size) {}
+  Scratch(std::size_t elements, std::size_t size)
+      : x_old(elements, std::vector<double>(size)), x(x_old), force(x_old), places(elements),
+        in(elements), out(elements) {}
 };
 
 void gather(std::span<const double> x, std::span<const Index> nodes, int dim, double* out) {
-  for (const Index a : nodes)
-    for (int i = 0; i < dim; ++i)
-      *out++ = x[idx(a * dim + i)];
+  // Whole nodes at a time, so that their size is known.
+  if (dim == 2)
+    for (const Index a : nodes)
+      out = std::copy_n(x.data() + 2 * idx(a), 2, out);
+  else
+    for (const Index a : nodes)
+      out = std::copy_n(x.data() + 3 * idx(a), 3, out);
 }
 
 Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPattern& pattern)
@@ -97,31 +106,36 @@ double Bulk::reference_volume() const {
   return std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
 }
 
-ElementStatus
-Bulk::add_element(Index element, const Trial& trial, System& system, Scratch& scratch) {
+ElementStatus Bulk::add_elements(std::span<const Index> elements,
+                                 const Trial& trial,
+                                 System& system,
+                                 Scratch& scratch) {
   const int dim = pattern_->dim;
-  gather(trial.x_old, mesh_->cell(element), dim, scratch.x_old.data());
-  gather(trial.x, mesh_->cell(element), dim, scratch.x.data());
-  const std::size_t first = idx(element * points_);
   const auto n = idx(points_);
-  const ElementInput in{scratch.x_old.data(),
-                        scratch.x.data(),
-                        std::span(volumes_).subspan(first, n),
-                        std::span<const PointState>(states_).subspan(first, n),
-                        {trial.time - trial.time_old, temperatures_.empty()
-                                                          ? std::span<const double>()
-                                                          : temperatures().subspan(first, n)}};
-  BlockPlaces places;
-  if (!system.forces_only)
-    places = scatter_.places(*pattern_, element, system.tangent.values);
-  ElementOutput out{scratch.force.data(), system.forces_only ? nullptr : &places,
-                    std::span(trial_states_).subspan(first, n), 0.0,
-                    std::span(trial_shape_energies_).subspan(first, n)};
-  const ElementStatus status = kernel_(material_, in, out);
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const Index element = elements[k];
+    const std::size_t first = idx(element) * n;
+    gather(trial.x_old, mesh_->cell(element), dim, scratch.x_old[k].data());
+    gather(trial.x, mesh_->cell(element), dim, scratch.x[k].data());
+    scratch.in[k] = {
+        scratch.x_old[k].data(), scratch.x[k].data(), std::span(volumes_).subspan(first, n),
+        std::span<const PointState>(states_).subspan(first, n), trial.time - trial.time_old};
+    if (!temperatures_.empty())
+      scratch.in[k].temperatures = temperatures().subspan(first, n);
+    if (!system.forces_only)
+      scatter_.find_places(*pattern_, element, system.tangent.values, scratch.places[k]);
+    scratch.out[k] = {scratch.force[k].data(), system.forces_only ? nullptr : &scratch.places[k],
+                      std::span(trial_states_).subspan(first, n), 0.0,
+                      std::span(trial_shape_energies_).subspan(first, n)};
+  }
+  const ElementStatus status = kernel_(material_, std::span(scratch.in).first(elements.size()),
+                                       std::span(scratch.out).first(elements.size()));
   if (status != ElementStatus::good)
     return status;
-  increments_[idx(element)] = out.largest_plastic_increment;
-  scatter_.add(dim, element, scratch.force.data(), system.residual);
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    increments_[idx(elements[k])] = scratch.out[k].largest_plastic_increment;
+    scatter_.add(dim, elements[k], scratch.force[k].data(), system.residual);
+  }
   return status;
 }
 
@@ -129,21 +143,29 @@ Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
   trial_dt_ = trial.time - trial.time_old;
   constexpr Index none = std::numeric_limits<Index>::max();
   std::atomic<Index> bad{none};
+  // The lowest number wins whatever the order in which threads meet bad elements.
+  const auto say_bad = [&bad](Index element) {
+    Index known = bad.load();
+    while (element < known && !bad.compare_exchange_weak(known, element)) {
+    }
+  };
+  const auto at_once = idx(elements_at_once(mesh_->kind));
   const auto size = idx(scatter_.size() * pattern_->dim);
-  tbb::enumerable_thread_specific<Scratch> scratch([size] { return Scratch(size); });
-  const auto& order = scatter_.order();
+  tbb::enumerable_thread_specific<Scratch> scratch(
+      [at_once, size] { return Scratch(at_once, size); });
+  const std::span<const Index> order = scatter_.order();
   const auto& pieces = scatter_.piece_start();
   const auto work = [&](const tbb::blocked_range<std::size_t>& range) {
     Scratch& mine = scratch.local();
-    for (Index i = pieces[range.begin()]; i < pieces[range.end()]; ++i) {
-      const Index element = order[idx(i)];
-      if (add_element(element, trial, system, mine) != ElementStatus::good) {
-        // The lowest number wins whatever the order in which threads meet bad elements.
-        Index known = bad.load();
-        while (element < known && !bad.compare_exchange_weak(known, element)) {
-        }
+    for (std::size_t piece = range.begin(); piece < range.end(); ++piece)
+      for (auto i = idx(pieces[piece]); i < idx(pieces[piece + 1]); i += at_once) {
+        const auto together = order.subspan(i, std::min(at_once, idx(pieces[piece + 1]) - i));
+        if (add_elements(together, trial, system, mine) == ElementStatus::good)
+          continue;
+        for (std::size_t k = 0; k < together.size(); ++k)
+          if (add_elements(together.subspan(k, 1), trial, system, mine) != ElementStatus::good)
+            say_bad(together[k]);
       }
-    }
   };
   const Stopwatch timed(assembly_time_);
   const auto& start = scatter_.colour_start();

@@ -108,8 +108,11 @@ private:
   struct Scratch;
   /// Volumes of the points, shape (n_elements, points) [mm^3].
   [[nodiscard]] std::vector<double> volumes_at(std::span<const double> x) const;
-  /// Adds forces and tangent of an element, if it is good.
-  ElementStatus add_element(Index element, const Trial& trial, System& system, Scratch& scratch);
+  /// Adds forces and tangents of elements side by side, if they are good.
+  ElementStatus add_elements(std::span<const Index> elements,
+                             const Trial& trial,
+                             System& system,
+                             Scratch& scratch);
   [[nodiscard]] ElasticEnergy elastic_energy(std::span<const double> x,
                                              std::span<const double> shape_energies) const;
   /// Of a point in the last assembled trial, per reference volume [MPa].

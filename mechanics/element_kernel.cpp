@@ -20,31 +20,44 @@ namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
+/// Points of elements side by side in a batch; beyond the last point stands the last once more.
+template <class Element> struct Places {
+  static constexpr int points = Element::Rule::points;
+  static_assert(points <= points_at_once);
+  static constexpr int elements = points_at_once / points;
+
+  static constexpr int element(int place) { return std::min(place / points, elements - 1); }
+  static constexpr int point(int place) {
+    return std::min(place - element(place) * points, points - 1);
+  }
+};
+
 /// Shape functions and their reference gradients at every integration point of an element, node by
-/// node and point by point.
+/// node, and of a batch, point by point.
 template <class Element> struct PointTable {
   static constexpr int nodes = Element::Shape::nodes;
   static constexpr int dim = Element::Shape::dim;
   static constexpr int points = Element::Rule::points;
 
-  std::array<Lanes<nodes>, points> N;
-  std::array<std::array<Lanes<nodes>, dim>, points> dN; ///< by each reference coordinate
-  std::array<Lanes<points>, nodes> N_at_points;
-  std::array<std::array<Lanes<points>, dim>, nodes> dN_at_points;
-  Lanes<points> weight;
+  std::array<Lanes<nodes>, points> N{};
+  std::array<std::array<Lanes<nodes>, dim>, points> dN{}; ///< by each reference coordinate
+  std::array<PointLanes, nodes> N_at_points{};
+  std::array<std::array<PointLanes, dim>, nodes> dN_at_points{};
+  PointLanes weight{};
 
   PointTable() {
-    for (int g = 0; g < points; ++g) {
+    for (int place = 0; place < points_at_once; ++place) {
+      const int g = Places<Element>::point(place);
       const auto xi = Element::Rule::point(g);
       const auto values = Element::Shape::values(xi);
       const auto gradients = Element::Shape::gradients(xi);
-      weight.set(g, Element::Rule::weight(g));
+      weight.set(place, Element::Rule::weight(g));
       for (int a = 0; a < nodes; ++a) {
         N[idx(g)].set(a, values[idx(a)]);
-        N_at_points[idx(a)].set(g, values[idx(a)]);
+        N_at_points[idx(a)].set(place, values[idx(a)]);
         for (std::size_t i = 0; i < dim; ++i) {
           dN[idx(g)][i].set(a, gradients[idx(a)][i]);
-          dN_at_points[idx(a)][i].set(g, gradients[idx(a)][i]);
+          dN_at_points[idx(a)][i].set(place, gradients[idx(a)][i]);
         }
       }
     }
@@ -56,20 +69,18 @@ template <class Element> const PointTable<Element>& point_table() {
   return table;
 }
 
-/// A square matrix at several points.
-template <int dim, int points> using SquareLanes = std::array<std::array<Lanes<points>, dim>, dim>;
+/// A square matrix at each point of a batch.
+template <int dim> using SquareLanes = std::array<std::array<PointLanes, dim>, dim>;
 
-template <int points> Lanes<points> determinant(const SquareLanes<2, points>& A) {
-  return A[0][0] * A[1][1] - A[0][1] * A[1][0];
-}
+PointLanes determinant(const SquareLanes<2>& A) { return A[0][0] * A[1][1] - A[0][1] * A[1][0]; }
 
 /// The matrix of cofactors' transpose: the inverse times the determinant.
-template <int points> SquareLanes<2, points> adjugate(const SquareLanes<2, points>& A) {
+SquareLanes<2> adjugate(const SquareLanes<2>& A) {
   return {{{A[1][1], -1.0 * A[0][1]}, {-1.0 * A[1][0], A[0][0]}}};
 }
 
-template <int points> SquareLanes<3, points> adjugate(const SquareLanes<3, points>& A) {
-  SquareLanes<3, points> C;
+SquareLanes<3> adjugate(const SquareLanes<3>& A) {
+  SquareLanes<3> C;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t p = (j + 1) % 3;
@@ -81,8 +92,8 @@ template <int points> SquareLanes<3, points> adjugate(const SquareLanes<3, point
   return C;
 }
 
-template <int points> Lanes<points> determinant(const SquareLanes<3, points>& A) {
-  Lanes<points> sum;
+PointLanes determinant(const SquareLanes<3>& A) {
+  PointLanes sum{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
@@ -91,12 +102,13 @@ template <int points> Lanes<points> determinant(const SquareLanes<3, points>& A)
   return sum;
 }
 
-/// Everything one element kernel works with, on the stack.
+/// Everything the kernel works with, on the stack: elements side by side as far as their points go,
+/// then one after the other.
 template <class Element, Analysis analysis> struct Kernel {
   static constexpr int nodes = Element::Shape::nodes;
   static constexpr int dim = Element::Shape::dim;
   static constexpr int points = Element::Rule::points;
-  static constexpr int size = nodes * dim;
+  static constexpr int elements = Places<Element>::elements;
   /// Strain components xx, yy, zz, xy, (yz, xz); shears are twice the tensor's.
   static constexpr int n_strains = dim == 2 ? 4 : 6;
   static constexpr bool planar = dim == 2;
@@ -105,15 +117,13 @@ template <class Element, Analysis analysis> struct Kernel {
   static constexpr int slopes = axisymmetric ? dim + 1 : dim;
 
   using NodalRow = Lanes<nodes>;
-  using AtPoints = Lanes<points>;
-  using Square = SquareLanes<dim, points>;
+  using Square = SquareLanes<dim>;
   using Slopes = std::array<NodalRow, slopes>;
-  using Factor = std::array<std::array<double, slopes>, slopes>;
+  /// Of a batch of points, by the slopes of two displacements.
+  using Factor = std::array<std::array<PointLanes, slopes>, slopes>;
   using Vector = std::array<NodalRow, dim>; ///< of all nodes, component by component
   /// Moduli of a batch of points, on and above the diagonal.
   using Moduli = std::array<std::array<PointLanes, n_strains>, n_strains>;
-  static constexpr std::size_t batches =
-      static_cast<std::size_t>((points + points_at_once - 1) / points_at_once);
   using Pairs = std::array<NodalRow, nodes>;
   /// Tangent of displacement i by displacement j, i <= j, for each pair of nodes.
   using Blocks = std::array<Pairs, static_cast<std::size_t>(dim*(dim + 1) / 2)>;
@@ -130,70 +140,92 @@ template <class Element, Analysis analysis> struct Kernel {
     return all;
   }();
 
-  std::array<Slopes, points> slope; ///< d N / d x and N / r, current
-  AtPoints volume;                  ///< current
-  std::array<TensorLanes, batches> b_pred;
-  std::array<DeviatoricResponse, batches> response;
+  using Inputs = std::array<const ElementInput*, elements>;
+  using Positions = std::array<const double*, elements>;
+
+  std::array<Slopes, points_at_once> slope; ///< d N / d x and N / r, current
+  PointLanes volume;                        ///< current
+  TensorLanes b_pred;
+  DeviatoricResponse response;
+
+  /// A number of each element at its points.
+  template <class Function> static PointLanes at_points(Function&& of_element) {
+    if constexpr (elements == 1)
+      return PointLanes::constant(of_element(0));
+    else
+      return PointLanes::of([&](int l) { return of_element(idx(Places<Element>::element(l))); });
+  }
 
   /// Volumes of the points in a configuration; `J` receives d x / d xi, `r` the radius.
-  static AtPoints measure(const double* x, Square& J, AtPoints& r) {
+  static PointLanes measure(const Positions& x, Square& J, PointLanes& r) {
     const auto& table = point_table<Element>();
     J = {};
+    r = {};
     for (int a = 0; a < nodes; ++a)
-      for (std::size_t i = 0; i < dim; ++i)
+      for (std::size_t i = 0; i < dim; ++i) {
+        const PointLanes x_i = at_points([&](std::size_t e) { return x[e][idx(a * dim) + i]; });
         for (std::size_t j = 0; j < dim; ++j)
-          J[i][j] += x[idx(a * dim) + i] * table.dN_at_points[idx(a)][j];
-    AtPoints v = determinant<points>(J) * table.weight;
-    if constexpr (axisymmetric) {
-      r = {};
-      for (int a = 0; a < nodes; ++a)
-        r += x[a * dim] * table.N_at_points[idx(a)];
+          J[i][j] += x_i * table.dN_at_points[idx(a)][j];
+        if (axisymmetric && i == 0)
+          r += x_i * table.N_at_points[idx(a)];
+      }
+    PointLanes v = determinant(J) * table.weight;
+    if constexpr (axisymmetric)
       v = full_turn * (v * r);
-    }
     return v;
   }
 
-  /// Gradients, volumes and predictors at all points; false when the element is inverted.
-  bool kinematics(const ElementInput& in) {
+  /// Gradients, volumes and predictors at all points; false when an element is inverted.
+  bool kinematics(const Inputs& in) {
+    Positions x;
+    Positions x_old;
+    for (std::size_t e = 0; e < elements; ++e) {
+      x[e] = in[e]->x;
+      x_old[e] = in[e]->x_old;
+    }
     Square J;
     Square J_old;
-    AtPoints r;
-    AtPoints r_old;
-    volume = measure(in.x, J, r);
-    const AtPoints volume_old = measure(in.x_old, J_old, r_old);
-    for (int g = 0; g < points; ++g)
-      if (!(volume[g] > 0.0) || !(volume_old[g] > 0.0) || (axisymmetric && !(r[g] > 0.0)))
-        return false;
+    PointLanes r;
+    PointLanes r_old;
+    volume = measure(x, J, r);
+    const PointLanes volume_old = measure(x_old, J_old, r_old);
+    PointLanes bad = unless_positive(volume) + unless_positive(volume_old);
+    if constexpr (axisymmetric)
+      bad += unless_positive(r);
+    if (!all_zero(bad))
+      return false;
     set_slopes(J, r);
-    set_predictors(J, J_old, r / r_old, in.old);
+    set_predictors(J, J_old, r / r_old, in);
     return true;
   }
 
-  void set_slopes(const Square& J, [[maybe_unused]] const AtPoints& r) {
+  void set_slopes(const Square& J, [[maybe_unused]] const PointLanes& r) {
     const auto& table = point_table<Element>();
-    const Square C = adjugate<points>(J);
-    const AtPoints per_volume = AtPoints::constant(1.0) / determinant<points>(J);
+    const Square C = adjugate(J);
+    const PointLanes per_volume = PointLanes::constant(1.0) / determinant(J);
     for (std::size_t j = 0; j < dim; ++j)
       for (std::size_t i = 0; i < dim; ++i) {
-        const AtPoints inverse = C[i][j] * per_volume;
-        for (int g = 0; g < points; ++g) {
-          const NodalRow part = inverse[g] * table.dN[idx(g)][i];
-          slope[idx(g)][j] = i == 0 ? part : slope[idx(g)][j] + part;
+        const PointLanes inverse = C[i][j] * per_volume;
+        for (int l = 0; l < elements * points; ++l) {
+          const NodalRow part = inverse[l] * table.dN[idx(l % points)][i];
+          slope[idx(l)][j] = i == 0 ? part : slope[idx(l)][j] + part;
         }
       }
-    if constexpr (axisymmetric)
-      for (int g = 0; g < points; ++g)
-        slope[idx(g)][dim] = (1.0 / r[g]) * table.N[idx(g)];
+    if constexpr (axisymmetric) {
+      const PointLanes per_radius = PointLanes::constant(1.0) / r;
+      for (int l = 0; l < elements * points; ++l)
+        slope[idx(l)][dim] = per_radius[l] * table.N[idx(l % points)];
+    }
   }
 
   /// b_e,pred = f b_e f^T with the deformation gradient f of the increment. (M.4)
   void set_predictors(const Square& J,
                       const Square& J_old,
-                      [[maybe_unused]] const AtPoints& radii,
-                      std::span<const PointState> old) {
-    const Square C = adjugate<points>(J_old);
-    const AtPoints per_volume = AtPoints::constant(1.0) / determinant<points>(J_old);
-    SquareLanes<3, points> f{};
+                      [[maybe_unused]] const PointLanes& radii,
+                      const Inputs& in) {
+    const Square C = adjugate(J_old);
+    const PointLanes per_volume = PointLanes::constant(1.0) / determinant(J_old);
+    SquareLanes<3> f{};
     for (std::size_t i = 0; i < dim; ++i)
       for (std::size_t j = 0; j < dim; ++j) {
         for (std::size_t l = 0; l < dim; ++l)
@@ -201,30 +233,24 @@ template <class Element, Analysis analysis> struct Kernel {
         f[i][j] = f[i][j] * per_volume;
       }
     if constexpr (dim == 2)
-      f[2][2] = axisymmetric ? radii : AtPoints::constant(1.0);
-    SquareLanes<3, points> b{};
+      f[2][2] = axisymmetric ? radii : PointLanes::constant(1.0);
+    SquareLanes<3> b{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i; j < 3; ++j)
         if (coupled(i, j))
-          b[i][j] = b[j][i] = AtPoints::of(
-              [&](int g) { return old[idx(g)].b_e(static_cast<int>(i), static_cast<int>(j)); });
-    const SquareLanes<3, points> fb = product(f, b, false);
-    const SquareLanes<3, points> fbf = product(fb, f, true);
-    for (std::size_t k = 0; k < batches; ++k)
-      for (std::size_t c = 0; c < tensor_components.size(); ++c) {
-        const auto [i, j] = tensor_components[c];
-        b_pred[k][c] = batch(fbf[i][j], k);
-      }
+          b[i][j] = b[j][i] = PointLanes::of(
+              [&](int l) { return state(in, l).b_e(static_cast<int>(i), static_cast<int>(j)); });
+    const SquareLanes<3> fb = product(f, b, false);
+    const SquareLanes<3> fbf = product(fb, f, true);
+    for (std::size_t c = 0; c < tensor_components.size(); ++c) {
+      const auto [i, j] = tensor_components[c];
+      b_pred[c] = fbf[i][j];
+    }
   }
 
-  /// Numbers of the points of a batch; beyond the last point its own once more.
-  static PointLanes batch(const AtPoints& all, std::size_t k) {
-    if constexpr (points == points_at_once)
-      return all;
-    else
-      return PointLanes::of([&](int l) {
-        return all[std::min(static_cast<int>(k) * points_at_once + l, points - 1)];
-      });
+  /// Committed state at a place of the batch.
+  static const PointState& state(const Inputs& in, int place) {
+    return in[idx(Places<Element>::element(place))]->old[idx(Places<Element>::point(place))];
   }
 
   /// Whether a tensor has more than a zero there: none couples a plane with what is across it.
@@ -233,9 +259,8 @@ template <class Element, Analysis analysis> struct Kernel {
   }
 
   /// A B, or A B^T.
-  static SquareLanes<3, points>
-  product(const SquareLanes<3, points>& A, const SquareLanes<3, points>& B, bool transposed) {
-    SquareLanes<3, points> AB{};
+  static SquareLanes<3> product(const SquareLanes<3>& A, const SquareLanes<3>& B, bool transposed) {
+    SquareLanes<3> AB{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t l = 0; l < 3; ++l)
@@ -274,74 +299,75 @@ template <class Element, Analysis analysis> struct Kernel {
     return D;
   }
 
-  /// Moduli of one point: the deviator's and those of the pressure,
-  /// `trace` I (x) I - 2 `unit` II.
+  /// Kirchhoff stresses of a batch of points. [MPa]
+  static TensorLanes stresses(const TensorLanes& deviator, const PointLanes& p) {
+    TensorLanes tau = deviator;
+    for (std::size_t i = 0; i < 3; ++i)
+      tau[i] = tau[i] + p;
+    return tau;
+  }
+
+  /// What the tangents of a batch of points are made of.
   struct PointModuli {
     const Moduli* deviatoric;
-    int point; ///< in its batch
-    double trace;
-    double unit;
+    PointLanes trace; ///< moduli of the pressure: `trace` I (x) I - 2 `unit` II [MPa]
+    PointLanes unit;
+    PointLanes volume;      ///< reference
+    const TensorLanes* tau; ///< Kirchhoff stresses times those
 
-    template <int s, int t> [[nodiscard]] double at() const {
-      double value = (*deviatoric)[std::min(s, t)][std::max(s, t)][point];
+    template <int s, int t> [[nodiscard]] PointLanes at() const {
+      PointLanes value = (*deviatoric)[std::min(s, t)][std::max(s, t)];
       if constexpr (s < 3 && t < 3)
-        value += trace;
+        value = value + trace;
       if constexpr (s == t)
-        value -= s < 3 ? 2.0 * unit : unit;
+        value = value - (s < 3 ? 2.0 : 1.0) * unit;
       return value;
     }
   };
 
-  /// Strain component of the gradient of displacement i in direction l; none: it has none.
-  static constexpr int strain_of(int i, int l) {
-    constexpr int none = -1;
-    constexpr std::array<std::array<int, 3>, 3> component{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
-    if (l == dim) // the hoop's
-      return i == 0 ? 2 : none;
-    return component[idx(i)][idx(l)];
+  /// Strain component of the gradient of displacement i in direction l, or of the hoop.
+  static constexpr std::size_t strain_of(std::size_t i, std::size_t l) {
+    constexpr std::array<std::array<std::size_t, 3>, 3> component{
+        {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
+    return l == dim ? 2 : component[i][l];
   }
+
+  /// How many of the slopes displacement i has a strain of: only that along the radius has a
+  /// hoop's.
+  static constexpr std::size_t slopes_of(std::size_t i) { return i == 0 ? slopes : dim; }
 
   /// Derivative of the stress that works on displacement i by the gradient of displacement j, with
   /// the stress itself that turns with the gradients. (M.3), (M.8)
-  template <int i, int j>
-  static Factor stiffness(const PointModuli& D, const Mat3& tau, double volume_at) {
-    Factor A{};
-    const auto set = [&]<int l, int m>() {
-      constexpr int s = strain_of(i, l);
-      constexpr int t = strain_of(j, m);
-      if constexpr (s >= 0 && t >= 0)
-        A[l][m] = volume_at * D.template at<s, t>() + (i == j ? tau(l, m) : 0.0);
+  template <std::size_t i, std::size_t j> static void set_factor(const PointModuli& D, Factor& A) {
+    const auto set = [&]<std::size_t l, std::size_t m>() {
+      constexpr std::size_t s = strain_of(i, l);
+      constexpr std::size_t t = strain_of(j, m);
+      A[l][m] = D.volume * D.template at<s, t>();
+      if constexpr (i == j && (l == dim) == (m == dim))
+        A[l][m] = A[l][m] + (*D.tau)[strain_of(l, m)];
     };
-    [&]<int... k>(std::integer_sequence<int, k...>) {
-      (set.template operator()<k / slopes, k % slopes>(), ...);
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      (set.template operator()<k / slopes_of(j), k % slopes_of(j)>(), ...);
     }
-    (std::make_integer_sequence<int, slopes * slopes>());
-    return A;
+    (std::make_index_sequence<slopes_of(i) * slopes_of(j)>());
   }
 
-  /// Adds S A S^T.
-  static void add_product(Pairs& K, const Slopes& S, const Factor& A) {
+  /// Adds S A S^T of a point of a batch.
+  template <std::size_t i, std::size_t j>
+  static void add_product(Pairs& K, const Slopes& S, const Factor& A, int point) {
     Slopes SA{};
-    for (std::size_t m = 0; m < slopes; ++m)
-      for (std::size_t l = 0; l < slopes; ++l)
-        SA[m] += A[l][m] * S[l];
+    for (std::size_t m = 0; m < slopes_of(j); ++m)
+      for (std::size_t l = 0; l < slopes_of(i); ++l)
+        SA[m] += A[l][m][point] * S[l];
     for (int a = 0; a < nodes; ++a)
-      for (std::size_t m = 0; m < slopes; ++m)
+      for (std::size_t m = 0; m < slopes_of(j); ++m)
         K[idx(a)] += SA[m][a] * S[m];
   }
 
-  /// Adds what a point gives to the tangent.
-  ///
-  /// @param tau  Kirchhoff stress times the reference volume
-  static void add_stiffness(Blocks& K,
-                            const Slopes& S,
-                            const PointModuli& D,
-                            const Mat3& tau,
-                            double volume_at) {
+  /// Calls `visit` with the number of each block and its components as constants.
+  template <class Visit> static void for_each_block(Visit visit) {
     [&]<std::size_t... block>(std::index_sequence<block...>) {
-      (add_product(K[block], S,
-                   stiffness<components[block].i, components[block].j>(D, tau, volume_at)),
-       ...);
+      (visit.template operator()<block, idx(components[block].i), idx(components[block].j)>(), ...);
     }
     (std::make_index_sequence<components.size()>());
   }
@@ -370,24 +396,11 @@ template <class Element, Analysis analysis> struct Kernel {
       }
   }
 
-  /// Kirchhoff stress of a point of a batch.
-  static Mat3 stress(const TensorLanes& deviator, double p, int point) {
-    Mat3 tau;
-    for (std::size_t k = 0; k < deviator.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
-      const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
-      tau(i, j) = tau(j, i) = deviator[k][point] + (i == j ? p : 0.0);
-    }
-    return tau;
-  }
-
-  /// Adds the nodal forces of the stress at a point.
-  static void add_force(Vector& force, const Slopes& S, const Mat3& tau) {
-    for (int i = 0; i < dim; ++i)
-      for (int l = 0; l < dim; ++l)
-        force[idx(i)] += tau(l, i) * S[idx(l)];
-    if constexpr (axisymmetric)
-      force[0] += tau(2, 2) * S[dim];
+  /// Adds the nodal forces of the stress at a point of a batch.
+  static void add_force(Vector& force, const Slopes& S, const TensorLanes& tau, int point) {
+    for (std::size_t i = 0; i < dim; ++i)
+      for (std::size_t l = 0; l < slopes_of(i); ++l)
+        force[i] += tau[strain_of(i, l)][point] * S[l];
   }
 
   /// Adds `scale` times the nodal coefficients of the divergence at a point.
@@ -398,60 +411,132 @@ template <class Element, Analysis analysis> struct Kernel {
       sum[0] += scale * S[dim];
   }
 
-  ElementStatus run(const Material& material, const ElementInput& in, ElementOutput& out) {
+  static PointsBefore before(const Material& material, const Inputs& in, int count) {
+    PointsBefore points_before{count, in[0]->dt, {}, {}};
+    for (int l = 0; l < count; ++l) {
+      const auto temperatures = in[idx(Places<Element>::element(l))]->temperatures;
+      points_before.plastic_strain[idx(l)] = state(in, l).plastic_strain;
+      points_before.temperature[idx(l)] = temperatures.empty()
+                                              ? material.temperature
+                                              : temperatures[idx(Places<Element>::point(l))];
+    }
+    return points_before;
+  }
+
+  /// Volumes of a whole element and what they say of its pressure. (M.12)
+  struct Dilatation {
+    double reference = 0.0; ///< volume [mm^3]
+    double theta = 0.0;     ///< ratio of the current volume to it [-]
+    double log_theta = 0.0;
+  };
+
+  [[nodiscard]] Dilatation dilatation(const ElementInput& in, int first) const {
+    Dilatation of;
+    double v = 0.0;
+    for (int g = 0; g < points; ++g) {
+      of.reference += in.volumes[idx(g)];
+      v += volume[first + g];
+    }
+    of.theta = v / of.reference;
+    of.log_theta = std::log(of.theta);
+    return of;
+  }
+
+  ElementStatus
+  run(const Material& material, std::span<const ElementInput> given, std::span<ElementOutput> out) {
+    Inputs in; // beyond the last element its own once more
+    for (std::size_t e = 0; e < elements; ++e)
+      in[e] = &given[std::min(e, given.size() - 1)];
     if (!kinematics(in))
       return ElementStatus::inverted;
-    if (!update(material, b_pred, in.old, planar, in.flow, response))
+    const int count = points * static_cast<int>(given.size());
+    if (!update(material, b_pred, before(material, in, count), planar, response))
       return ElementStatus::no_return;
-    Vector force{};
-    Vector dilatation{};
-    Blocks K{};
     const double kappa = material.elasticity.bulk();
-    const double V0 = std::accumulate(in.volumes.begin(), in.volumes.end(), 0.0);
-    double v = 0.0;
-    for (int g = 0; g < points; ++g)
-      v += volume[g];
-    const double theta = v / V0;
-    const double log_theta = std::log(theta);
-    for (std::size_t k = 0; k < batches; ++k) {
-      const DeviatoricResponse& at = response[k];
-      const PointLanes energies = shape_energies(material.elasticity, at.s);
-      const Moduli D = out.tangent == nullptr ? Moduli() : moduli(at);
-      const int first = static_cast<int>(k) * points_at_once;
-      for (int l = 0; l < std::min(points_at_once, points - first); ++l) {
-        const int g = first + l;
-        at.put_state(l, out.trial[idx(g)]);
-        if (!out.shape_energies.empty())
-          out.shape_energies[idx(g)] = energies[l];
-        out.largest_plastic_increment =
-            std::max(out.largest_plastic_increment, at.plastic_increment[idx(l)]);
-        const double dV = in.volumes[idx(g)];
-        // Pressure times J: of the element's mean dilatation, or of the point's own.
-        const double p = Element::mean_dilatation ? kappa * log_theta / theta * volume[g] / dV
-                                                  : kappa * at.log_J[l];
-        const Mat3 tau = dV * stress(at.deviator, p, l);
-        add_force(force, slope[idx(g)], tau);
-        if (out.tangent == nullptr)
-          continue;
-        if constexpr (Element::mean_dilatation)
-          add_divergence(dilatation, slope[idx(g)], volume[g]);
-        add_stiffness(K, slope[idx(g)], {&D, l, Element::mean_dilatation ? p : kappa, p}, tau, dV);
-      }
+    std::array<Dilatation, elements> whole;
+    if constexpr (Element::mean_dilatation)
+      for (std::size_t e = 0; e < given.size(); ++e)
+        whole[e] = dilatation(given[e], static_cast<int>(e) * points);
+    const PointLanes dV = PointLanes::of([&](int l) {
+      return in[idx(Places<Element>::element(l))]->volumes[idx(Places<Element>::point(l))];
+    });
+    // Pressures times J: of the element's mean dilatation, or of the points' own.
+    const PointLanes p = Element::mean_dilatation
+                             ? at_points([&](std::size_t e) {
+                                 return kappa * whole[e].log_theta / whole[e].theta;
+                               }) * volume /
+                                   dV
+                             : kappa * response.log_J;
+    TensorLanes tau = stresses(response.deviator, p);
+    for (PointLanes& component : tau)
+      component = dV * component;
+    std::array<Factor, components.size()> A;
+    if (out[0].tangent != nullptr) {
+      const Moduli D = moduli(response);
+      const PointLanes trace = Element::mean_dilatation ? p : PointLanes::constant(kappa);
+      for_each_block([&]<std::size_t block, std::size_t i, std::size_t j>() {
+        set_factor<i, j>({&D, trace, p, dV, &tau}, A[block]);
+      });
     }
+    const PointLanes energies = shape_energies(material.elasticity, response.s);
+    for (std::size_t e = 0; e < given.size(); ++e) {
+      put_points(static_cast<int>(e) * points, energies, out[e]);
+      put_forces(static_cast<int>(e) * points, tau, out[e]);
+      if (out[e].tangent != nullptr)
+        put_tangent(static_cast<int>(e) * points, A, kappa, whole[e], out[e]);
+    }
+    return ElementStatus::good;
+  }
+
+  /// Writes what an element's points have come to, the first of them at a place of the batch.
+  void put_points(int first, const PointLanes& energies, ElementOutput& out) const {
+    for (int g = 0; g < points; ++g) {
+      response.put_state(first + g, out.trial[idx(g)]);
+      if (!out.shape_energies.empty())
+        out.shape_energies[idx(g)] = energies[first + g];
+      out.largest_plastic_increment =
+          std::max(out.largest_plastic_increment, response.plastic_increment[idx(first + g)]);
+    }
+  }
+
+  void put_forces(int first, const TensorLanes& tau, ElementOutput& out) const {
+    Vector force{};
+#pragma GCC unroll 8
+    for (int g = 0; g < points; ++g)
+      add_force(force, slope[idx(first + g)], tau, first + g);
     for (int a = 0; a < nodes; ++a)
       for (int i = 0; i < dim; ++i)
         out.force[a * dim + i] = force[idx(i)][a];
-    if (out.tangent != nullptr) {
-      if constexpr (Element::mean_dilatation)
-        add_dyad(K, kappa * (1.0 - log_theta) / (theta * theta * V0), dilatation);
-      add_to(*out.tangent, K);
+  }
+
+  void put_tangent(int first,
+                   const std::array<Factor, components.size()>& A,
+                   [[maybe_unused]] double kappa,
+                   [[maybe_unused]] const Dilatation& whole,
+                   const ElementOutput& out) const {
+    Blocks K;
+    // Block by block: the sums of one stay in the processor's registers.
+    for_each_block([&]<std::size_t block, std::size_t i, std::size_t j>() {
+      Pairs sum{};
+      for (int l = first; l < first + points; ++l)
+        add_product<i, j>(sum, slope[idx(l)], A[block], l);
+      K[block] = sum;
+    });
+    if constexpr (Element::mean_dilatation) {
+      Vector divergence{};
+      for (int l = first; l < first + points; ++l)
+        add_divergence(divergence, slope[idx(l)], volume[l]);
+      add_dyad(K, kappa * (1.0 - whole.log_theta) / (whole.theta * whole.theta * whole.reference),
+               divergence);
     }
-    return ElementStatus::good;
+    add_to(*out.tangent, K);
   }
 };
 
 template <class Element, Analysis analysis>
-ElementStatus run_kernel(const Material& material, const ElementInput& in, ElementOutput& out) {
+ElementStatus run_kernel(const Material& material,
+                         std::span<const ElementInput> in,
+                         std::span<ElementOutput> out) {
   Kernel<Element, analysis> kernel;
   return kernel.run(material, in, out);
 }
@@ -467,9 +552,11 @@ template <class Element> ElementKernel kernel_of(Analysis analysis) {
 template <class Element, Analysis analysis>
 double volumes_of(const double* x, std::span<double> out) {
   using K = Kernel<Element, analysis>;
+  typename K::Positions positions;
+  positions.fill(x);
   typename K::Square J;
-  typename K::AtPoints r;
-  const typename K::AtPoints v = K::measure(x, J, r);
+  PointLanes r;
+  const PointLanes v = K::measure(positions, J, r);
   double smallest = std::numeric_limits<double>::infinity();
   for (int g = 0; g < K::points; ++g) {
     out[idx(g)] = v[g];
@@ -482,6 +569,10 @@ double volumes_of(const double* x, std::span<double> out) {
 
 ElementKernel element_kernel(ElementKind kind, Analysis analysis) {
   return visit_element(kind, [&](auto element) { return kernel_of<decltype(element)>(analysis); });
+}
+
+int elements_at_once(ElementKind kind) {
+  return visit_element(kind, [](auto element) { return Places<decltype(element)>::elements; });
 }
 
 double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::span<double> out) {

@@ -1,4 +1,4 @@
-// Forces and tangent of one element at a trial configuration.
+// Forces and tangents of elements at a trial configuration.
 //
 // Virtual work of the Kirchhoff stress over the reference volume, f = sum_g dV0 tau : grad du, with
 // gradients with respect to the current positions (M.3). Quadratic elements evaluate the whole
@@ -21,11 +21,12 @@ namespace billet::mechanics {
 
 /// What an element is given.
 struct ElementInput {
-  const double* x_old;             ///< committed positions of its nodes [mm]
-  const double* x;                 ///< positions tried [mm]
-  std::span<const double> volumes; ///< reference volume of each point [mm^3]
-  std::span<const PointState> old; ///< committed states
-  FlowConditions flow;             ///< length of the increment, temperatures of the points
+  const double* x_old;                    ///< committed positions of its nodes [mm]
+  const double* x;                        ///< positions tried [mm]
+  std::span<const double> volumes;        ///< reference volume of each point [mm^3]
+  std::span<const PointState> old;        ///< committed states
+  double dt;                              ///< length of the increment [s]
+  std::span<const double> temperatures{}; ///< of the points [degC]; empty: the material's
 };
 
 /// What an element gives; the arrays belong to the caller.
@@ -39,10 +40,17 @@ struct ElementOutput {
 
 enum class ElementStatus { good, inverted, no_return };
 
-/// An element's kernel for one kind and analysis.
-using ElementKernel = ElementStatus (*)(const Material&, const ElementInput&, ElementOutput&);
+/// The kernel of one kind and analysis, for 1 to `elements_at_once` elements side by side, of which
+/// none knows of the others. Nothing is added to the tangent unless all are good: alone they say
+/// which is not.
+using ElementKernel = ElementStatus (*)(const Material&,
+                                        std::span<const ElementInput>,
+                                        std::span<ElementOutput>);
 
 [[nodiscard]] ElementKernel element_kernel(ElementKind kind, Analysis analysis);
+
+/// Elements whose points fill a batch.
+[[nodiscard]] int elements_at_once(ElementKind kind);
 
 /// Volume of each integration point in a configuration (of the full turn when axisymmetric).
 ///

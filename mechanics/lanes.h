@@ -16,7 +16,8 @@ namespace billet::mechanics {
 /// the last one takes part, be it as 0 / 0, and is never read.
 template <int n> class Lanes {
 public:
-  Lanes() = default; ///< zeros
+  /// `Lanes{}` is zeros, `Lanes a;` anything: large arrays of them are cleared where it matters.
+  Lanes() = default;
   static Lanes constant(double value) {
     Lanes all;
     for (Part& part : all.parts_)
@@ -86,6 +87,33 @@ public:
     return of([&](int i) { return std::sqrt(a[i]); });
   }
 
+  /// Number by number: 0 where it is above zero, else 1, of what is no number as well.
+  friend Lanes unless_positive(const Lanes& a) {
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = a.parts_[i].values > 0.0 ? Vector{} : 1.0 - Vector{};
+    return result;
+  }
+  /// Number by number: 0 where its size is `bound` or less, else 1, of what is no number as well.
+  friend Lanes unless_within(const Lanes& a, double bound) {
+    const Lanes size = abs(a);
+    Lanes result;
+    for (std::size_t i = 0; i < n_parts; ++i)
+      result.parts_[i].values = size.parts_[i].values <= bound ? Vector{} : 1.0 - Vector{};
+    return result;
+  }
+  /// Whether all of several numbers, none below zero, are zero.
+  friend bool all_zero(const Lanes& a) {
+    double sum = 0.0;
+    if constexpr (n % width == 0)
+      for (const Part& part : a.parts_)
+        sum += total(part);
+    else
+      for (int i = 0; i < n; ++i)
+        sum += a[i];
+    return sum == 0.0;
+  }
+
 private:
   static constexpr int width = n <= 2 ? 2 : n <= 4 ? 4 : 8;
   static constexpr std::size_t n_parts = static_cast<std::size_t>((n + width - 1) / width);
@@ -100,7 +128,24 @@ private:
     return {Vector{(first + i < n ? value_of(first + i) : 0.0)...}};
   }
 
-  std::array<Part, n_parts> parts_{};
+  /// Half by half, for the compiler takes the numbers one after the other.
+  static double total(const Part& part) {
+    const auto v = part.values;
+    if constexpr (width == 8) {
+      const auto four =
+          __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
+      const auto two =
+          __builtin_shufflevector(four, four, 0, 1) + __builtin_shufflevector(four, four, 2, 3);
+      return two[0] + two[1];
+    } else if constexpr (width == 4) {
+      const auto two = __builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3);
+      return two[0] + two[1];
+    } else {
+      return v[0] + v[1];
+    }
+  }
+
+  std::array<Part, n_parts> parts_;
 };
 
 } // namespace billet::mechanics

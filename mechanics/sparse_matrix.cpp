@@ -239,10 +239,11 @@ void Scatter::colour(Index n_nodes, const std::vector<std::vector<Index>>& piece
   }
 }
 
-BlockPlaces
-Scatter::places(const BlockPattern& pattern, Index group, std::span<double> values) const {
+void Scatter::find_places(const BlockPattern& pattern,
+                          Index group,
+                          std::span<double> values,
+                          BlockPlaces& places) const {
   assert(idx(size_) <= BlockPlaces::most_nodes);
-  BlockPlaces places;
   places.blocks = offsets_.data() + at(group) * idx(size_);
   for (std::size_t a = 0; a < idx(size_); ++a) {
     const std::size_t row = idx(nodes(group)[a]) * idx(pattern.dim);
@@ -250,7 +251,6 @@ Scatter::places(const BlockPattern& pattern, Index group, std::span<double> valu
     places.rows[a] = values.data() + first;
     places.apart[a] = idx(pattern.row_start[row + 1] - first);
   }
-  return places;
 }
 
 void Scatter::add(const BlockPattern& pattern,
@@ -291,10 +291,12 @@ void Scatter::list(const BlockPattern& pattern,
 }
 
 void Scatter::add(int dim, Index group, const double* local, std::span<double> vector) const {
-  const auto n = idx(dim);
-  for (const Index a : nodes(group))
-    for (std::size_t i = 0; i < n; ++i)
-      vector[idx(a) * n + i] += *local++;
+  visit_dimension(dim, [&](auto constant) {
+    constexpr std::size_t n = decltype(constant)::value;
+    for (const Index a : nodes(group))
+      for (std::size_t i = 0; i < n; ++i)
+        vector[idx(a) * n + i] += *local++;
+  });
 }
 
 void SparseMatrix::multiply(std::span<const double> x, std::span<double> y) const {

@@ -74,9 +74,11 @@ public:
   /// Pieces by colour: colour c holds those from colour_start[c] to colour_start[c + 1] - 1.
   [[nodiscard]] const std::vector<Index>& colour_start() const { return colour_start_; }
 
-  /// Where a group's blocks lie in `values`. @pre size() is at most BlockPlaces::most_nodes
-  [[nodiscard]] BlockPlaces
-  places(const BlockPattern& pattern, Index group, std::span<double> values) const;
+  /// Finds where a group's blocks lie in `values`. @pre size() is at most BlockPlaces::most_nodes
+  void find_places(const BlockPattern& pattern,
+                   Index group,
+                   std::span<double> values,
+                   BlockPlaces& places) const;
   /// Adds a local matrix, shape (size * dim, size * dim) row by row, to `values`.
   void add(const BlockPattern& pattern,
            Index group,

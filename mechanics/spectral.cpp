@@ -37,7 +37,7 @@ using Row = TensorsSideBySide::value_type;
 struct JacobiBatch {
   std::array<Row, 3> diagonal;            ///< entries 00, 11, 22
   std::array<Row, 3> off;                 ///< off[r]: the entry of the two axes other than r
-  std::array<std::array<Row, 3>, 3> axes; ///< axes[k][i]: component i of column k
+  std::array<std::array<Row, 3>, 3> axes{}; ///< axes[k][i]: component i of column k
 
   explicit JacobiBatch(const TensorsSideBySide& A)
       : diagonal{A[0], A[1], A[2]}, off{A[4], A[5], A[3]} {

@@ -51,14 +51,14 @@ inline constexpr std::array<double, 11> artanh_series{
     1.0 / 21.0, 1.0 / 19.0, 1.0 / 17.0, 1.0 / 15.0, 1.0 / 13.0, 1.0 / 11.0,
     1.0 / 9.0,  1.0 / 7.0,  1.0 / 5.0,  1.0 / 3.0,  1.0};
 
-/// Whether that series is exact to rounding: where ln((1 + z) / (1 - z)) is half of ln 2 or less.
-[[nodiscard]] inline bool artanh_series_serves(double z) { return std::abs(z) <= 0.1715; }
+/// Up to which |z| that series is exact to rounding: where ln((1 + z) / (1 - z)) is half of ln 2.
+inline constexpr double artanh_series_reach = 0.1715;
 
 /// (ln a - ln b) / (a - b) * b for a, b > 0: exact to rounding for equal and nearly equal
 /// arguments, which need no perturbation. (M.8)
 [[nodiscard]] inline double log_difference(double a, double b) {
   const double z = (a - b) / (a + b);
-  if (!artanh_series_serves(z)) {
+  if (!(std::abs(z) <= artanh_series_reach)) {
     const double x = (a - b) / b;
     return std::log1p(x) / x;
   }

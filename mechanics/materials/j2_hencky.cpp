@@ -22,12 +22,15 @@ struct PointConditions {
   double temperature;
 };
 
-/// Plastic strain increment, share of the stress that is left, and (M.7)'s gamma-bar.
+/// What the return map finds at a point.
 struct Return {
-  double increment;
-  double beta;
-  double share;
+  double increment; ///< of the plastic strain [-]
+  double stress;    ///< von Mises', that is left [MPa]
+  double slope;     ///< of the flow stress along the increment, rates included [MPa]
 };
+
+/// Where nothing flows that could be told from rest.
+Return at_rest(double q) { return {0.0, q, std::numeric_limits<double>::infinity()}; }
 
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
@@ -46,11 +49,12 @@ double stress_at_rest(const Law& law, double strain, const PointConditions& at) 
 ///
 /// The residual is positive at 0 and not positive at the upper end for every law with
 /// sigma_y >= 0, whatever its slope.
+///
+/// @param high  q / 3 mu
 template <FlowLaw Law>
 std::optional<Return>
-solve_return(const Law& law, double mu, double q, double old, const PointConditions&) {
+solve_return(const Law& law, double mu, double q, double high, double old, const PointConditions&) {
   double low = 0.0;
-  double high = q / (3.0 * mu);
   const FlowStress start = law.flow_stress(old);
   double d = (q - start.stress) / (3.0 * mu + (std::isfinite(start.slope) ? start.slope : 0.0));
   if (!(d > low && d < high))
@@ -63,11 +67,9 @@ solve_return(const Law& law, double mu, double q, double old, const PointConditi
       return std::nullopt;
     (residual > 0.0 ? low : high) = d;
     if (high < std::numeric_limits<double>::min())
-      return Return{0.0, 1.0, 0.0}; // nothing flows that could be told from rest
-    if (std::abs(residual) <= rounding * q || high - low <= rounding * high) {
-      const double beta = 1.0 - 3.0 * mu * d / q;
-      return Return{d, beta, 3.0 * mu / (3.0 * mu + flow.slope) - (1.0 - beta)};
-    }
+      return at_rest(q);
+    if (std::abs(residual) <= rounding * q || high - low <= rounding * high)
+      return Return{d, q - 3.0 * mu * d, flow.slope};
     const double newton = d + residual / (3.0 * mu + flow.slope);
     // Where the slope is infinite at first, d may lie hundreds of decades below q / 3 mu.
     const double between = low > 0.0 ? 0.5 * (low + high) : 1e-3 * high;
@@ -76,12 +78,10 @@ solve_return(const Law& law, double mu, double q, double old, const PointConditi
   return std::nullopt;
 }
 
-/// What a rate law's flow at the end of an increment leaves of the stress. `beta` comes from the
-/// flow stress, for 1 - 3 mu d / q has no digits left where nearly all of the stress relaxes.
-Return returned(double d, double mu, double q, const RateFlowStress& flow, double dt) {
-  const double beta = flow.stress / q;
-  const double h = flow.slope + flow.rate_slope / dt;
-  return {d, beta, beta - 1.0 / (1.0 + 3.0 * mu / h)};
+/// What a rate law's flow at the end of an increment leaves: the flow stress, for q - 3 mu d has no
+/// digits left where nearly all of the stress relaxes.
+Return returned(double d, const RateFlowStress& flow, double dt) {
+  return {d, flow.stress, flow.slope + flow.rate_slope / dt};
 }
 
 /// Solves q - 3 mu d - sigma(old + d, d / dt) = 0 for d in (0, q / 3 mu). (M.22)
@@ -90,11 +90,14 @@ Return returned(double d, double mu, double q, const RateFlowStress& flow, doubl
 /// 3 mu d + sigma - sigma(rest): convex where sigma is a sum of powers, and from the right end of
 /// the bracket it comes down in a few steps over any number of decades. (M.23)
 template <RateFlowLaw Law>
-std::optional<Return>
-solve_return(const Law& law, double mu, double q, double old, const PointConditions& at) {
-  const double at_rest = stress_at_rest(law, old, at);
+std::optional<Return> solve_return(const Law& law,
+                                   double mu,
+                                   double q,
+                                   double high,
+                                   double old,
+                                   const PointConditions& at) {
+  const double rest = stress_at_rest(law, old, at);
   double low = 0.0;
-  double high = q / (3.0 * mu);
   double d = high;
   const auto flows = [&] { return std::min(d, d / at.dt) > std::numeric_limits<double>::min(); };
   constexpr int most = 300;
@@ -105,67 +108,86 @@ solve_return(const Law& law, double mu, double q, double old, const PointConditi
       return std::nullopt;
     (residual > 0.0 ? low : high) = d;
     if (std::abs(residual) <= rounding * q || high - low <= rounding * high)
-      return returned(d, mu, q, flow, at.dt);
-    const double resists = 3.0 * mu * d + (flow.stress - at_rest);
+      return returned(d, flow, at.dt);
+    const double resists = 3.0 * mu * d + (flow.stress - rest);
     const double slope = 3.0 * mu * d + d * flow.slope + flow.rate_slope * (d / at.dt);
     constexpr double longest = 50.0; // of a step, in ln d
     double next =
-        d * std::exp(-std::min(std::log(resists / (q - at_rest)) * resists / slope, longest));
+        d * std::exp(-std::min(std::log(resists / (q - rest)) * resists / slope, longest));
     constexpr int patience = 8;
     if (!(next > low && next < high) || i % patience == patience - 1)
       next = low > 0.0 ? std::sqrt(low) * std::sqrt(high) : 1e-3 * high;
     else if (std::abs(next - d) <= rounding * d)
-      return returned(d, mu, q, flow, at.dt);
+      return returned(d, flow, at.dt);
     d = next;
   }
-  // Nothing flows that could be told from rest.
-  return flows() ? std::nullopt : std::optional(Return{0.0, 1.0, 0.0});
+  return flows() ? std::nullopt : std::optional(at_rest(q));
 }
 
 /// What a series gives, or the function itself for points that it does not serve; what a point gets
 /// does not depend on the others.
-template <class Serves, class Function>
-PointLanes mended(const PointLanes& values, Serves serves, Function function) {
-  bool all = true;
-  for (int l = 0; l < points_at_once; ++l)
-    all = all && serves(l);
-  return all ? values : PointLanes::of([&](int l) { return serves(l) ? values[l] : function(l); });
+///
+/// @param beyond  0 where the series serves
+template <class Function>
+PointLanes mended(const PointLanes& values, const PointLanes& beyond, Function function) {
+  return PointLanes::of([&](int l) { return beyond[l] == 0.0 ? values[l] : function(l); });
 }
 
 /// artanh(z) / z.
 PointLanes artanh_per_z(const PointLanes& z) {
   const PointLanes squares = z * z;
-  PointLanes sum;
+  PointLanes sum{};
   for (const double coefficient : artanh_series)
     sum = PointLanes::constant(coefficient) + squares * sum;
   return sum;
 }
 
-PointLanes log_of(const PointLanes& b) {
+/// Logarithms of b > 0; false where one is not, or is infinite.
+bool logarithms(const PrincipalLanes& b, PrincipalLanes& out) {
   const PointLanes one = PointLanes::constant(1.0);
-  const PointLanes z = (b - one) / (b + one);
-  return mended(
-      2.0 * (z * artanh_per_z(z)), [&](int l) { return artanh_series_serves(z[l]); },
-      [&](int l) { return std::log(b[l]); });
+  PrincipalLanes beyond;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const PointLanes z = (b[a] - one) / (b[a] + one);
+    beyond[a] = unless_within(z, artanh_series_reach);
+    out[a] = 2.0 * (z * artanh_per_z(z));
+  }
+  if (all_zero(beyond[0] + beyond[1] + beyond[2]))
+    return true;
+  for (std::size_t a = 0; a < 3; ++a) {
+    out[a] = mended(out[a], beyond[a], [&](int l) { return std::log(b[a][l]); });
+    if (!all_zero(unless_positive(b[a]) + unless_within(b[a], std::numeric_limits<double>::max())))
+      return false;
+  }
+  return true;
 }
 
-PointLanes exp_of(const PointLanes& x) {
-  constexpr double near = 1.0 / 32.0; // likewise
+/// Exponentials.
+PrincipalLanes exponentials(const PrincipalLanes& x) {
+  constexpr double near = 1.0 / 32.0; // where the series is exact to rounding
   const PointLanes one = PointLanes::constant(1.0);
-  PointLanes result = one;
-  for (const double n : {9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0})
-    result = one + ((1.0 / n) * x) * result;
-  return mended(
-      result, [&](int l) { return std::abs(x[l]) <= near; }, [&](int l) { return std::exp(x[l]); });
+  PrincipalLanes result;
+  PrincipalLanes beyond;
+  for (std::size_t a = 0; a < 3; ++a) {
+    result[a] = one;
+    for (const double n : {9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0})
+      result[a] = one + ((1.0 / n) * x[a]) * result[a];
+    beyond[a] = unless_within(x[a], near);
+  }
+  if (!all_zero(beyond[0] + beyond[1] + beyond[2]))
+    for (std::size_t a = 0; a < 3; ++a)
+      result[a] = mended(result[a], beyond[a], [&](int l) { return std::exp(x[a][l]); });
+  return result;
 }
 
 /// `log_difference` of a and b.
 PointLanes log_differences(const PointLanes& a, const PointLanes& b) {
   const PointLanes per_sum = PointLanes::constant(1.0) / (a + b);
   const PointLanes z = (a - b) * per_sum;
-  return mended(
-      2.0 * (b * per_sum) * artanh_per_z(z), [&](int l) { return artanh_series_serves(z[l]); },
-      [&](int l) { return log_difference(a[l], b[l]); });
+  const PointLanes beyond = unless_within(z, artanh_series_reach);
+  const PointLanes series = 2.0 * (b * per_sum) * artanh_per_z(z);
+  return all_zero(beyond)
+             ? series
+             : mended(series, beyond, [&](int l) { return log_difference(a[l], b[l]); });
 }
 
 /// A batch of points on its way from the predictors to the responses.
@@ -177,26 +199,20 @@ struct Batch {
   PointLanes per_norm; ///< 1 / norm; 0: elastic
 };
 
-bool have_logarithms(const PrincipalLanes& b) {
-  bool all = true;
-  for (const PointLanes& values : b)
-    for (int l = 0; l < points_at_once; ++l)
-      all = all && values[l] > 0.0 && std::isfinite(values[l]);
-  return all;
-}
-
-/// Strains and stress of the predictors, whose decompositions are in `out`.
-Batch strained(double mu, DeviatoricResponse& out) {
-  Batch now;
-  for (std::size_t a = 0; a < 3; ++a)
-    now.eps[a] = 0.5 * log_of(out.values[a]);
+/// Strains and stress of the predictors, whose decompositions are in `out`; false when one of them
+/// is not positive.
+bool set_strains(double mu, DeviatoricResponse& out, Batch& now) {
+  if (!logarithms(out.values, now.eps))
+    return false;
+  for (PointLanes& strain : now.eps)
+    strain = 0.5 * strain;
   out.log_J = now.eps[0] + now.eps[1] + now.eps[2];
   const PointLanes mean = (1.0 / 3.0) * out.log_J;
   for (PointLanes& strain : now.eps)
     strain = strain - mean;
   now.norm = (2.0 * mu) *
              sqrt(now.eps[0] * now.eps[0] + now.eps[1] * now.eps[1] + now.eps[2] * now.eps[2]);
-  return now;
+  return true;
 }
 
 /// A symmetric tensor, given in principal axes, in space.
@@ -245,54 +261,60 @@ template <bool planar> void put_moduli(const Batch& at, double mu, DeviatoricRes
 /// (M.9)
 template <bool planar>
 void put_states(const Batch& at, const TensorLanes& b_pred, DeviatoricResponse& out) {
-  PrincipalLanes b;
+  PrincipalLanes logarithm;
   for (std::size_t a = 0; a < 3; ++a)
-    b[a] = exp_of(2.0 * (at.beta * at.eps[a]) + (2.0 / 3.0) * out.log_J);
-  const TensorLanes flowing = in_space<planar>(out, b);
+    logarithm[a] = 2.0 * (at.beta * at.eps[a]) + (2.0 / 3.0) * out.log_J;
+  const TensorLanes flowing = in_space<planar>(out, exponentials(logarithm));
   for (std::size_t k = 0; k < b_pred.size(); ++k)
     out.b_e[k] = where_negative(-1.0 * at.per_norm, flowing[k], b_pred[k]);
 }
 
 /// Updates a batch, whose predictors are decomposed.
-///
-/// @param conditions_of  a function of a point's number
-template <bool planar, class Law, class ConditionsOf>
+template <bool planar, class Law>
 bool update_batch(const Law& law,
                   double mu,
                   const TensorLanes& b_pred,
-                  std::span<const PointState> old,
-                  ConditionsOf&& conditions_of,
+                  const PointsBefore& before,
                   DeviatoricResponse& out) {
-  if (!have_logarithms(out.values))
+  Batch now;
+  if (!set_strains(mu, out, now))
     return false;
-  Batch now = strained(mu, out);
-  std::array<double, points_at_once> beta;
-  std::array<double, points_at_once> share{};
-  std::array<double, points_at_once> per_norm{};
-  beta.fill(1.0);
+  const PointLanes q = std::sqrt(1.5) * now.norm;
+  const PointLanes highest = (1.0 / (3.0 * mu)) * q;
+  std::array<double, points_at_once> stress{};
+  std::array<double, points_at_once> slope{};
+  std::array<double, points_at_once> rests; // below zero where a point flows
+  rests.fill(1.0);
   out.plastic_increment.fill(0.0);
   bool flows = false;
-  for (std::size_t l = 0; l < old.size(); ++l) {
-    const PointConditions at = conditions_of(l);
-    const double strain = old[l].plastic_strain;
-    const double norm = now.norm[static_cast<int>(l)];
-    const double q = std::sqrt(1.5) * norm;
+  for (std::size_t l = 0; l < idx(before.count); ++l) {
+    const auto lane = static_cast<int>(l);
+    const PointConditions at{before.dt, before.temperature[l]};
+    const double strain = before.plastic_strain[l];
     out.plastic_strain[l] = strain;
-    if (q <= stress_at_rest(law, strain, at))
+    if (q[lane] <= stress_at_rest(law, strain, at))
       continue;
-    const std::optional<Return> flow = solve_return(law, mu, q, strain, at);
+    const std::optional<Return> flow = solve_return(law, mu, q[lane], highest[lane], strain, at);
     if (!flow)
       return false;
     flows = true;
-    beta[l] = flow->beta;
-    share[l] = flow->share;
-    per_norm[l] = 1.0 / norm;
+    rests[l] = -1.0;
+    stress[l] = flow->stress;
+    slope[l] = flow->slope;
     out.plastic_increment[l] = flow->increment;
     out.plastic_strain[l] += flow->increment;
   }
-  now.beta = PointLanes::of([&](int l) { return beta[idx(l)]; });
-  now.share = PointLanes::of([&](int l) { return share[idx(l)]; });
-  now.per_norm = PointLanes::of([&](int l) { return per_norm[idx(l)]; });
+  const auto lanes = [](const std::array<double, points_at_once>& numbers) {
+    return PointLanes::of([&](int l) { return numbers[idx(l)]; });
+  };
+  const PointLanes one = PointLanes::constant(1.0);
+  const PointLanes zero{};
+  const PointLanes rest = lanes(rests);
+  now.beta = where_negative(rest, lanes(stress) / q, one);
+  // 1 - 3 mu / (3 mu + slope), of infinite slopes as well.
+  const PointLanes kept = one / (one + PointLanes::constant(3.0 * mu) / lanes(slope));
+  now.share = where_negative(rest, now.beta - kept, zero);
+  now.per_norm = where_negative(rest, one / now.norm, zero);
   put_moduli<planar>(now, mu, out);
   if (flows)
     put_states<planar>(now, b_pred, out);
@@ -334,7 +356,7 @@ void for_each_decomposed(std::span<const PointState> states, bool planar, Visit 
 
 /// Decomposes predictors without shear out of the plane: (M.5), and nothing cancels.
 void decompose_in_plane(const TensorLanes& b, DeviatoricResponse& out) {
-  const PointLanes zero;
+  const PointLanes zero{};
   const PointLanes one = PointLanes::constant(1.0);
   const PointLanes& shear = b[3];
   const PointLanes mean = 0.5 * (b[0] + b[1]);
@@ -351,67 +373,30 @@ void decompose_in_plane(const TensorLanes& b, DeviatoricResponse& out) {
   out.axes = {{{c, zero - s, zero}, {s, c, zero}, {zero, zero, one}}};
 }
 
-void decompose(std::span<const TensorLanes> b, std::span<DeviatoricResponse> out) {
-  constexpr auto batches = static_cast<std::size_t>(tensors_at_once / points_at_once);
-  for (std::size_t first = 0; first < b.size(); first += batches) {
-    const std::span<const TensorLanes> now = b.subspan(first, std::min(batches, b.size() - first));
-    TensorsSideBySide tensors;
-    for (std::size_t k = 0; k < tensors.size(); ++k)
-      tensors[k] = Lanes<tensors_at_once>::of([&](int l) {
-        return now[std::min(idx(l / points_at_once), now.size() - 1)][k][l % points_at_once];
-      });
-    const SpectralSideBySide decomposed = spectral(tensors);
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      const auto part = [&](const Lanes<tensors_at_once>& all) {
-        return PointLanes::of([&](int l) { return all[static_cast<int>(k) * points_at_once + l]; });
-      };
-      for (std::size_t a = 0; a < 3; ++a) {
-        out[first + k].values[a] = part(decomposed.values[a]);
-        for (std::size_t i = 0; i < 3; ++i)
-          out[first + k].axes[i][a] = part(decomposed.vectors[a][i]);
-      }
-    }
-  }
-}
-
-template <bool planar, class Law>
-bool update_batches(const Law& law,
-                    const Material& material,
-                    std::span<const TensorLanes> b_pred,
-                    std::span<const PointState> old,
-                    const FlowConditions& at,
-                    std::span<DeviatoricResponse> out) {
-  constexpr auto most = idx(points_at_once);
-  for (std::size_t k = 0; k < b_pred.size(); ++k) {
-    const std::size_t first = k * most;
-    const auto conditions_of = [&](std::size_t i) -> PointConditions {
-      return {at.dt, at.temperatures.empty() ? material.temperature : at.temperatures[first + i]};
-    };
-    if (!update_batch<planar>(law, material.elasticity.shear(), b_pred[k],
-                              old.subspan(first, std::min(most, old.size() - first)), conditions_of,
-                              out[k]))
-      return false;
-  }
-  return true;
+void decompose(const TensorLanes& b, DeviatoricResponse& out) {
+  const SpectralSideBySide decomposed = spectral(b);
+  out.values = decomposed.values;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t a = 0; a < 3; ++a)
+      out.axes[i][a] = decomposed.vectors[a][i];
 }
 
 } // namespace
 
 bool update(const Material& material,
-            std::span<const TensorLanes> b_pred,
-            std::span<const PointState> old,
+            const TensorLanes& b_pred,
+            const PointsBefore& before,
             bool planar,
-            const FlowConditions& at,
-            std::span<DeviatoricResponse> out) {
+            DeviatoricResponse& out) {
   if (planar)
-    for (std::size_t k = 0; k < b_pred.size(); ++k)
-      decompose_in_plane(b_pred[k], out[k]);
+    decompose_in_plane(b_pred, out);
   else
     decompose(b_pred, out);
+  const double mu = material.elasticity.shear();
   return std::visit(
       [&](const auto& law) {
-        return planar ? update_batches<true>(law, material, b_pred, old, at, out)
-                      : update_batches<false>(law, material, b_pred, old, at, out);
+        return planar ? update_batch<true>(law, mu, b_pred, before, out)
+                      : update_batch<false>(law, mu, b_pred, before, out);
       },
       material.flow);
 }

@@ -40,25 +40,28 @@ struct Material {
   double heating = 0.0;      ///< rise of temperature per plastic work; 0: isothermal [degC/MPa]
 };
 
-/// What a flow law may ask for besides the strains; matters to rate laws only.
-struct FlowConditions {
-  double dt;                              ///< length of the increment [s], > 0
-  std::span<const double> temperatures{}; ///< of the points [degC]; empty: the material's
-};
-
 /// History of one integration point: all that a restart needs.
 struct PointState {
   Mat3 b_e = Mat3::Identity(); ///< left elastic Cauchy-Green tensor [-], current axes
   double plastic_strain = 0.0; ///< accumulated [-]
 };
 
-/// Points that are updated side by side: as many as a vector of the processor holds numbers.
-constexpr int points_at_once = 4;
+/// Points that are updated side by side: as many as the widest processors' vectors hold numbers, of
+/// others two vectors, neither of which waits for the other.
+constexpr int points_at_once = tensors_at_once;
 using PointLanes = Lanes<points_at_once>;
 /// Of each principal axis.
 using PrincipalLanes = std::array<PointLanes, 3>;
 /// Symmetric tensors: xx, yy, zz, xy, yz, xz.
-using TensorLanes = std::array<PointLanes, 6>;
+using TensorLanes = TensorsSideBySide;
+
+/// A batch of points as an increment finds them.
+struct PointsBefore {
+  int count = points_at_once; ///< points; the batch may have more than there are
+  double dt = 0.0;            ///< length of the increment [s], > 0; matters to rate laws only
+  std::array<double, points_at_once> plastic_strain; ///< [-]
+  std::array<double, points_at_once> temperature;    ///< [degC]
+};
 
 /// Deviatoric response of a batch of points, mostly in the principal axes of the predictors.
 struct DeviatoricResponse {
@@ -71,7 +74,7 @@ struct DeviatoricResponse {
   /// Spatial moduli of the shears 01, 12, 02, the last two 0 where the problem is planar [MPa].
   PrincipalLanes shear_moduli;
   TensorLanes b_e;                                      ///< of the trial states [-]
-  std::array<double, points_at_once> plastic_strain;    ///< of the trial states [-]
+  std::array<double, points_at_once> plastic_strain;    ///< likewise
   std::array<double, points_at_once> plastic_increment; ///< [-]
 
   /// Writes the trial state of a point: number by number to where it stays, for a copy of a state
@@ -87,21 +90,17 @@ struct DeviatoricResponse {
   }
 };
 
-/// Updates points in batches; the flow law is resolved once per call.
+/// Updates a batch of points.
 ///
-/// @param b_pred  elastic predictors, positive definite, shape (batches); what a batch has beyond
-///                the last point is any such tensor
-/// @param old     committed states, shape (n), n the number of points
+/// @param b_pred  elastic predictors, positive definite, beyond the last point as well
 /// @param planar  no shear out of the plane: xz and yz entries are zero
-/// @param at      length of the increment and temperatures, shape (n) or empty
-/// @param out     shape (batches), overwritten
+/// @param out     overwritten
 /// @return false when a return map has no solution (NaN or a predictor that is not positive)
 [[nodiscard]] bool update(const Material& material,
-                          std::span<const TensorLanes> b_pred,
-                          std::span<const PointState> old,
+                          const TensorLanes& b_pred,
+                          const PointsBefore& before,
                           bool planar,
-                          const FlowConditions& at,
-                          std::span<DeviatoricResponse> out);
+                          DeviatoricResponse& out);
 
 /// Elastic energies of shape per reference volume [MPa]. (M.6)
 ///

@@ -99,7 +99,8 @@ public:
     tangent_.setZero();
     const mechanics::BlockPlaces places = tangent_places();
     mechanics::ElementOutput out{force_.data(), &places, trial_, 0.0, {}};
-    const auto status = kernel_(material_, {x_.data(), x.data(), volumes_, states_, {dt_}}, out);
+    const mechanics::ElementInput in{x_.data(), x.data(), volumes_, states_, dt_};
+    const auto status = kernel_(material_, {&in, 1}, {&out, 1});
     plastic_increment_ = out.largest_plastic_increment;
     return status;
   }

@@ -5,6 +5,7 @@
 #include "mechanics/materials/j2_hencky.h"
 #include "mechanics/spectral.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -46,28 +47,38 @@ inline PointResponse point_of(const mechanics::DeviatoricResponse& batch, int l)
   return at;
 }
 
+/// Length of an increment [s].
+struct Length {
+  double dt;
+};
+
 /// mechanics::update for points given one by one.
 inline bool update(const mechanics::Material& material,
                    std::span<const Mat3> b_pred,
                    std::span<const mechanics::PointState> old,
                    bool planar,
-                   const mechanics::FlowConditions& at,
+                   const Length& increment,
                    std::span<PointResponse> out) {
   constexpr int most = mechanics::points_at_once;
-  const std::size_t batches = (b_pred.size() + most - 1) / most;
-  std::vector<mechanics::TensorLanes> predictors(batches);
-  for (std::size_t k = 0; k < batches; ++k)
+  for (std::size_t first = 0; first < b_pred.size(); first += most) {
+    const std::size_t n = std::min<std::size_t>(most, b_pred.size() - first);
+    mechanics::TensorLanes predictors;
     for (std::size_t c = 0; c < mechanics::tensor_components.size(); ++c)
-      predictors[k][c] = mechanics::PointLanes::of([&](int l) {
-        const Mat3& b = b_pred[std::min(k * most + static_cast<std::size_t>(l), b_pred.size() - 1)];
+      predictors[c] = mechanics::PointLanes::of([&](int l) {
+        const Mat3& b = b_pred[first + std::min(static_cast<std::size_t>(l), n - 1)];
         return b(static_cast<Eigen::Index>(mechanics::tensor_components[c][0]),
                  static_cast<Eigen::Index>(mechanics::tensor_components[c][1]));
       });
-  std::vector<mechanics::DeviatoricResponse> responses(batches);
-  if (!mechanics::update(material, predictors, old, planar, at, responses))
-    return false;
-  for (std::size_t p = 0; p < out.size(); ++p)
-    out[p] = point_of(responses[p / most], static_cast<int>(p % most));
+    mechanics::PointsBefore before{static_cast<int>(n), increment.dt, {}, {}};
+    for (std::size_t l = 0; l < n; ++l)
+      before.plastic_strain[l] = old[first + l].plastic_strain;
+    before.temperature.fill(material.temperature);
+    mechanics::DeviatoricResponse response;
+    if (!mechanics::update(material, predictors, before, planar, response))
+      return false;
+    for (std::size_t l = 0; l < n; ++l)
+      out[first + l] = point_of(response, static_cast<int>(l));
+  }
   return true;
 }
 
