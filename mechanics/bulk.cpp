@@ -48,7 +48,7 @@ void gather(std::span<const double> x, std::span<const Index> nodes, int dim, do
 Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPattern& pattern)
     : mesh_(&mesh), pattern_(&pattern), analysis_(analysis), material_(std::move(material)),
       kernel_(element_kernel(mesh.kind, analysis)),
-      scatter_(pattern, mesh.cells, nodes_per_element(mesh.kind)) {
+      scatter_(pattern, mesh.cells, nodes_per_element(mesh.kind), elements_at_once(mesh.kind)) {
   points_ = points_per_element(mesh.kind);
   volumes_ = volumes_at(node_positions(mesh));
   states_.resize(volumes_.size());

@@ -147,21 +147,25 @@ BlockPattern block_pattern(const Mesh& mesh) {
   return pattern;
 }
 
-Scatter::Scatter(const BlockPattern& pattern, std::vector<Index> groups, int size)
+Scatter::Scatter(const BlockPattern& pattern,
+                 std::vector<Index> groups,
+                 int size,
+                 Index together)
     : size_(size), groups_(std::move(groups)) {
   offsets_.reserve(groups_.size() * idx(size));
   for (Index g = 0; g < n_groups(); ++g)
     for (const Index a : nodes(g))
       for (const Index b : nodes(g))
         offsets_.push_back(pattern.offset(a, b));
-  colour(pattern.n_nodes(), pieces(pattern.n_nodes()));
+  colour(pattern.n_nodes(), pieces(pattern.n_nodes(), together));
 }
 
 /// Grown from neighbour to neighbour, each piece from where the one before stopped.
-std::vector<std::vector<Index>> Scatter::pieces(Index n_nodes) const {
+std::vector<std::vector<Index>> Scatter::pieces(Index n_nodes, Index together) const {
   // Large for what few rows they share, small enough for some threads to have several of a colour.
   constexpr Index smallest = 4, largest = 64, usual_number = 64;
-  const auto enough = idx(std::clamp(n_groups() / usual_number, smallest, largest));
+  const Index about = std::clamp(n_groups() / usual_number, smallest, largest);
+  const auto enough = idx((about + together - 1) / together * together);
   std::vector<std::vector<Index>> around(idx(n_nodes));
   for (Index g = 0; g < n_groups(); ++g)
     for (const Index a : nodes(g))

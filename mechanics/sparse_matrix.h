@@ -57,8 +57,9 @@ struct BlockPlaces {
 /// to the bit for any number of threads, and rows are added to while they are at hand.
 class Scatter {
 public:
-  /// @param groups  shape (n_groups, size), node numbers
-  Scatter(const BlockPattern& pattern, std::vector<Index> groups, int size);
+  /// @param groups    shape (n_groups, size), node numbers
+  /// @param together  pieces hold multiples of it where they can: groups worked on side by side
+  Scatter(const BlockPattern& pattern, std::vector<Index> groups, int size, Index together = 1);
   Scatter() = default;
 
   [[nodiscard]] int size() const { return size_; }
@@ -96,7 +97,7 @@ private:
   [[nodiscard]] std::size_t at(Index group) const {
     return static_cast<std::size_t>(group) * static_cast<std::size_t>(size_);
   }
-  [[nodiscard]] std::vector<std::vector<Index>> pieces(Index n_nodes) const;
+  [[nodiscard]] std::vector<std::vector<Index>> pieces(Index n_nodes, Index together) const;
   void colour(Index n_nodes, const std::vector<std::vector<Index>>& pieces);
 
   int size_ = 0;
