@@ -160,7 +160,7 @@ struct TangentPart {
 struct ReferenceCorner {
   /// Of the edges that leave it, right-handed. Only nodes of the edge take part.
   std::vector<std::vector<TangentPart>> tangents;
-  bool straight;                   ///< the edges are their chords
+  bool straight;                   ///< the edges are their chords, and so are the tangents
   std::vector<std::size_t> others; ///< corner at the far end of each
 };
 
@@ -220,14 +220,17 @@ corner_frame(const ReferenceCorner& reference, std::span<const Vec3> points, std
   CornerFrame frame{Mat3::Identity(), Vec3::Ones()}; // in the plane the third edge is z
   for (std::size_t k = 0; k < reference.others.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
+    const Vec3 chord = points[reference.others[k]] - points[corner];
+    if (reference.straight) {
+      frame.tangents.col(column) = chord;
+      frame.references[column] = chord.norm();
+      continue;
+    }
     Vec3 tangent = Vec3::Zero();
     for (const auto& [node, weight] : reference.tangents[k])
       tangent += weight * points[node];
     frame.tangents.col(column) = tangent;
-    frame.references[column] = tangent.norm();
-    if (!reference.straight)
-      frame.references[column] =
-          std::max(frame.references[column], (points[reference.others[k]] - points[corner]).norm());
+    frame.references[column] = std::max(tangent.norm(), chord.norm());
   }
   return frame;
 }

@@ -1,4 +1,5 @@
 #include "mechanics/elimination.h"
+#include "mechanics/extend_add.h"
 #include "mechanics/front_assembly.h"
 #include "mechanics/front_kernels.h"
 #include "mechanics/front_vector.h"
@@ -23,48 +24,12 @@ namespace billet::mechanics {
 
 namespace {
 
-/// Rows in turn of a front's rectangle, and where they lie in its parent.
-struct Rows {
-  std::uint32_t from;  ///< the first, of the rectangle
-  std::uint32_t count; ///< > 0
-  std::uint32_t to;    ///< the first, of the parent's panel
-  bool together;       ///< in turn there as well
-  bool paired;         ///< or two by two, those of a node
-};
-
 void add_pair(const float* from, float* to) {
   FrontPair sum;
   FrontPair more;
   load(to, sum);
   load(from, more);
   store(sum + more, to);
-}
-
-/// Adds rows of a column, from the one given on, to the numbers `base` and the rows' places away.
-void add(const Rows& rows,
-         std::uint32_t first,
-         const std::uint32_t* places,
-         const float* from,
-         float* to,
-         std::ptrdiff_t base) {
-  const std::uint32_t end = rows.from + rows.count;
-  if (rows.together) {
-    base += std::ptrdiff_t{rows.to} - std::ptrdiff_t{rows.from};
-    for (std::uint32_t i = first; i < end; ++i)
-      to[base + i] += from[i];
-    return;
-  }
-  if (rows.paired) {
-    if ((end - first) % 2 != 0) { // a node's first row is above the diagonal
-      to[base + places[first]] += from[first];
-      ++first;
-    }
-    for (std::uint32_t i = first; i < end; i += 2)
-      add_pair(from + i, to + base + places[i]);
-    return;
-  }
-  for (std::uint32_t i = first; i < end; ++i)
-    to[base + places[i]] += from[i];
 }
 
 /// Copies `count` numbers, few as a rule: a call to the library takes longer.
@@ -122,38 +87,31 @@ private:
     return {idx(front.rows + front.columns), idx(front.columns),
             diagonal_.data() + triangle_start_[f], below_.data() + below_start_[f]};
   }
+  /// An unknown, and its place in the order of elimination.
+  struct Place {
+    std::uint32_t place;
+    std::uint32_t unknown;
+  };
+  void find_places();
+  /// Calls `visit(place, unknown)` for all unknowns, those of a node together.
+  template <class Visit> void for_each_place(Visit visit) const;
   void measure_panels();
-  void find_rows();
+  void find_children();
   void find_pairs();
   void measure_stacks();
   void find_scale(const SparseMatrix& matrix);
-  /// Adds columns of a child's complement to columns of its parent.
-  ///
-  /// @param rows    of the child's columns
-  /// @param last    of all the child's rows, the end
-  /// @param to      values of the parent
-  /// @param origin  where its column 0 and row 0 are or would be
-  void add_columns(std::size_t child,
-                   std::span<const Rows> rows,
-                   const Rows* last,
-                   float* to,
-                   std::ptrdiff_t origin,
-                   std::size_t step);
-  void add_to_panel(std::size_t child, const Panel& parent);
-  void add_to_complement(std::size_t child, const Panel& parent, float* complement);
   void forward();
   void backward();
 
   std::shared_ptr<const Elimination> elimination_;
   FrontAssembly assembly_;
+  ExtendAdd extend_add_;
   std::size_t panel_size_ = 0;              ///< of the largest
   std::vector<std::size_t> triangle_start_; ///< where a front's inverses begin
   std::vector<std::size_t> below_start_;    ///< likewise what is below them
-  std::vector<Rows> rows_;                  ///< of all fronts
-  std::vector<std::size_t> rows_start_;     ///< shape (fronts + 1)
-  std::vector<std::uint32_t> in_parent_;    ///< of each row of all fronts, the parent's
-  std::vector<std::size_t> in_parent_start_;
   std::vector<std::vector<std::size_t>> children_;
+  std::vector<Place> nodes_;             ///< first unknowns of nodes whose others follow
+  std::vector<Place> singles_;           ///< unknowns of the other nodes
   std::vector<char> paired_;             ///< by front: its rows come two by two, those of a node
   std::vector<std::size_t> stack_place_; ///< where a front's complement waits
   std::size_t stack_size_ = 0;
@@ -171,14 +129,16 @@ private:
 };
 
 SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elimination)
-    : elimination_(std::move(elimination)), assembly_(*elimination_) {
+    : elimination_(std::move(elimination)), assembly_(*elimination_), extend_add_(*elimination_) {
   const std::size_t n = elimination_->order().size();
   inverses_.resize(n);
   signs_.resize(n);
   least_.resize(n);
   x_.resize(n);
+  find_places();
   measure_panels();
-  find_rows();
+  find_children();
+  find_pairs();
   measure_stacks();
 }
 
@@ -200,61 +160,44 @@ void SingleFactorization::measure_panels() {
   local_.resize(most_rows + front_lanes); // cleared by whole vectors
 }
 
-void SingleFactorization::find_rows() {
-  // Fewer rows in turn are not worth a loop of their own.
-  constexpr std::uint32_t few = 16;
+void SingleFactorization::find_places() {
+  const std::span<const Index> order = elimination_->order();
+  const auto dim = idx(elimination_->dim());
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t count = 1;
+    while (count < dim && i + count < order.size() && order[i + count] == order[i + count - 1] + 1)
+      ++count;
+    auto& kind = count == dim ? nodes_ : singles_;
+    const std::size_t many = count == dim ? count : 1;
+    kind.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(order[i])});
+    i += many;
+  }
+}
+
+template <class Visit> void SingleFactorization::for_each_place(Visit visit) const {
+  const auto visit_nodes = [&](auto constant) {
+    for (const auto& [place, unknown] : nodes_)
+      for (std::uint32_t k = 0; k < decltype(constant)::value; ++k)
+        visit(place + k, unknown + k);
+  };
+  if (elimination_->dim() == 2)
+    visit_nodes(std::integral_constant<std::uint32_t, 2>{});
+  else
+    visit_nodes(std::integral_constant<std::uint32_t, 3>{});
+  for (const auto& [place, unknown] : singles_)
+    visit(place, unknown);
+}
+
+void SingleFactorization::find_children() {
   const std::span<const Front> fronts = elimination_->fronts();
   children_.resize(fronts.size());
-  for (std::size_t f = 0; f < fronts.size(); ++f) {
-    rows_start_.push_back(rows_.size());
-    in_parent_start_.push_back(in_parent_.size());
-    if (fronts[f].parent < 0)
-      continue;
-    children_[idx(fronts[f].parent)].push_back(f);
-    const Front& parent = fronts[idx(fronts[f].parent)];
-    const std::span<const Index> below = elimination_->rows(parent);
-    const auto columns = static_cast<std::uint32_t>(parent.columns);
-    std::uint32_t next = 0;
-    std::vector<Rows> runs;
-    for (const Index row : elimination_->rows(fronts[f])) {
-      auto to = static_cast<std::uint32_t>(row - parent.first);
-      if (to >= columns) {
-        while (below[next] < row)
-          ++next;
-        to = columns + next;
-      }
-      in_parent_.push_back(to);
-      if (!runs.empty() && to != columns && runs.back().to + runs.back().count == to)
-        ++runs.back().count;
-      else
-        runs.push_back({static_cast<std::uint32_t>(in_parent_.size() - 1 - in_parent_start_.back()),
-                        1, to, true, false});
-    }
-    for (const Rows& run : runs) {
-      const bool joins = rows_.size() > rows_start_.back() && run.count < few &&
-                         rows_.back().count < few &&
-                         (rows_.back().to < columns) == (run.to < columns);
-      if (joins) {
-        rows_.back().count += run.count;
-        rows_.back().together = false;
-      } else {
-        rows_.push_back(run);
-      }
-    }
-  }
-  rows_start_.push_back(rows_.size());
-  find_pairs();
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+    if (fronts[f].parent >= 0)
+      children_[idx(fronts[f].parent)].push_back(f);
 }
 
 void SingleFactorization::find_pairs() {
   for (std::size_t f = 0; f < children_.size(); ++f) {
-    const std::uint32_t* places = in_parent_.data() + in_parent_start_[f];
-    for (std::size_t r = rows_start_[f]; r < rows_start_[f + 1]; ++r) {
-      Rows& rows = rows_[r];
-      rows.paired = rows.count % 2 == 0;
-      for (std::uint32_t i = rows.from; rows.paired && i < rows.from + rows.count; i += 2)
-        rows.paired = places[i + 1] == places[i] + 1;
-    }
     const std::span<const Index> below = elimination_->rows(elimination_->fronts()[f]);
     bool paired = below.size() % 2 == 0;
     for (std::size_t i = 0; paired && i < below.size(); i += 2)
@@ -303,47 +246,6 @@ void SingleFactorization::find_scale(const SparseMatrix& matrix) {
     least_[j] = lost * static_cast<float>(scale_ * pivot(j));
 }
 
-void SingleFactorization::add_columns(std::size_t child,
-                                      std::span<const Rows> rows,
-                                      const Rows* last,
-                                      float* to,
-                                      std::ptrdiff_t origin,
-                                      std::size_t step) {
-  const std::uint32_t* places = in_parent_.data() + in_parent_start_[child];
-  const std::size_t child_step = padded(idx(elimination_->fronts()[child].rows));
-  for (const Rows& columns : rows)
-    for (std::uint32_t j = columns.from; j < columns.from + columns.count; ++j) {
-      const float* from = stack_.data() + stack_place_[child] + j * child_step;
-      const std::ptrdiff_t column = origin + static_cast<std::ptrdiff_t>(places[j] * step);
-      add(columns, j, places, from, to, column);
-      for (const Rows* below = &columns + 1; below != last; ++below)
-        add(*below, below->from, places, from, to, column);
-    }
-}
-
-/// Adds the columns of a child's complement that its parent eliminates.
-void SingleFactorization::add_to_panel(std::size_t child, const Panel& parent) {
-  const auto rows =
-      std::span(rows_).subspan(rows_start_[child], rows_start_[child + 1] - rows_start_[child]);
-  const auto end =
-      std::find_if(rows.begin(), rows.end(), [&](const Rows& r) { return r.to >= parent.columns; });
-  add_columns(child, {rows.begin(), end}, rows.data() + rows.size(), parent.values, 0,
-              padded(parent.rows));
-}
-
-/// Adds the others, which go on to the parent's parent.
-void SingleFactorization::add_to_complement(std::size_t child,
-                                            const Panel& parent,
-                                            float* complement) {
-  const auto rows =
-      std::span(rows_).subspan(rows_start_[child], rows_start_[child + 1] - rows_start_[child]);
-  const auto first =
-      std::find_if(rows.begin(), rows.end(), [&](const Rows& r) { return r.to >= parent.columns; });
-  const std::size_t step = padded(parent.rows - parent.columns);
-  const auto origin = -static_cast<std::ptrdiff_t>(parent.columns * (step + 1));
-  add_columns(child, {first, rows.end()}, rows.data() + rows.size(), complement, origin, step);
-}
-
 bool SingleFactorization::factorize(const SparseMatrix& matrix) {
   panel_.resize(panel_size_ + front_lanes); // products read a vector beyond the last row
   diagonal_.resize(triangle_start_.back());
@@ -355,7 +257,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
     const Panel own = panel(f);
     assembly_.assemble(f, matrix, scale_, own);
     for (const std::size_t child : children_[f])
-      add_to_panel(child, own);
+      extend_add_.to_panel(child, stack_.data() + stack_place_[child], own);
     float* signs = signs_.data() + front.first;
     if (!eliminate(own, least_.data() + front.first, inverses_.data() + front.first, signs, work_))
       return false;
@@ -364,7 +266,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
       float* complement = stack_.data() + stack_place_[f];
       form_complement(own, signs, complement, work_);
       for (const std::size_t child : children_[f])
-        add_to_complement(child, own, complement);
+        extend_add_.to_complement(child, stack_.data() + stack_place_[child], own, complement);
     }
   }
   return true;
@@ -420,15 +322,16 @@ void SingleFactorization::solve(std::span<double> rhs) {
   constexpr int smallest = -1000; // whose inverse is a number as well
   const double size = std::ldexp(1.0, std::max(std::ilogb(most), smallest));
   const double to_one = 1.0 / size, back = scale_ * size;
-  const std::span<const Index> order = elimination_->order();
-  for (std::size_t i = 0; i < x_.size(); ++i)
-    x_[i] = static_cast<float>(to_one * rhs[idx(order[i])]);
+  for_each_place([&](std::uint32_t place, std::uint32_t unknown) {
+    x_[place] = static_cast<float>(to_one * rhs[unknown]);
+  });
   forward();
   for (std::size_t i = 0; i < x_.size(); ++i)
     x_[i] *= signs_[i];
   backward();
-  for (std::size_t i = 0; i < x_.size(); ++i)
-    rhs[idx(order[i])] = back * static_cast<double>(x_[i]);
+  for_each_place([&](std::uint32_t place, std::uint32_t unknown) {
+    rhs[unknown] = back * static_cast<double>(x_[place]);
+  });
 }
 
 } // namespace
