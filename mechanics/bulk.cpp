@@ -62,12 +62,16 @@ Bulk::Bulk(const Mesh& mesh, Analysis analysis, Material material, const BlockPa
 
 std::vector<double> Bulk::volumes_at(std::span<const double> x) const {
   const int dim = mesh_->dimension();
-  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
+  const auto size = idx(nodes_per_element(mesh_->kind) * dim);
+  const Index at_once = elements_at_once(mesh_->kind);
+  std::vector<double> local(idx(at_once) * size);
   std::vector<double> volumes(idx(mesh_->n_elements() * points_));
-  for (Index e = 0; e < mesh_->n_elements(); ++e) {
-    gather(x, mesh_->cell(e), dim, local.data());
+  for (Index first = 0; first < mesh_->n_elements(); first += at_once) {
+    const Index count = std::min(at_once, mesh_->n_elements() - first);
+    for (Index k = 0; k < count; ++k)
+      gather(x, mesh_->cell(first + k), dim, local.data() + idx(k) * size);
     point_volumes(mesh_->kind, analysis_, local.data(),
-                  std::span(volumes).subspan(idx(e * points_), idx(points_)));
+                  std::span(volumes).subspan(idx(first * points_), idx(count * points_)));
   }
   return volumes;
 }
@@ -214,18 +218,15 @@ std::vector<double> Bulk::shape_energies() const {
 
 Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x,
                                          std::span<const double> shape_energies) const {
-  const int dim = pattern_->dim;
   const auto n = idx(points_);
-  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
-  std::vector<double> current(n);
+  const std::vector<double> volumes = volumes_at(x);
   const double half_bulk = 0.5 * material_.elasticity.bulk();
   ElasticEnergy energy;
   for (std::size_t k = 0; k < volumes_.size(); ++k)
     energy.shape += volumes_[k] * shape_energies[k];
-  for (Index e = 0; e < mesh_->n_elements(); ++e) {
-    gather(x, mesh_->cell(e), dim, local.data());
-    point_volumes(mesh_->kind, analysis_, local.data(), current);
-    const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
+  for (std::size_t first = 0; first < volumes.size(); first += n) {
+    const auto current = std::span(volumes).subspan(first, n);
+    const auto reference = std::span(volumes_).subspan(first, n);
     double log_J = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
       if (k == 0 || !has_mean_dilatation(mesh_->kind))
@@ -237,40 +238,27 @@ Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x,
 }
 
 std::vector<Mat3> Bulk::stresses(std::span<const double> x) const {
-  const int dim = pattern_->dim;
   const auto n = idx(points_);
-  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
-  std::vector<double> current(n);
+  const std::vector<double> volumes = volumes_at(x);
   std::vector<Mat3> sigma(states_.size());
-  kirchhoff_stresses(material_.elasticity, states_, dim == 2, sigma);
-  for (Index e = 0; e < mesh_->n_elements(); ++e) {
-    gather(x, mesh_->cell(e), dim, local.data());
-    point_volumes(mesh_->kind, analysis_, local.data(), current);
-    const auto reference = std::span(volumes_).subspan(idx(e) * n, n);
+  kirchhoff_stresses(material_.elasticity, states_, pattern_->dim == 2, sigma);
+  for (std::size_t first = 0; first < volumes.size(); first += n) {
+    const auto current = std::span(volumes).subspan(first, n);
+    const auto reference = std::span(volumes_).subspan(first, n);
     for (std::size_t k = 0; k < n; ++k) {
-      const Mat3 tau = sigma[idx(e) * n + k];
+      const Mat3 tau = sigma[first + k];
       const double theta = pressure_ratio(mesh_->kind, current, reference, k);
       const double J = current[k] / reference[k];
       const double p = material_.elasticity.bulk() * std::log(theta) / theta;
-      sigma[idx(e) * n + k] =
-          (tau - tau.trace() / 3.0 * Mat3::Identity()) / J + p * Mat3::Identity();
+      sigma[first + k] = (tau - tau.trace() / 3.0 * Mat3::Identity()) / J + p * Mat3::Identity();
     }
   }
   return sigma;
 }
 
 double Bulk::volume(std::span<const double> x) const {
-  const int dim = pattern_->dim;
-  std::vector<double> local(idx(nodes_per_element(mesh_->kind) * dim));
-  std::vector<double> current(idx(points_));
-  double sum = 0.0;
-  for (Index e = 0; e < mesh_->n_elements(); ++e) {
-    gather(x, mesh_->cell(e), dim, local.data());
-    point_volumes(mesh_->kind, analysis_, local.data(), current);
-    for (const double v : current)
-      sum += v;
-  }
-  return sum;
+  const std::vector<double> volumes = volumes_at(x);
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
 } // namespace billet::mechanics

@@ -271,13 +271,14 @@ template <class Element, Analysis analysis> struct Kernel {
 
   /// Deviatoric spatial moduli in space. (M.8)
   static Moduli moduli(const DeviatoricResponse& at) {
+    const auto& axes = at.predictor.vectors;
     Moduli T; // turns strains in space into strains in the principal axes
     for (std::size_t row = 0; row < n_strains; ++row)
       for (std::size_t s = 0; s < n_strains; ++s) {
         const auto [p, q] = tensor_components[row];
         const auto [i, j] = tensor_components[s];
-        T[row][s] = row < 3 ? at.axes[i][p] * at.axes[j][p]
-                            : at.axes[i][p] * at.axes[j][q] + at.axes[i][q] * at.axes[j][p];
+        T[row][s] =
+            row < 3 ? axes[p][i] * axes[p][j] : axes[p][i] * axes[q][j] + axes[q][i] * axes[p][j];
       }
     // In the plane strain components follow the same rule: 2 is the one across it.
     Moduli DT{};
@@ -550,19 +551,17 @@ template <class Element> ElementKernel kernel_of(Analysis analysis) {
 }
 
 template <class Element, Analysis analysis>
-double volumes_of(const double* x, std::span<double> out) {
+void volumes_of(const double* x, std::span<double> out) {
   using K = Kernel<Element, analysis>;
-  typename K::Positions positions;
-  positions.fill(x);
+  const std::size_t count = out.size() / K::points;
+  typename K::Positions positions; // beyond the last element its own once more
+  for (std::size_t e = 0; e < positions.size(); ++e)
+    positions[e] = x + std::min(e, count - 1) * (K::nodes * K::dim);
   typename K::Square J;
   PointLanes r;
   const PointLanes v = K::measure(positions, J, r);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (int g = 0; g < K::points; ++g) {
-    out[idx(g)] = v[g];
-    smallest = std::min(smallest, v[g]);
-  }
-  return smallest;
+  for (std::size_t l = 0; l < out.size(); ++l)
+    out[l] = v[static_cast<int>(l)];
 }
 
 } // namespace
@@ -575,15 +574,15 @@ int elements_at_once(ElementKind kind) {
   return visit_element(kind, [](auto element) { return Places<decltype(element)>::elements; });
 }
 
-double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::span<double> out) {
+void point_volumes(ElementKind kind, Analysis analysis, const double* x, std::span<double> out) {
   return visit_element(kind, [&](auto element) {
     using Element = decltype(element);
     if constexpr (Element::Shape::dim == 3)
-      return volumes_of<Element, Analysis::solid>(x, out);
+      volumes_of<Element, Analysis::solid>(x, out);
+    else if (analysis == Analysis::axisymmetric)
+      volumes_of<Element, Analysis::axisymmetric>(x, out);
     else
-      return analysis == Analysis::axisymmetric
-                 ? volumes_of<Element, Analysis::axisymmetric>(x, out)
-                 : volumes_of<Element, Analysis::plane_strain>(x, out);
+      volumes_of<Element, Analysis::plane_strain>(x, out);
   });
 }
 

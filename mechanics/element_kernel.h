@@ -52,10 +52,12 @@ using ElementKernel = ElementStatus (*)(const Material&,
 /// Elements whose points fill a batch.
 [[nodiscard]] int elements_at_once(ElementKind kind);
 
-/// Volume of each integration point in a configuration (of the full turn when axisymmetric).
+/// Volumes of the integration points of 1 to `elements_at_once` elements in a configuration (of the
+/// full turn when axisymmetric).
 ///
-/// @return the smallest volume; not positive for an inverted element
-double point_volumes(ElementKind kind, Analysis analysis, const double* x, std::span<double> out);
+/// @param x    positions, shape (elements, nodes, dim) [mm]
+/// @param out  shape (elements, points), overwritten [mm^3]
+void point_volumes(ElementKind kind, Analysis analysis, const double* x, std::span<double> out);
 
 /// Whether all points of an element share one pressure. (M.11)
 [[nodiscard]] bool has_mean_dilatation(ElementKind kind);

@@ -282,6 +282,7 @@ double Newton::slope_of_kinks(std::span<ForceTerm* const> terms,
   const Stopwatch watch(times_.assembly);
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = base_[i] + step * correction_[i];
+  system_.forces_only = true; // no solution follows before all is assembled anew
   system_.clear();
   for (ForceTerm* term : terms)
     if (term->has_kinks() && !term->assemble(trial, system_))

@@ -1,33 +1,10 @@
 #include "mechanics/spectral.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 namespace billet::mechanics {
-
-Spectral spectral_plane(const Mat3& A) {
-  const double mean = 0.5 * (A(0, 0) + A(1, 1));
-  const double half = 0.5 * (A(0, 0) - A(1, 1));
-  const double radius = std::sqrt(half * half + A(0, 1) * A(0, 1));
-  Spectral S;
-  S.values = Vec3(mean + radius, mean - radius, A(2, 2));
-  S.vectors.setIdentity();
-  if (radius > 0.0) {
-    // The half angle through the larger of the two cosines, so that nothing cancels.
-    double c = std::sqrt(0.5 * (1.0 + std::abs(half) / radius));
-    double s = 0.5 * A(0, 1) / (radius * c);
-    if (half < 0.0) {
-      const double smaller = std::abs(s);
-      s = std::copysign(c, A(0, 1));
-      c = smaller;
-    }
-    S.vectors.col(0) = Vec3(c, s, 0.0);
-    S.vectors.col(1) = Vec3(-s, c, 0.0);
-  }
-  return S;
-}
 
 namespace {
 
@@ -35,8 +12,8 @@ using Row = TensorsSideBySide::value_type;
 
 /// Symmetric matrices and the rotations applied to them so far, entry by entry.
 struct JacobiBatch {
-  std::array<Row, 3> diagonal;            ///< entries 00, 11, 22
-  std::array<Row, 3> off;                 ///< off[r]: the entry of the two axes other than r
+  std::array<Row, 3> diagonal;              ///< entries 00, 11, 22
+  std::array<Row, 3> off;                   ///< off[r]: the entry of the two axes other than r
   std::array<std::array<Row, 3>, 3> axes{}; ///< axes[k][i]: component i of column k
 
   explicit JacobiBatch(const TensorsSideBySide& A)
@@ -84,7 +61,7 @@ private:
 
 } // namespace
 
-SpectralSideBySide spectral(const TensorsSideBySide& A) {
+void decompose(const TensorsSideBySide& A, SpectralSideBySide& out) {
   constexpr int most_sweeps = 20; // five do for any matrix met so far
   JacobiBatch batch(A);
   for (int sweep = 0; sweep < most_sweeps && !batch.converged(); ++sweep) {
@@ -92,36 +69,53 @@ SpectralSideBySide spectral(const TensorsSideBySide& A) {
     batch.rotate(1, 2, 0);
     batch.rotate(2, 0, 1);
   }
-  return {batch.diagonal, batch.axes};
+  out.values = batch.diagonal;
+  out.vectors = batch.axes;
 }
 
-void spectral(std::span<const Mat3> A, std::span<Spectral> out) {
-  constexpr auto at_once = static_cast<std::size_t>(tensors_at_once);
-  for (std::size_t first = 0; first < A.size(); first += at_once) {
-    const std::size_t n = std::min(at_once, A.size() - first);
-    TensorsSideBySide tensors;
-    for (std::size_t k = 0; k < tensors.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(tensor_components[k][0]);
-      const auto j = static_cast<Eigen::Index>(tensor_components[k][1]);
-      tensors[k] = Row::of(
-          [&](int l) { return A[first + std::min(static_cast<std::size_t>(l), n - 1)](i, j); });
-    }
-    const SpectralSideBySide batch = spectral(tensors);
-    for (std::size_t l = 0; l < n; ++l)
-      for (int k = 0; k < 3; ++k) {
-        const auto column = static_cast<std::size_t>(k);
-        out[first + l].values[k] = batch.values[column][static_cast<int>(l)];
-        for (int i = 0; i < 3; ++i)
-          out[first + l].vectors(i, k) =
-              batch.vectors[column][static_cast<std::size_t>(i)][static_cast<int>(l)];
-      }
-  }
+/// By the half angle, (M.5); nothing cancels.
+void decompose_in_plane(const TensorsSideBySide& A, SpectralSideBySide& out) {
+  const Row zero{};
+  const Row one = Row::constant(1.0);
+  const Row& shear = A[3];
+  const Row mean = 0.5 * (A[0] + A[1]);
+  const Row half = 0.5 * (A[0] - A[1]);
+  const Row radius = sqrt(half * half + shear * shear);
+  out.values = {mean + radius, mean - radius, A[2]};
+  // Through the larger of the two cosines; no angle where the values are equal.
+  const Row differ = zero - radius;
+  const Row share = where_negative(differ, abs(half) / radius, one);
+  const Row larger = sqrt(0.5 * (one + share));
+  const Row smaller = where_negative(differ, 0.5 * shear / (radius * larger), zero);
+  const Row c = where_negative(half, abs(smaller), larger);
+  const Row s = where_negative(half, where_negative(shear, zero - larger, larger), smaller);
+  out.vectors = {{{c, s, zero}, {zero - s, c, zero}, {zero, zero, one}}};
 }
 
-Spectral spectral(const Mat3& A) {
+namespace {
+
+/// Decomposes one tensor as all of a batch.
+template <class Decompose> Spectral alone(const Mat3& A, Decompose decompose) {
+  TensorsSideBySide tensors;
+  for (std::size_t k = 0; k < tensors.size(); ++k)
+    tensors[k] = Row::constant(A(static_cast<Eigen::Index>(tensor_components[k][0]),
+                                 static_cast<Eigen::Index>(tensor_components[k][1])));
+  SpectralSideBySide batch;
+  decompose(tensors, batch);
   Spectral S;
-  spectral(std::span(&A, 1), std::span(&S, 1));
+  for (int k = 0; k < 3; ++k) {
+    const auto column = static_cast<std::size_t>(k);
+    S.values[k] = batch.values[column][0];
+    for (int i = 0; i < 3; ++i)
+      S.vectors(i, k) = batch.vectors[column][static_cast<std::size_t>(i)][0];
+  }
   return S;
 }
+
+} // namespace
+
+Spectral spectral_plane(const Mat3& A) { return alone(A, decompose_in_plane); }
+
+Spectral spectral(const Mat3& A) { return alone(A, decompose); }
 
 } // namespace billet::mechanics

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 namespace billet::mechanics {
 
@@ -42,9 +41,10 @@ struct SpectralSideBySide {
 
 /// Decompositions of symmetric tensors by Jacobi rotations, which give small eigenvalues to the
 /// same relative accuracy as large ones.
-[[nodiscard]] SpectralSideBySide spectral(const TensorsSideBySide& A);
-/// The same of any number of them, shape (n).
-void spectral(std::span<const Mat3> A, std::span<Spectral> out);
+void decompose(const TensorsSideBySide& A, SpectralSideBySide& out);
+
+/// Decompositions of symmetric tensors whose xz and yz entries vanish (plane and axisymmetric).
+void decompose_in_plane(const TensorsSideBySide& A, SpectralSideBySide& out);
 
 /// Coefficients of artanh(z) / z in powers of z^2, the last first.
 inline constexpr std::array<double, 11> artanh_series{

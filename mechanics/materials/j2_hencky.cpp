@@ -153,12 +153,12 @@ bool logarithms(const PrincipalLanes& b, PrincipalLanes& out) {
   }
   if (all_zero(beyond[0] + beyond[1] + beyond[2]))
     return true;
+  PointLanes bad{};
   for (std::size_t a = 0; a < 3; ++a) {
     out[a] = mended(out[a], beyond[a], [&](int l) { return std::log(b[a][l]); });
-    if (!all_zero(unless_positive(b[a]) + unless_within(b[a], std::numeric_limits<double>::max())))
-      return false;
+    bad += unless_positive(b[a]) + unless_within(b[a], std::numeric_limits<double>::max());
   }
-  return true;
+  return all_zero(bad);
 }
 
 /// Exponentials.
@@ -202,7 +202,7 @@ struct Batch {
 /// Strains and stress of the predictors, whose decompositions are in `out`; false when one of them
 /// is not positive.
 bool set_strains(double mu, DeviatoricResponse& out, Batch& now) {
-  if (!logarithms(out.values, now.eps))
+  if (!logarithms(out.predictor.values, now.eps))
     return false;
   for (PointLanes& strain : now.eps)
     strain = 0.5 * strain;
@@ -226,7 +226,7 @@ TensorLanes in_space(const DeviatoricResponse& at, const PrincipalLanes& values)
     const auto [i, j] = tensor_components[k];
     for (std::size_t a = 0; a < 3; ++a)
       if (has(i, a) && has(j, a))
-        tensor[k] += values[a] * (at.axes[i][a] * at.axes[j][a]);
+        tensor[k] += values[a] * (at.predictor.vectors[a][i] * at.predictor.vectors[a][j]);
   }
   return tensor;
 }
@@ -253,7 +253,9 @@ template <bool planar> void put_moduli(const Batch& at, double mu, DeviatoricRes
       continue;
     const std::size_t i = a == 2 ? 0 : a;
     const std::size_t j = a == 2 ? 2 : a + 1;
-    out.shear_moduli[a] = (0.5 * scaled) * log_differences(out.values[i], out.values[j]) - out.s[j];
+    out.shear_moduli[a] =
+        (0.5 * scaled) * log_differences(out.predictor.values[i], out.predictor.values[j]) -
+        out.s[j];
   }
 }
 
@@ -333,52 +335,39 @@ template <RateFlowLaw Law> RateFlowStress flow_at(const Law& law, const FlowPoin
   return law.flow_stress(at);
 }
 
-/// Calls `visit(i, decomposition of b_e)` for every state.
+/// States side by side in their principal axes.
+struct PrincipalStates {
+  std::size_t first; ///< the first of them
+  int count;
+  DeviatoricResponse at; ///< axes, and ln J
+  PrincipalLanes eps;    ///< logarithmic strains, less their mean [-]
+};
+
+/// Calls `visit` with every batch of states.
 template <class Visit>
-void for_each_decomposed(std::span<const PointState> states, bool planar, Visit visit) {
-  if (planar) {
-    for (std::size_t i = 0; i < states.size(); ++i)
-      visit(i, spectral_plane(states[i].b_e));
-    return;
+void for_each_batch(std::span<const PointState> states, bool planar, Visit visit) {
+  constexpr auto most = idx(points_at_once);
+  for (std::size_t first = 0; first < states.size(); first += most) {
+    const std::size_t count = std::min(most, states.size() - first);
+    TensorLanes b;
+    for (std::size_t c = 0; c < tensor_components.size(); ++c) {
+      const auto i = static_cast<Eigen::Index>(tensor_components[c][0]);
+      const auto j = static_cast<Eigen::Index>(tensor_components[c][1]);
+      b[c] = PointLanes::of(
+          [&](int l) { return states[first + std::min(idx(l), count - 1)].b_e(i, j); });
+    }
+    PrincipalStates batch;
+    batch.first = first;
+    batch.count = static_cast<int>(count);
+    if (planar)
+      decompose_in_plane(b, batch.at.predictor);
+    else
+      decompose(b, batch.at.predictor);
+    Batch strains;
+    static_cast<void>(set_strains(1.0, batch.at, strains)); // of what is not positive: NaN
+    batch.eps = strains.eps;
+    visit(batch);
   }
-  constexpr std::size_t batch = 8;
-  std::array<Mat3, batch> b;
-  std::array<Spectral, batch> decomposed;
-  for (std::size_t first = 0; first < states.size(); first += batch) {
-    const std::size_t n = std::min(batch, states.size() - first);
-    for (std::size_t i = 0; i < n; ++i)
-      b[i] = states[first + i].b_e;
-    spectral(std::span(b).first(n), std::span(decomposed).first(n));
-    for (std::size_t i = 0; i < n; ++i)
-      visit(first + i, decomposed[i]);
-  }
-}
-
-/// Decomposes predictors without shear out of the plane: (M.5), and nothing cancels.
-void decompose_in_plane(const TensorLanes& b, DeviatoricResponse& out) {
-  const PointLanes zero{};
-  const PointLanes one = PointLanes::constant(1.0);
-  const PointLanes& shear = b[3];
-  const PointLanes mean = 0.5 * (b[0] + b[1]);
-  const PointLanes half = 0.5 * (b[0] - b[1]);
-  const PointLanes radius = sqrt(half * half + shear * shear);
-  out.values = {mean + radius, mean - radius, b[2]};
-  // The half angle through the larger of the two cosines; no angle where the values are equal.
-  const PointLanes differ = zero - radius;
-  const PointLanes share = where_negative(differ, abs(half) / radius, one);
-  const PointLanes larger = sqrt(0.5 * (one + share));
-  const PointLanes smaller = where_negative(differ, 0.5 * shear / (radius * larger), zero);
-  const PointLanes c = where_negative(half, abs(smaller), larger);
-  const PointLanes s = where_negative(half, where_negative(shear, zero - larger, larger), smaller);
-  out.axes = {{{c, zero - s, zero}, {s, c, zero}, {zero, zero, one}}};
-}
-
-void decompose(const TensorLanes& b, DeviatoricResponse& out) {
-  const SpectralSideBySide decomposed = spectral(b);
-  out.values = decomposed.values;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t a = 0; a < 3; ++a)
-      out.axes[i][a] = decomposed.vectors[a][i];
 }
 
 } // namespace
@@ -389,9 +378,9 @@ bool update(const Material& material,
             bool planar,
             DeviatoricResponse& out) {
   if (planar)
-    decompose_in_plane(b_pred, out);
+    decompose_in_plane(b_pred, out.predictor);
   else
-    decompose(b_pred, out);
+    decompose(b_pred, out.predictor);
   const double mu = material.elasticity.shear();
   return std::visit(
       [&](const auto& law) {
@@ -405,11 +394,13 @@ void elastic_energies(const Elasticity& elasticity,
                       std::span<const PointState> states,
                       bool planar,
                       std::span<double> out) {
-  for_each_decomposed(states, planar, [&](std::size_t i, const Spectral& b) {
-    const Vec3 eps = 0.5 * b.values.array().log();
-    const double log_J = eps.sum();
-    const double squares = (eps.array() - log_J / 3.0).square().sum();
-    out[i] = 0.5 * elasticity.bulk() * log_J * log_J + elasticity.shear() * squares;
+  for_each_batch(states, planar, [&](const PrincipalStates& batch) {
+    const PointLanes squares =
+        batch.eps[0] * batch.eps[0] + batch.eps[1] * batch.eps[1] + batch.eps[2] * batch.eps[2];
+    const PointLanes energies = (0.5 * elasticity.bulk()) * (batch.at.log_J * batch.at.log_J) +
+                                elasticity.shear() * squares;
+    for (int l = 0; l < batch.count; ++l)
+      out[batch.first + idx(l)] = energies[l];
   });
 }
 
@@ -482,12 +473,19 @@ void kirchhoff_stresses(const Elasticity& elasticity,
                         std::span<const PointState> states,
                         bool planar,
                         std::span<Mat3> out) {
-  for_each_decomposed(states, planar, [&](std::size_t i, const Spectral& b) {
-    const Vec3 eps = 0.5 * b.values.array().log();
-    const double log_J = eps.sum();
-    const Vec3 tau =
-        2.0 * elasticity.shear() * (eps.array() - log_J / 3.0) + elasticity.bulk() * log_J;
-    out[i] = b.vectors * tau.asDiagonal() * b.vectors.transpose();
+  for_each_batch(states, planar, [&](const PrincipalStates& batch) {
+    PrincipalLanes tau;
+    for (std::size_t a = 0; a < 3; ++a)
+      tau[a] = (2.0 * elasticity.shear()) * batch.eps[a] + elasticity.bulk() * batch.at.log_J;
+    const TensorLanes in_axes =
+        planar ? in_space<true>(batch.at, tau) : in_space<false>(batch.at, tau);
+    for (int l = 0; l < batch.count; ++l)
+      for (std::size_t c = 0; c < tensor_components.size(); ++c) {
+        const auto i = static_cast<Eigen::Index>(tensor_components[c][0]);
+        const auto j = static_cast<Eigen::Index>(tensor_components[c][1]);
+        Mat3& to = out[batch.first + idx(l)];
+        to(i, j) = to(j, i) = in_axes[c][l];
+      }
   });
 }
 

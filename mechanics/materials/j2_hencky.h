@@ -65,8 +65,7 @@ struct PointsBefore {
 
 /// Deviatoric response of a batch of points, mostly in the principal axes of the predictors.
 struct DeviatoricResponse {
-  PrincipalLanes values;                       ///< principal values of b_e,pred ...
-  std::array<PrincipalLanes, 3> axes;          ///< ... and components of their axes: axes[i][a]
+  SpectralSideBySide predictor;
   PointLanes log_J;                            ///< ln J, J the total (elastic) volume ratio [-]
   PrincipalLanes s;                            ///< principal deviatoric Kirchhoff stresses [MPa]
   TensorLanes deviator;                        ///< the same in space [MPa]

@@ -29,9 +29,9 @@ inline PointResponse point_of(const mechanics::DeviatoricResponse& batch, int l)
     return Vec3(v[0][l], v[1][l], v[2][l]);
   };
   PointResponse at;
-  at.predictor.values = vector(batch.values);
+  at.predictor.values = vector(batch.predictor.values);
   for (int i = 0; i < 3; ++i) {
-    at.predictor.vectors.row(i) = vector(batch.axes[static_cast<std::size_t>(i)]);
+    at.predictor.vectors.col(i) = vector(batch.predictor.vectors[static_cast<std::size_t>(i)]);
     at.normal_moduli.row(i) = vector(batch.normal_moduli[static_cast<std::size_t>(i)]);
   }
   at.log_J = batch.log_J[l];
