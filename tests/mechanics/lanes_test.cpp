@@ -16,7 +16,7 @@ TYPED_TEST_SUITE(Lane, Lengths);
 
 TYPED_TEST(Lane, GoesNumberByNumber) {
   constexpr int n = TypeParam::value;
-  Lanes<n> a;
+  Lanes<n> a{};
   Lanes<n> b = Lanes<n>::constant(2.0);
   for (int i = 0; i < n; ++i) {
     EXPECT_EQ(a[i], 0.0);
@@ -44,6 +44,28 @@ TYPED_TEST(Lane, GoesNumberByNumber) {
   }
   EXPECT_EQ(where_negative(Lanes<n>::constant(-0.0), a, b)[0], b[0]);
   EXPECT_EQ(where_negative(Lanes<n>::constant(std::nan("")), a, b)[0], b[0]);
+}
+
+TYPED_TEST(Lane, TellsWhatIsBeyond) {
+  constexpr int n = TypeParam::value;
+  EXPECT_TRUE(all_zero(unless_positive(Lanes<n>::constant(1e-300))));
+  EXPECT_TRUE(all_zero(unless_within(Lanes<n>::constant(-2.0), 2.0)));
+  for (int i = 0; i < n; ++i)
+    for (const double bad : {0.0, -1.0, std::nan("")}) {
+      Lanes<n> a = Lanes<n>::constant(3.0);
+      a.set(i, bad);
+      const Lanes<n> flags = unless_positive(a);
+      EXPECT_FALSE(all_zero(flags));
+      for (int k = 0; k < n; ++k)
+        EXPECT_EQ(flags[k], k == i ? 1.0 : 0.0);
+    }
+  for (int i = 0; i < n; ++i)
+    for (const double bad : {2.5, -2.5, HUGE_VAL, std::nan("")}) {
+      Lanes<n> a = Lanes<n>::constant(-2.0);
+      a.set(i, bad);
+      EXPECT_FALSE(all_zero(unless_within(a, 2.0)));
+      EXPECT_EQ(unless_within(a, 2.0)[i], 1.0);
+    }
 }
 
 } // namespace

@@ -94,12 +94,22 @@ public:
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(x_.size()); }
 
+  /// What its kernel is given and gives, for elements side by side.
+  [[nodiscard]] mechanics::ElementInput input(const std::vector<double>& x) const {
+    return {x_.data(), x.data(), volumes_, states_, dt_};
+  }
+  [[nodiscard]] mechanics::ElementOutput output(mechanics::BlockPlaces& places) {
+    tangent_.setZero();
+    places = tangent_places();
+    return {force_.data(), &places, trial_, 0.0, {}};
+  }
+  [[nodiscard]] mechanics::ElementKernel kernel() const { return kernel_; }
+
   /// Evaluates forces, tangent and trial states at nodal positions.
   mechanics::ElementStatus evaluate(const std::vector<double>& x) {
-    tangent_.setZero();
-    const mechanics::BlockPlaces places = tangent_places();
-    mechanics::ElementOutput out{force_.data(), &places, trial_, 0.0, {}};
-    const mechanics::ElementInput in{x_.data(), x.data(), volumes_, states_, dt_};
+    mechanics::BlockPlaces places{};
+    mechanics::ElementOutput out = output(places);
+    const mechanics::ElementInput in = input(x);
     const auto status = kernel_(material_, {&in, 1}, {&out, 1});
     plastic_increment_ = out.largest_plastic_increment;
     return status;
