@@ -135,6 +135,11 @@ def fixed_end(mu, settings):
     return mu is None and settings.sticking == "nodes"
 
 
+# At the end of every increment, about as often as billet writes its own.
+FIELDS = ["*NODE FILE", "U", "*EL FILE", "S, PEEQ", "*CONTACT FILE", "CDIS, CSTR"]
+
+
+
 def step(mesh, mu, settings):
     axial, across = mesh.axial + 1, range(1, mesh.axial + 1)
     lines = ["*STEP, NLGEOM, INC=100000", f"*STATIC, SOLVER={settings.solver}",
@@ -146,7 +151,7 @@ def step(mesh, mu, settings):
     lines += [f"NTOOL, {d}, {d}, 0." for d in across] + [f"NTOOL, {axial}, {axial}, -{TRAVEL}"]
     if fixed_end(mu, settings):
         lines += [f"END, {d}, {d}, 0." for d in across] + [f"END, {axial}, {axial}, -{TRAVEL}"]
-    return lines + ["*NODE PRINT, NSET=MIDDLE, TOTALS=ONLY", "RF", "*END STEP"]
+    return lines + FIELDS + ["*NODE PRINT, NSET=MIDDLE, TOTALS=ONLY", "RF", "*END STEP"]
 
 
 def controls(settings):

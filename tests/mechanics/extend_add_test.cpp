@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace billet::mechanics::extend_add_test {
@@ -14,9 +15,8 @@ namespace {
 
 /// Unknowns of a front in the order of elimination: its columns', then its rows'.
 std::vector<Index> unknowns_of(const Elimination& elimination, const Front& front) {
-  std::vector<Index> unknowns;
-  for (Index j = 0; j < front.columns; ++j)
-    unknowns.push_back(front.first + j);
+  std::vector<Index> unknowns(idx(front.columns));
+  std::iota(unknowns.begin(), unknowns.end(), front.first);
   const auto rows = elimination.rows(front);
   unknowns.insert(unknowns.end(), rows.begin(), rows.end());
   return unknowns;
