@@ -139,7 +139,6 @@ def fixed_end(mu, settings):
 FIELDS = ["*NODE FILE", "U", "*EL FILE", "S, PEEQ", "*CONTACT FILE", "CDIS, CSTR"]
 
 
-
 def step(mesh, mu, settings):
     axial, across = mesh.axial + 1, range(1, mesh.axial + 1)
     lines = ["*STEP, NLGEOM, INC=100000", f"*STATIC, SOLVER={settings.solver}",
