@@ -19,14 +19,6 @@ enum Pattern : std::uint32_t {
   in_turn,
   paired, ///< two by two, those of a node
 };
-
-void add_pair(const float* from, float* to) {
-  FrontPair sum;
-  FrontPair more;
-  load(to, sum);
-  load(from, more);
-  store(sum + more, to);
-}
 #endif
 
 } // namespace

@@ -23,6 +23,15 @@ inline void load(const float* from, FrontPair& v) { std::memcpy(&v, from, sizeof
 
 inline void store(const FrontPair& v, float* to) { std::memcpy(to, &v, sizeof v); }
 
+/// Adds two numbers to two others.
+inline void add_pair(const float* from, float* to) {
+  FrontPair sum;
+  FrontPair more;
+  load(to, sum);
+  load(from, more);
+  store(sum + more, to);
+}
+
 /// Calls `visit` with a number of columns, 1 to `most`, as a constant.
 template <std::size_t most = front_lanes, class Visit>
 void visit_columns(std::size_t columns, Visit visit) {

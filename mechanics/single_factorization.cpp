@@ -24,14 +24,6 @@ namespace billet::mechanics {
 
 namespace {
 
-void add_pair(const float* from, float* to) {
-  FrontPair sum;
-  FrontPair more;
-  load(to, sum);
-  load(from, more);
-  store(sum + more, to);
-}
-
 /// Copies `count` numbers, few as a rule: a call to the library takes longer.
 void copy_few(const float* from, std::size_t count, float* to) {
   const auto copy = [&](auto constant) {
