@@ -40,9 +40,10 @@ struct ElementOutput {
 
 enum class ElementStatus { good, inverted, no_return };
 
-/// The kernel of one kind and analysis, for 1 to `elements_at_once` elements side by side, of which
-/// none knows of the others. Nothing is added to the tangent unless all are good: alone they say
-/// which is not.
+/// The kernel of one kind and analysis, for 1 to `elements_at_once` elements side by side. What one
+/// gets does not depend on the others, but in space for the rounding of decompositions: whoever
+/// wants the same bits takes the same elements together. Nothing is added to the tangent unless all
+/// are good: alone they say which is not.
 using ElementKernel = ElementStatus (*)(const Material&,
                                         std::span<const ElementInput>,
                                         std::span<ElementOutput>);
