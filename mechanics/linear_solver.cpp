@@ -44,9 +44,10 @@ constexpr double exact = 1e-10;
 constexpr int most_iterations = 24;
 
 /// Relative corrections of a solution in single precision: each iteration lessens what is wrong in
-/// it by that factor. (N.11)
+/// it by that factor. Beyond a fair one many are asked for. (N.11)
 constexpr double good_correction = 1e-4;
-constexpr double largest_correction = 1e-3;
+constexpr double fair_correction = 1e-3;
+constexpr double largest_correction = 0.03;
 
 /// Of a positive number that has all its digits, as std::ilogb, but of many at a time.
 int exponent(double number) {
@@ -59,13 +60,15 @@ double power_of_two(int power) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(power + exponent_bias) << fraction_bits);
 }
 
-/// Relative residual that will do in a small problem, where a few iterations are all that a
-/// correction less than exact can save.
+/// Relative residual that will do with a factorization of the matrix or of a neighbour. In a small
+/// problem a few iterations are all that a correction less than exact can save.
 ///
 /// @param correction  of the factorization's first solution
-double small_tolerance(double asked, double correction) {
-  constexpr double loosest = 1e-6;
-  return correction <= good_correction ? std::clamp(asked, exact, loosest) : exact;
+double tolerance_for(double asked, double correction, bool small) {
+  constexpr double loosest_if_small = 1e-6;
+  if (correction > (small ? good_correction : fair_correction))
+    return exact;
+  return std::clamp(asked, exact, small ? loosest_if_small : 1.0);
 }
 
 } // namespace
@@ -171,6 +174,7 @@ bool LinearSolver::factorize(Factorization& factorization,
   work_.last_factor_bytes = cost.entries * static_cast<double>(cost.entry_size);
   if (done)
     last_ = &factorization;
+  wear_.begin(most_solves(cost));
   return done;
 }
 
@@ -279,9 +283,10 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
   }
   const bool may_reuse = demand.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
-  if (most > 0) {
+  if (most > 0 && !wear_.worn()) {
     const GmresReport report = iterate(matrix, rhs, x, demand.tolerance, most, {});
     if (report.converged) {
+      wear_.take(report.solves);
       ++work_.reused;
       return SolveReport{"gmres", report.residual};
     }
@@ -353,8 +358,7 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         const Demand& demand,
                                                         Known known) {
   const bool small = most_solves(last_->cost()) == 0;
-  const double enough =
-      small ? small_tolerance(demand.tolerance, correction_) : std::max(demand.tolerance, exact);
+  const double enough = tolerance_for(demand.tolerance, correction_, small);
   const GmresReport report = iterate(matrix, rhs, x, enough, most_iterations, known);
   if (!report.converged) {
     last_ = nullptr;

@@ -121,6 +121,31 @@ private:
   int failures_ = 0; ///< one after another
 };
 
+/// Whether systems go on with an earlier factorization. One of its own is due when the last took more
+/// solves than systems have taken on the average since the factorization was made, its cost shared
+/// among them: more of the like would only raise that average.
+class Wear {
+public:
+  /// @param cost  of the factorization [solves]
+  void begin(int cost) {
+    spent_ = cost;
+    systems_ = 1;
+    last_ = 0;
+  }
+  /// Counts a system.
+  void take(int solves) {
+    spent_ += solves;
+    ++systems_;
+    last_ = solves;
+  }
+  [[nodiscard]] bool worn() const { return last_ * systems_ > spent_; }
+
+private:
+  int spent_ = 0; ///< with the factorization [solves]
+  int systems_ = 0;
+  int last_ = 0; ///< of the last system [solves]
+};
+
 /// Chooses among the factorizations and keeps their analyses for the life of the pattern.
 class LinearSolver {
 public:
@@ -224,6 +249,7 @@ private:
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
   Factorization* last_ = nullptr; ///< holds a factorization of an earlier matrix
+  Wear wear_;                     ///< of that factorization
   /// ... and the matrix it is of.
   enum class Held { earlier, neighbour, current } held_ = Held::earlier;
   Gmres gmres_;
