@@ -121,9 +121,9 @@ private:
   int failures_ = 0; ///< one after another
 };
 
-/// Whether systems go on with an earlier factorization. One of its own is due when the last took more
-/// solves than systems have taken on the average since the factorization was made, its cost shared
-/// among them: more of the like would only raise that average.
+/// Whether systems go on with an earlier factorization. One of its own is due when the last took
+/// more solves than systems have taken on the average since the factorization was made, its cost
+/// shared among them: more of the like would only raise that average.
 class Wear {
 public:
   /// @param cost  of the factorization [solves]

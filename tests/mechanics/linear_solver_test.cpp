@@ -177,6 +177,45 @@ TEST(LinearSolver, single_precision_serves_where_it_is_near_enough) {
   }
 }
 
+TEST(LinearSolver, a_fair_factorization_in_single_precision_is_iterated_to_the_end) {
+  // A residual of 1e-3 would leave the motion of the whole body wrong by what single precision is.
+  const BlockPattern pattern =
+      block_pattern(box_mesh({.kind = ElementKind::hex8, .cells = {10, 10, 10}}));
+  const SparseMatrix soft = springs(pattern, 1e-4);
+  std::vector<double> rhs(static_cast<std::size_t>(pattern.n_dofs()), 1.0);
+  rhs.front() = 2.0;
+  std::vector<double> x(rhs.size()), reference = rhs;
+  LinearSolver solver(pattern, {});
+  const auto report = solver.solve(soft, true, rhs, x, {1e-3});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->method, "ldlt-single");
+  EXPECT_LE(report->relative_residual, 1e-10);
+  const auto single = single_of(pattern, fill_reducing_order(pattern));
+  const auto exact = cholmod_of(pattern, fill_reducing_order(pattern));
+  std::vector<double> rough = rhs;
+  ASSERT_TRUE(single->factorize(soft) && exact->factorize(soft));
+  single->solve(rough);
+  exact->solve(reference);
+  EXPECT_GT(std::abs(rough[0] / reference[0] - 1.0), 1e-3); // of little use alone
+  for (std::size_t i = 0; i < x.size(); ++i)
+    ASSERT_NEAR(x[i], reference[i], 1e-7 * reference[i]);
+}
+
+TEST(Wear, says_when_another_system_of_the_kind_would_cost_more_than_the_average) {
+  Wear wear;
+  wear.begin(10);
+  for (const int solves : {4, 5, 6}) { // 14 / 2, 19 / 3, 25 / 4
+    wear.take(solves);
+    EXPECT_FALSE(wear.worn()) << solves;
+  }
+  wear.take(7); // 32 / 5
+  EXPECT_TRUE(wear.worn());
+  wear.take(6);
+  EXPECT_FALSE(wear.worn()); // 38 / 6
+  wear.begin(10);
+  EXPECT_FALSE(wear.worn());
+}
+
 TEST(LinearSolver, single_precision_waits_longer_each_time_it_has_failed) {
   const BlockPattern pattern =
       block_pattern(box_mesh({.kind = ElementKind::hex8, .cells = {6, 6, 6}}));
