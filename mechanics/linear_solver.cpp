@@ -185,6 +185,7 @@ Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
                                               std::span<double> x) {
   if (!factorize(factorization, method, matrix))
     return Failure{"the tangent is singular (" + std::string(method) + ")"};
+  correction_ = 0.0; // of double precision
   auto report = back_substitute(factorization, method, matrix, rhs, x);
   if (report)
     held_ = Held::current;
@@ -284,7 +285,8 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
   const bool may_reuse = demand.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
   const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
   if (most > 0 && !wear_.worn()) {
-    const GmresReport report = iterate(matrix, rhs, x, demand.tolerance, most, {});
+    const double enough = tolerance_for(demand.tolerance, correction_, false);
+    const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
     if (report.converged) {
       wear_.take(report.solves);
       ++work_.reused;
@@ -303,7 +305,7 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
     return back_substitute(*last_, "again", matrix, rhs, x);
   if (held_ == Held::neighbour) {
     const GmresReport report =
-        iterate(matrix, rhs, x, std::max(tolerance, exact), most_iterations, {});
+        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), most_iterations, {});
     if (report.converged)
       return SolveReport{"again", report.residual};
   }
