@@ -21,11 +21,11 @@ double share_up_to_touch(std::span<const double> touches) {
 
 double Process::up_to_touch(double step) {
   // Where points leave as others come, trapezoids of work that begin at every touch and do not end
-  // where points part miss in one direction. In space points come down in any order, new meshes
-  // come where a tool touches anyhow, and where driven tools will be is not known.
+  // where points part miss in one direction. New meshes come where a tool touches anyhow, and where
+  // driven tools will be is not known.
   constexpr int lately = 10;
-  if (!contact_ || last_step_.empty() || contact_->since_parting() < lately ||
-      scene_.mesh.dimension() == 3 || scene_.remesh || x_.size() > x0_.size())
+  if (!contact_ || last_step_.empty() || contact_->since_parting() < lately || scene_.remesh ||
+      x_.size() > x0_.size())
     return step;
   const std::vector<double> x = foretold(step);
   const mechanics::Trial trial{time_, time_ + step, x_, x, {}};

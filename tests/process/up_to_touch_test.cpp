@@ -36,22 +36,26 @@ TEST(UpToTouch, EndsBeforeASecondTouchWellAfterTheFirst) {
 constexpr double longest = 0x1p-6; // [s]
 
 /// A die presses a block fast, so that the first increment is refused for its strain, and stops.
-/// Another comes from the right at 1 mm/s and touches some fifteen increments later.
-Scene pressed_block(double gap) {
+/// Another comes from the right at 1 mm/s.
+///
+/// @param place  of the other at the beginning
+Scene pressed_block(ElementKind kind, double place) {
+  const bool in_space = kind == ElementKind::hex8;
   Upsetting u;
-  u.analysis = Analysis::plane_strain;
-  u.mesh = mechanics::box_mesh(
-      {ElementKind::quad4, Vec3::Zero(), Vec3(10, 10, 0), {4, 4, 1}, {1, 1, 1}});
+  u.analysis = in_space ? Analysis::solid : Analysis::plane_strain;
+  const Vec3 corner(10, 10, in_space ? 10 : 0);
+  const auto cells = in_space ? std::array{2, 2, 2} : std::array{4, 4, 1};
+  u.mesh = mechanics::box_mesh({kind, Vec3::Zero(), corner, cells, {1, 1, 1}});
   u.height = 10.0;
   u.material = billet_steel();
   Scene scene = upsetting_scene(std::move(u));
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  const TimeFunction rests(0.0), comes({{0.0, 0.0}, {longest, -4.5}, {1.0, -4.5}});
   scene.tools[0].motion.velocity.reset();
   scene.tools[0].motion.displacement =
-      std::array{TimeFunction(0.0), TimeFunction({{0.0, 0.0}, {longest, -4.5}, {1.0, -4.5}}),
-                 TimeFunction(0.0)};
-  scene.tools.push_back(moving_tool(
-      "side", geometry::make_plane(Vec3(20.0 + gap, 0, 0), -Vec3::UnitX()), -Vec3::UnitX()));
+      std::array{rests, in_space ? rests : comes, in_space ? comes : rests};
+  scene.tools.push_back(
+      moving_tool("side", geometry::make_plane(Vec3(place, 0, 0), -Vec3::UnitX()), -Vec3::UnitX()));
   scene.touch.assign(2, 0);
   scene.stages[0].tools.assign(2, 1);
   scene.stages[0].end = 32.0 * longest;
@@ -59,33 +63,45 @@ Scene pressed_block(double gap) {
   return scene;
 }
 
+double side(const Entry& entry, ElementKind kind) {
+  return largest_position(entry, mechanics::dimension(kind), 0);
+}
+
 /// How long before the touch the last increment without it ends, in longest ones.
-double left_before_touch(const FinishedRun& done, double gap) {
-  double side = 0.0, left = 1e9;
+double left_before_touch(const FinishedRun& done, ElementKind kind, double place) {
+  double left = 1e9;
   for (const Entry& entry : done.recorder.entries) {
-    side = largest_position(entry, 2, 0);
-    const double touch = 20.0 + gap - side; // the block rests from the end of the press on
+    const double touch = place - side(entry, kind); // the block rests from the end of the press on
     if (entry.report.time > longest && entry.report.time < touch)
       left = (touch - entry.report.time) / longest;
   }
   return left;
 }
 
-TEST(UpToTouch, IsDoneForSomeIncrementsAfterARefusedOne) {
+class UpToTouchIn : public testing::TestWithParam<ElementKind> {};
+
+TEST_P(UpToTouchIn, IsDoneForSomeIncrementsAfterARefusedOne) {
+  const ElementKind kind = GetParam();
+  constexpr double far_away = 100.0;
+  const FinishedRun alone = run(pressed_block(kind, far_away));
+  ASSERT_EQ(alone.status, RunStatus::done);
   int just_before = 0;
   for (int eighth = 0; eighth < 8; ++eighth) {
-    // Pressed to 5.5 mm the block is some 18.1 mm wide: ten of the longest increments to go.
-    const double gap = -1.7164 + eighth * longest / 8.0;
-    const FinishedRun done = run(pressed_block(gap));
+    const double place = side(alone.last(), kind) + (10.0 + eighth / 8.0) * longest;
+    const FinishedRun done = run(pressed_block(kind, place));
     ASSERT_EQ(done.status, RunStatus::done);
     ASSERT_GT(done.process->cutbacks(), 0);
     ASSERT_GT(done.last().loads[1].force.norm(), 0.0);
-    const double left = left_before_touch(done, gap);
+    const double left = left_before_touch(done, kind, place);
     EXPECT_FALSE(left > 0.55 && left < 0.94) << left;
     just_before += std::abs(left - 0.05) < 0.01 ? 1 : 0;
   }
   EXPECT_GE(just_before, 3);
 }
+
+INSTANTIATE_TEST_SUITE_P(PlaneAndSpace,
+                         UpToTouchIn,
+                         testing::Values(ElementKind::quad4, ElementKind::hex8));
 
 } // namespace
 } // namespace billet::process::up_to_touch_test
