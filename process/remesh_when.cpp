@@ -32,6 +32,11 @@ constexpr double worth_while = 1.5;
 /// A mesh has to have lost this share of its first quality before it is replaced.
 constexpr double worn_share = 0.7;
 
+/// One that is nearly due does not go into an increment at whose end it is foretold to be worse
+/// than this share of the quality it is replaced at: force and shape there are those of bad
+/// elements. What is foretold of better ones says little.
+constexpr double worse_share = 0.9, nearly_due = 1.1;
+
 /// Elements longer than so many times their width, and twice as long as when the mesh was new,
 /// resolve little along them; quality, a matter of angles, does not see squares flattened.
 constexpr double most_aspect = 10.0, most_stretch = 2.0;
@@ -53,6 +58,19 @@ std::vector<Vec3> as_points(std::span<const double> x, int dim) {
   for (std::size_t i = 0; i < x.size(); ++i)
     points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
   return points;
+}
+
+/// Of the worst element when all has gone on for `dt` more.
+///
+/// @param x, velocity  of the nodes, shape (n_dofs)
+double quality_after(double dt,
+                     const mechanics::Mesh& mesh,
+                     std::span<const double> x,
+                     std::span<const double> velocity) {
+  std::vector<double> then(x.begin(), x.end());
+  for (std::size_t i = 0; i < then.size(); ++i)
+    then[i] += dt * velocity[i];
+  return worst_quality(mesh, then);
 }
 
 /// Largest angle between normals, those of places that are out of reach left out [rad].
@@ -265,7 +283,7 @@ double least_quality(const RemeshSettings& settings, mechanics::ElementKind kind
   return settings.quality.value_or(mechanics::is_simplex(kind) ? of_simplices : of_others);
 }
 
-std::string Process::remeshing_due() const {
+std::string Process::remeshing_due(double left) const {
   if (!may_remesh())
     return {};
   const RemeshSettings& settings = *scene_.remesh;
@@ -276,6 +294,12 @@ std::string Process::remeshing_due() const {
   constexpr double of_limit = 0.5;
   if (quality < (springs_back_ ? of_limit * limit : limit))
     return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
+  constexpr double longer = 1.5; // than the last increment: what the next one is at most
+  const double next = std::min({longer * last_dt_, longest_, left});
+  if (quality < nearly_due * limit && !springs_back_)
+    if (const double then = quality_after(next, scene_.mesh, positions(), velocity_);
+        then < worse_share * limit)
+      return fmt::format("element quality {:.2g}, in the next increment {:.2g}", quality, then);
   if (refused_increment_ && increment_ <= *refused_increment_ + rest_after_refusal)
     return {};
   const double longest = std::max(most_aspect, most_stretch * mesh_aspect_);

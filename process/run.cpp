@@ -487,7 +487,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         return RunStatus::stopped;
       // While forces fade no mesh is made, so one that is due then comes before tools return.
       const bool goes_on = time_ < stage.end || (stage.unload && &stage != &scene_.stages.back());
-      if (const std::string cause = remeshing_due(); !cause.empty() && goes_on) {
+      if (const std::string cause = remeshing_due(stage.end - time_); !cause.empty() && goes_on) {
         unmeshed = remesh(cause, observers);
         if (!unmeshed.empty())
           refusal_event_ = fmt::format("  no new mesh ({}): {}", cause, unmeshed);

@@ -428,8 +428,8 @@ private:
   /// The side in contact that is the most too long for the tool beneath it; excess 0: there is
   /// none.
   [[nodiscard]] OutgrownSide most_outgrown_side() const;
-  /// Why the part should be meshed anew now; empty: it need not.
-  [[nodiscard]] std::string remeshing_due() const;
+  /// Why the part should be meshed anew now, `left` before the stage ends; empty: it need not.
+  [[nodiscard]] std::string remeshing_due(double left) const;
   /// Whether a mesh can be exchanged now, and has been used since it was made.
   [[nodiscard]] bool may_remesh() const;
   /// Meshes the part anew and carries everything over. (P.14)-(P.17)

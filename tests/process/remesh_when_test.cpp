@@ -50,6 +50,37 @@ TEST(Remeshing, ComesForWhateverItIsToldTo) {
   }
 }
 
+TEST(Remeshing, AMeshThatIsNearlyDueDoesNotGoIntoAnIncrementThatRuinsIt) {
+  const auto scene = [] {
+    Scene s = upsetting_scene(billet(ElementKind::quad4, 6, 0.5, contact::Sticking{}));
+    s.increments.first = s.increments.max = 0.5; // a fifteenth of the way
+    return s;
+  };
+  const FinishedRun whole = run(scene());
+  ASSERT_EQ(whole.status, RunStatus::done);
+  const auto& entries = whole.recorder.entries;
+  std::size_t last = 0; // before an increment that takes a fifth off
+  while (last + 1 < entries.size() &&
+         entries[last + 1].report.min_quality > 0.8 * entries[last].report.min_quality)
+    ++last;
+  ASSERT_LT(last + 1, entries.size());
+  const double quality = entries[last].report.min_quality;
+  const auto first_mesh = [&](double limit) {
+    RemeshSettings settings;
+    settings.quality = limit;
+    settings.penetration = 1e3; // never
+    Scene s = scene();
+    s.remesh = settings;
+    const FinishedRun done = run(std::move(s));
+    return done.process->remeshings().empty() ? RemeshReport{} : done.process->remeshings()[0];
+  };
+  const RemeshReport soon = first_mesh(quality / 1.05);
+  EXPECT_EQ(soon.time, entries[last].report.time);
+  EXPECT_NE(soon.cause.find("in the next increment"), std::string::npos) << soon.cause;
+  const RemeshReport later = first_mesh(quality / 1.15);
+  EXPECT_EQ(later.time, entries[last + 1].report.time) << "not nearly due";
+}
+
 /// A bar of radius 12 mm is pressed 0.1 mm deep into half a block of n x n elements.
 Scene bar_on_block(int n, ElementKind kind = ElementKind::quad8, double mm = 1.0) {
   Scene scene;
@@ -282,8 +313,8 @@ TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
 TEST(Remeshing, KeepsTheSizeAtAContactThatGrows) {
   // A round punch, whose contact grows from nothing to half of the block's face.
   Scene scene = bar_on_block(8);
-  scene.tools[0] = moving_tool(
-      "punch", geometry::make_circle(Vec3(0.0, 24.0, 0.0), 12.0, false), -Vec3::UnitY());
+  scene.tools[0] = moving_tool("punch", geometry::make_circle(Vec3(0.0, 24.0, 0.0), 12.0, false),
+                               -Vec3::UnitY());
   scene.stages[0].end = 2.0;
   scene.landing_times.clear();
   scene.remesh = RemeshSettings{};
