@@ -294,12 +294,13 @@ std::string Process::remeshing_due(double left) const {
   constexpr double of_limit = 0.5;
   if (quality < (springs_back_ ? of_limit * limit : limit))
     return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
-  constexpr double longer = 1.5; // than the last increment: what the next one is at most
-  const double next = std::min({longer * last_dt_, longest_, left});
-  if (quality < nearly_due * limit && !springs_back_)
-    if (const double then = quality_after(next, scene_.mesh, positions(), velocity_);
-        then < worse_share * limit)
+  if (quality < nearly_due * limit && !springs_back_) {
+    constexpr double longer = 1.5; // than the last increment: what the next one is at most
+    const double next = std::min({longer * last_dt_, longest_, left});
+    const double then = quality_after(next, scene_.mesh, positions(), velocity_);
+    if (then < worse_share * limit)
       return fmt::format("element quality {:.2g}, in the next increment {:.2g}", quality, then);
+  }
   if (refused_increment_ && increment_ <= *refused_increment_ + rest_after_refusal)
     return {};
   const double longest = std::max(most_aspect, most_stretch * mesh_aspect_);
