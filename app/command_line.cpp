@@ -160,7 +160,8 @@ std::string help() {
       "  billet --version        the version\n\n"
       "Exit status: 0 done; 2 usage; 3 bad case file; 4 bad geometry or mesh; 5 not converged\n"
       "(results up to the last good increment are valid); 6 input/output or disk; 7 memory or\n"
-      "another limit; 70 internal error; 130/143 stopped by SIGINT/SIGTERM after a clean end of\n"
+      "another limit; 8 ran to its end, but the result fails a check that it must pass (named in\n"
+      "summary.json); 70 internal error; 130/143 stopped by SIGINT/SIGTERM after a clean end of\n"
       "the increment.\n";
   return text;
 }

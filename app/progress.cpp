@@ -61,7 +61,7 @@ void Progress::log(const std::string& text) {
 
 void Progress::say(const std::string& line) {
   log(line + "\n");
-  if (!quiet_ || line.starts_with("warning: "))
+  if (!quiet_ || line.starts_with("warning: ") || line.starts_with("failed check "))
     tell(line + "\n");
 }
 

@@ -7,6 +7,7 @@
 #include "io/case/read_case.h"
 #include "io/results/run_writer.h"
 #include "mechanics/blas.h"
+#include "process/run_checks.h"
 
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
@@ -31,10 +32,10 @@ std::string case_name(const std::filesystem::path& file) {
   return stem == "case" && !folder.empty() ? folder : stem;
 }
 
-std::string ending(process::RunStatus status) {
+std::string ending(process::RunStatus status, bool usable) {
   switch (status) {
   case process::RunStatus::done:
-    return "done";
+    return usable ? "done" : "failed-checks";
   case process::RunStatus::not_converged:
     return "not-converged";
   case process::RunStatus::stopped:
@@ -43,10 +44,10 @@ std::string ending(process::RunStatus status) {
   return "";
 }
 
-int exit_status(process::RunStatus status) {
+int exit_status(process::RunStatus status, bool usable) {
   switch (status) {
   case process::RunStatus::done:
-    return 0;
+    return usable ? 0 : static_cast<int>(Fault::failed_check);
   case process::RunStatus::not_converged:
     return static_cast<int>(Fault::not_converged);
   case process::RunStatus::stopped:
@@ -58,9 +59,10 @@ int exit_status(process::RunStatus status) {
 void print_summary(const process::Process& process,
                    const io::Case& content,
                    process::RunStatus status,
+                   bool usable,
                    const std::filesystem::path& folder) {
   fmt::print("{}: {} at time {:.6g} {}, {} increments, {} iterations, {} cut-backs\n",
-             content.title.empty() ? "run" : content.title, ending(status), process.time(),
+             content.title.empty() ? "run" : content.title, ending(status, usable), process.time(),
              content.units.time, process.increments(), process.iterations(), process.cutbacks());
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     const Vec3& force = process.contact()->loads()[t].force;
@@ -138,11 +140,15 @@ int run_case(const Arguments& arguments) {
   const process::RunStatus status = process.run({&writer, &progress});
   for (const std::string& warning : writer.warnings(process))
     progress.say(warning);
-  writer.write_summary(process, {ending(status), exit_status(status)});
-  print_summary(process, content, status, folder);
+  const std::vector<process::FailedCheck> failed = process::failed_checks(process);
+  for (const process::FailedCheck& check : failed)
+    progress.say(fmt::format("failed check '{}': {}", check.name, check.what));
+  const int exit = exit_status(status, failed.empty());
+  writer.write_summary(process, {ending(status, failed.empty()), exit, failed});
+  print_summary(process, content, status, failed.empty(), folder);
   if (arguments.profile)
     print_profile(process);
-  return exit_status(status);
+  return exit;
 }
 
 } // namespace billet::app

@@ -47,6 +47,7 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit
         worst.sampled = depth;
         worst.position = positions_[k];
         worst.tool = t;
+        worst.face = face_of(k);
       }
       worst.share = std::max(worst.share, depth / beneath);
       const double pressed = pressed_depth(states_[t], k);
@@ -71,6 +72,7 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit
       worst.sampled = search.known_depth = found.deepest.depth;
       worst.position = pose.to_space(found.deepest.position);
       worst.tool = t;
+      worst.face = static_cast<Index>(found.deepest.face);
     }
     search.known_relative = std::max(search.known_relative, found.deepest_relative.depth);
   }

@@ -532,6 +532,22 @@ bool ContactTerm::lies_on(std::size_t tool) const {
                      [](const CornerContact::Corner& corner) { return corner.history.closed(); });
 }
 
+bool ContactTerm::bears_near(std::size_t tool, Index face) const {
+  const ToolState& state = states_[tool];
+  const auto own = surface_->scatter().nodes(face);
+  const auto is_near = [&](Index other) {
+    const auto nodes = surface_->scatter().nodes(other);
+    return std::find_first_of(own.begin(), own.end(), nodes.begin(), nodes.end()) != own.end();
+  };
+  for (std::size_t k = 0; k < state.trial.size(); ++k)
+    if (state.trial[k].pressure > 0.0 && is_near(face_of(k)))
+      return true;
+  const auto corners = state.corners.corners();
+  return std::any_of(corners.begin(), corners.end(), [&](const CornerContact::Corner& corner) {
+    return corner.trial.foot && corner.trial.area > 0.0 && is_near(corner.trial.foot->face);
+  });
+}
+
 bool ContactTerm::leaves(std::size_t tool, double time) const {
   return states_[tool].touches && !acts(tool, time);
 }

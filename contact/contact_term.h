@@ -57,6 +57,7 @@ struct Penetration {
   double share_pressed = 0.0;   ///< likewise, relative to the element beneath [-]
   Vec3 position = Vec3::Zero(); ///< of the deepest point found, in space [mm]
   std::size_t tool = 0;         ///< in which that point lies
+  Index face = -1;              ///< on which it lies; -1: none is in a tool
   std::size_t queries = 0;      ///< of tools' surfaces, for the cost
 };
 
@@ -242,6 +243,10 @@ public:
   /// Whether a point lies on a tool, or on a corner of it, in the committed state, with or without
   /// pressure.
   [[nodiscard]] bool lies_on(std::size_t tool) const;
+  /// Whether a tool bears, in the last trial, on a face or on one that shares a node with it.
+  [[nodiscard]] bool bears_near(std::size_t tool, Index face) const;
+  /// Whether a tool's surface has begun to draw back.
+  [[nodiscard]] bool draws_back(std::size_t tool) const { return states_[tool].drawn_back > 0.0; }
   /// Whether a tool touches in the committed state but will not act at `time`.
   [[nodiscard]] bool leaves(std::size_t tool, double time) const;
   /// Tells how far a tool's surface has drawn back at the end of this try, along its normals,

@@ -43,6 +43,19 @@ struct Ray {
     }
     return box;
   }
+  [[nodiscard]] std::vector<MeridianBall> rounds() const { return {}; }
+  [[nodiscard]] std::vector<MeridianBall> narrow(double low, double high, double width) const {
+    std::vector<MeridianBall> balls;
+    if (low <= 0.0 && high >= 0.0)
+      balls.push_back({0.0, 0.0, 0.0});
+    const double from = std::max(0.0, low), to = std::min(high, width / sin);
+    const auto steps = static_cast<int>(std::ceil(4.0 * std::max(0.0, to - from) / width));
+    for (int i = 1; i <= steps; ++i) {
+      const double h = from + (to - from) * i / steps;
+      balls.push_back({h, 0.0, h * sin});
+    }
+    return balls;
+  }
   [[nodiscard]] std::vector<Vec2> line(double /*low*/, double high) const {
     if (high <= 0.0)
       return {};

@@ -3,6 +3,8 @@
 #include "geometry/surface_check.h"
 #include "geometry/surface_of_revolution.h"
 
+#include <cmath>
+
 namespace billet::geometry {
 
 namespace {
@@ -26,6 +28,20 @@ struct StraightLine {
     box.low = axis.origin - half;
     box.high = axis.origin + half;
     return box;
+  }
+  [[nodiscard]] std::vector<MeridianBall> rounds() const {
+    return flat ? std::vector<MeridianBall>{{0.0, 0.0, radius}} : std::vector<MeridianBall>{};
+  }
+  [[nodiscard]] std::vector<MeridianBall> narrow(double low, double high, double width) const {
+    if (!(radius < width))
+      return {};
+    if (flat)
+      return {{0.0, 0.0, radius}};
+    const auto steps = static_cast<int>(std::ceil(4.0 * (high - low) / width));
+    std::vector<MeridianBall> balls;
+    for (int i = 0; i <= steps; ++i)
+      balls.push_back({low + (high - low) * i / steps, 0.0, radius});
+    return balls;
   }
   [[nodiscard]] std::vector<Vec2> line(double low, double high) const {
     return {{high, radius}, {low, radius}};

@@ -36,6 +36,7 @@ public:
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] DisplayMesh display(const Box& window, bool planar) const override;
   [[nodiscard]] std::vector<ToolCorner> corners(double angle) const override;
+  [[nodiscard]] std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const override;
 
 private:
   struct Nearest {
@@ -114,6 +115,14 @@ std::vector<ToolCorner> ProfileSurface::corners(double angle) const {
                          in_space(normal_of(next.tangent_a))});
   }
   return corners;
+}
+
+std::vector<InnerBall> ProfileSurface::narrow_parts(const NarrowSearch& search) const {
+  std::vector<InnerBall> balls;
+  for (const ToolCorner& corner : corners(sharp_turn))
+    if (corner.radius < search.width)
+      balls.push_back({corner.centre, corner.radius});
+  return balls;
 }
 
 void ProfileSurface::do_project(std::span<const Vec3> points,

@@ -23,6 +23,9 @@ public:
   [[nodiscard]] DisplayMesh display(const Box& window, bool planar) const override {
     return surface_->display(window, planar);
   }
+  [[nodiscard]] std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const override {
+    return surface_->narrow_parts(search); // where it was
+  }
 
 private:
   void

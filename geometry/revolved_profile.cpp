@@ -92,6 +92,7 @@ public:
 
   [[nodiscard]] Box bounds() const override;
   [[nodiscard]] DisplayMesh display(const Box& window, bool planar) const override;
+  [[nodiscard]] std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const override;
 
 private:
   void
@@ -131,6 +132,16 @@ DisplayMesh RevolvedProfile::display(const Box& /*window*/, bool planar) const {
   if (profile_.closed)
     line.push_back(line.front());
   return revolved_display(axis_, line, planar, false);
+}
+
+std::vector<InnerBall> RevolvedProfile::narrow_parts(const NarrowSearch& search) const {
+  std::vector<InnerBall> balls;
+  for (const InnerBall& ball : section_->narrow_parts(search))
+    if (ball.centre.y() >= 0.0) // of the section's two halves
+      add_around({axis_.origin + ball.centre.x() * axis_.direction, axis_.direction,
+                  ball.centre.y(), ball.radius},
+                 search, balls);
+  return balls;
 }
 
 // (G.39)

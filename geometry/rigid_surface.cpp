@@ -14,4 +14,8 @@ void RigidSurface::project(std::span<const Vec3> points,
 
 std::vector<ToolCorner> RigidSurface::corners(double /*angle*/) const { return {}; }
 
+std::vector<InnerBall> RigidSurface::narrow_parts(const NarrowSearch& /*search*/) const {
+  return {};
+}
+
 } // namespace billet::geometry

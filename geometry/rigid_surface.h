@@ -12,6 +12,7 @@
 
 #include "geometry/base/box.h"
 #include "geometry/base/vector.h"
+#include "geometry/narrow_parts.h"
 
 #include <array>
 #include <cstdint>
@@ -75,6 +76,9 @@ public:
   /// Its convex corners and roundings that turn by more than `angle` [rad], of those made of lines
   /// and arcs; others have none. (G.56)
   [[nodiscard]] virtual std::vector<ToolCorner> corners(double angle) const;
+
+  /// Balls in the tool where it is narrower than a face of the workpiece; a plane has none. (G.60)
+  [[nodiscard]] virtual std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const;
 
   /// The part of the surface inside `window`, for pictures. (in the plane: lines with z = 0)
   ///

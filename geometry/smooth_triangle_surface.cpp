@@ -52,6 +52,9 @@ public:
   [[nodiscard]] DisplayMesh display(const Box& /*window*/, bool /*planar*/) const override {
     return {features_.mesh().points, {}, features_.mesh().triangles};
   }
+  [[nodiscard]] std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const override {
+    return geometry::narrow_parts(features_.mesh(), search);
+  }
   [[nodiscard]] const Smoothing& smoothing() const { return smoothing_; }
 
 private:

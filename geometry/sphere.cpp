@@ -30,6 +30,12 @@ struct HalfCircle {
     box.add(axis.origin + Vec3::Constant(radius));
     return box;
   }
+  [[nodiscard]] std::vector<MeridianBall> rounds() const { return {{0.0, 0.0, radius}}; }
+  [[nodiscard]] std::vector<MeridianBall>
+  narrow(double /*low*/, double /*high*/, double width) const {
+    return radius < width ? std::vector<MeridianBall>{{0.0, 0.0, radius}}
+                          : std::vector<MeridianBall>{};
+  }
   [[nodiscard]] std::vector<Vec2> line(double /*low*/, double /*high*/) const {
     constexpr int pieces = pieces_round / 2;
     std::vector<Vec2> line{{radius, 0.0}};

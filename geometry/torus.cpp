@@ -34,6 +34,12 @@ struct Circle {
     box.add(axis.origin + half);
     return box;
   }
+  [[nodiscard]] std::vector<MeridianBall> rounds() const { return {{0.0, major, minor}, {0.0, -major, minor}}; }
+  [[nodiscard]] std::vector<MeridianBall>
+  narrow(double /*low*/, double /*high*/, double width) const {
+    return minor < width ? std::vector<MeridianBall>{{0.0, major, minor}}
+                         : std::vector<MeridianBall>{};
+  }
   [[nodiscard]] std::vector<Vec2> line(double /*low*/, double /*high*/) const {
     std::vector<Vec2> line;
     for (int i = 0; i <= pieces_round; ++i) {

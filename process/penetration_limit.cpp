@@ -13,8 +13,35 @@ namespace billet::process {
 
 void Process::certify(double dt) {
   const Stopwatch timed(times_.certificate);
-  penetration_ = contact_->penetration({time_, time_ + dt, x_, trial_x_},
-                                       scene_.contact.max_penetration.value_or(HUGE_VAL));
+  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  penetration_ = contact_->penetration(trial, scene_.contact.max_penetration.value_or(HUGE_VAL));
+  narrow_radius_ = -1.0;
+  const DeepTool deepest = narrow_->deepest(*contact_, trial, penetration_.share);
+  if (!(deepest.share > penetration_.share))
+    return;
+  penetration_.share = deepest.share;
+  penetration_.bound = std::max(penetration_.bound, deepest.depth);
+  penetration_.sampled = deepest.depth;
+  penetration_.position = deepest.place;
+  penetration_.tool = deepest.tool;
+  penetration_.face = deepest.face;
+  narrow_radius_ = deepest.radius;
+}
+
+bool Process::lies_in_unfelt(std::string& why) const {
+  const contact::Penetration& deep = penetration_;
+  if (!(deep.share > deepest_unfelt) || deep.face < 0 || contact_->bears_near(deep.tool, deep.face))
+    return false;
+  why = fmt::format("tool '{}' lies {:.3g} deep in the workpiece near ({:.6g}, {:.6g}, {:.6g}), "
+                    "{:.0f} % of the element there ({:.3g}), and no contact point meets it: it is "
+                    "narrower than they are apart. ",
+                    scene_.tools[deep.tool].name, deep.sampled, deep.position[0], deep.position[1],
+                    deep.position[2], 100.0 * deep.share, surface_->depth(deep.face));
+  why += narrow_radius_ == 0.0
+             ? "Round its corner or edge, and take elements no longer than the radius there"
+             : fmt::format("Take elements of about {:.2g} there",
+                           narrow_radius_ > 0.0 ? narrow_radius_ : deep.sampled);
+  return true;
 }
 
 bool Process::bounds_penetration() const {
@@ -31,9 +58,13 @@ bool Process::too_deep() const {
 }
 
 bool Process::limit_penetration(double dt, std::string& why) {
-  if (!contact_ || !bounds_penetration())
-    return true; // what is accepted gets its certificate; tries that nobody will see need none
+  if (!contact_)
+    return true;
   certify(dt);
+  if (!bounds_penetration()) {
+    refused_as_too_deep_ = lies_in_unfelt(why);
+    return !refused_as_too_deep_;
+  }
   constexpr int most_rounds = 8;
   // Once contact points are so much less deep than is allowed, what is too deep lies between them.
   constexpr double negligible = 0.01;
@@ -57,7 +88,8 @@ bool Process::limit_penetration(double dt, std::string& why) {
     certify(dt);
     gain = before / penetration_.pressed;
   }
-  return true;
+  refused_as_too_deep_ = lies_in_unfelt(why);
+  return !refused_as_too_deep_;
 }
 
 /// (P.7) A multiplier gains the ratio of the penalty to the body's own stiffness a round: where the

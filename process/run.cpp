@@ -255,12 +255,17 @@ bool Process::turns_inside_out(std::string& why) {
 bool Process::passes_through(double dt, std::string& why) const {
   if (contact_)
     why = passage_complaint(scene_.tools, *surface_, *contact_, {time_, time_ + dt, x_, trial_x_});
-  return contact_ && !why.empty();
+  if (!contact_ || !why.empty())
+    return contact_ != nullptr;
+  const auto met = narrow_->met_on_the_way(*contact_, {time_, time_ + dt, x_, trial_x_});
+  if (met)
+    why = fmt::format("tool '{}' goes into the workpiece on the way of the increment, at ({:.6g}, "
+                      "{:.6g}, {:.6g})",
+                      scene_.tools[met->tool].name, met->place[0], met->place[1], met->place[2]);
+  return met.has_value();
 }
 
 void Process::accept(double dt) {
-  if (contact_ && !bounds_penetration())
-    certify(dt);
   if (scene_.remesh) {
     remember();
     note_forces();
@@ -275,6 +280,13 @@ void Process::accept(double dt) {
   iterations_ += last_iterations_;
   if (increment_ == mesh_increment_ + 1)
     mesh_share_ = penetration_.share;
+  const std::vector<double> forces = forces_on_tools();
+  peak_forces_.resize(forces.size(), 0.0);
+  for (std::size_t t = 0; t < forces.size(); ++t)
+    peak_forces_[t] = std::max(peak_forces_[t], forces[t]);
+  if (penetration_.share > deepest_tool_.share)
+    deepest_tool_ = {penetration_.share, penetration_.sampled, time_, penetration_.tool,
+                     penetration_.position};
   const double external = energy_.external;
   const double plastic = energy_.plastic;
   update_energy();

@@ -16,6 +16,7 @@
 #include "mechanics/newton.h"
 #include "process/blows.h"
 #include "process/lap.h"
+#include "process/narrow_tools.h"
 #include "process/part_boundary.h"
 #include "process/scene.h"
 
@@ -254,6 +255,17 @@ public:
     int increment;     ///< the last one before it
   };
   [[nodiscard]] std::span<const Intruder> intruders() const { return intruders_; }
+  /// Where a tool has been the deepest in the part so far, relative to the element there.
+  struct DeepestTool {
+    double share = 0.0; ///< of the element beneath, a bound [-]
+    double depth = 0.0; ///< of the deepest point found [mm]
+    double time = 0.0;  ///< [s]
+    std::size_t tool = 0;
+    Vec3 place = Vec3::Zero(); ///< in space [mm]
+  };
+  [[nodiscard]] const DeepestTool& deepest_tool() const { return deepest_tool_; }
+  /// Largest magnitude of the force on each tool so far, shape (n_tools) [N].
+  [[nodiscard]] std::span<const double> peak_forces() const { return peak_forces_; }
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
   /// Places where the part's boundary crosses itself in creases deeper than a quarter of an
@@ -361,6 +373,8 @@ private:
   /// Presses harder until the limit of penetration holds. (P.7)
   [[nodiscard]] bool limit_penetration(double dt, std::string& why);
   [[nodiscard]] bool too_deep() const;
+  /// Whether a tool lies in the part where it does not bear on it. (P.40)
+  [[nodiscard]] bool lies_in_unfelt(std::string& why) const;
   void press_harder(double gain);
   /// Which contact points kept changing in the last try, for the log; empty: none.
   [[nodiscard]] std::string restless_points() const;
@@ -516,6 +530,7 @@ private:
   std::unique_ptr<mechanics::Bulk> bulk_;
   std::unique_ptr<contact::ContactSurface> surface_;
   std::unique_ptr<contact::ContactTerm> contact_;
+  std::unique_ptr<NarrowTools> narrow_;
   std::unique_ptr<Blows> blows_; ///< none: no press strikes
   std::vector<std::unique_ptr<mechanics::Load>> loads_;
   std::unique_ptr<mechanics::Grounding> grounding_;
@@ -544,7 +559,10 @@ private:
   std::vector<double> velocity_;
   std::vector<double> plastic_rate_;
   std::vector<double> reactions_;
-  contact::Penetration penetration_; ///< of the last increment, or of a try that a limit judges
+  contact::Penetration penetration_; ///< of the last increment, or of the last solution tried
+  DeepestTool deepest_tool_;
+  std::vector<double> peak_forces_;
+  double narrow_radius_ = -1.0; ///< of the tool where it is the deepest; < 0: it is not narrow [mm]
   bool refused_as_too_deep_ = false; ///< the last try
   bool refused_inside_out_ = false;  ///< likewise
   int turned_inside_out_ = 0;        ///< increments refused for that on the present mesh

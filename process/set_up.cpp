@@ -64,6 +64,7 @@ void Process::make_terms() {
     contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
                                                       4.0 * body_size(scene_.mesh), drive_scale());
     terms_.push_back(contact_.get());
+    narrow_ = std::make_unique<NarrowTools>(scene_, *surface_, x_);
   }
   const bool strikes =
       std::any_of(scene_.tools.begin(), scene_.tools.end(), [](const contact::Tool& tool) {

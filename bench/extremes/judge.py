@@ -12,7 +12,7 @@ import timed
 from matrix import INCREMENTS
 from scenes import SCENES, UNITS, case
 
-TYPED = range(2, 8)                # statuses that name a cause; 70 and signals are failures of the program
+TYPED = range(2, 9)                # statuses that name a cause; 70 and signals are failures of the program
 LATE = 0.6                         # forces are means over the run after this share of it
 AGREEMENT = 0.01                   # with the reference, increments of the same length
 OTHER_INCREMENTS = 0.05            # a run in one increment, or in a hundred times as many

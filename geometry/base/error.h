@@ -20,6 +20,7 @@ enum class Fault {
   not_converged = 5, ///< an increment could not be solved
   input_output = 6,  ///< file system
   limit = 7,         ///< memory or another limit
+  failed_check = 8,  ///< a run has come to its end with a result that fails a check
 };
 
 /// One thing that is wrong, with everything needed to mend it.

@@ -549,6 +549,9 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   for (std::string& line : this->warnings(process))
     warnings.push_back(std::move(line));
   summary["warnings"] = warnings;
+  summary["failed_checks"] = ordered_json::array();
+  for (const process::FailedCheck& check : end.failed)
+    summary["failed_checks"].push_back({{"check", check.name}, {"what", check.what}});
   if (post_)
     summary["failure"] = {{"time", post_->time}, {"reason", post_->reason}};
   summary["seconds"] = timings_json(process.times());

@@ -12,6 +12,7 @@
 #include "io/results/frames.h"
 #include "io/results/pvd.h"
 #include "process/run.h"
+#include "process/run_checks.h"
 
 #include <cmath>
 #include <filesystem>
@@ -31,8 +32,9 @@ struct RunFacts {
 
 /// How a run ended, for the summary.
 struct RunEnd {
-  std::string status; ///< "done", "not-converged", "stopped"
+  std::string status; ///< "done", "failed-checks", "not-converged", "stopped"
   int exit_status = 0;
+  std::vector<process::FailedCheck> failed; ///< checks
 };
 
 class RunWriter final : public process::Observer {

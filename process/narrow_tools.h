@@ -1,0 +1,86 @@
+// How deep tools lie in the workpiece where they are narrower than its faces.
+//
+// The bound of penetration asks how deep faces lie in a tool (C.13). A needle has no room for a
+// face, and once it is inside of the part no face lies in it at all. So the balls that mark where a
+// tool is narrow (G.60) are looked for in the part: how deep they lie in it, at the end of an
+// increment, and whether they enter it on the way.
+//
+// Units   mm. Theory: docs/theory/process.md (P.40), (P.41).
+
+#pragma once
+
+#include "contact/contact_term.h"
+#include "geometry/narrow_parts.h"
+#include "process/scene.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace billet::process {
+
+class PartDepth;
+
+/// Share of the element beneath that a tool may lie in the part without bearing on it there.
+inline constexpr double deepest_unfelt = 0.1;
+
+/// A narrow part of a tool that lies in the workpiece.
+struct DeepTool {
+  double depth = 0.0; ///< of its deepest point beneath the faces [mm]
+  double share = 0.0; ///< of the element beneath the nearest face [-]
+  std::size_t tool = 0;
+  Vec3 place = Vec3::Zero(); ///< in space [mm]
+  Index face = -1;           ///< the nearest candidate face
+  double radius = 0.0;       ///< of the tool there; 0: a corner or an edge [mm]
+};
+
+class NarrowTools {
+public:
+  /// @param x  positions of the nodes, shape (n_dofs) [mm]
+  /// @pre scene and surface outlive it; the mesh stays the same
+  NarrowTools(const Scene& scene,
+              const contact::ContactSurface& surface,
+              std::span<const double> x);
+
+  /// The deepest, relative to the elements beneath, at the end of a trial, of the tools that act.
+  ///
+  /// @param faces  how deep faces lie in tools, relative to the element beneath: where they hardly
+  ///               do only slender parts of tools can be deep in the part [-]
+  [[nodiscard]] DeepTool
+  deepest(const contact::ContactTerm& contact, const mechanics::Trial& trial, double faces) const;
+
+  /// A slender part that is deeper than `deepest_unfelt` somewhere on the way of a trial, and is
+  /// not from the start; none.
+  [[nodiscard]] std::optional<DeepTool> met_on_the_way(const contact::ContactTerm& contact,
+                                                       const mechanics::Trial& trial) const;
+
+private:
+  /// A narrow part of a tool.
+  struct Part {
+    geometry::InnerBall ball; ///< tool frame
+    bool slender;             ///< a face that it enters hardly lies in it
+  };
+  class Way;
+
+  [[nodiscard]] std::vector<Part> parts_of(const geometry::RigidSurface& tool,
+                                           const Box& window) const;
+  /// @param part     box of the workpiece, in space
+  /// @param endless  room for those of an endless tool
+  [[nodiscard]] std::span<const Part> parts(std::size_t tool,
+                                            const geometry::Pose& pose,
+                                            const Box& part,
+                                            std::vector<Part>& endless) const;
+  [[nodiscard]] bool none() const;
+  /// How deep a narrow part lies in the workpiece; depth 0: hardly, or not at all.
+  [[nodiscard]] DeepTool
+  in_part(PartDepth& part, const Part& narrow, const geometry::Pose& pose) const;
+
+  const Scene* scene_;
+  const contact::ContactSurface* surface_;
+  double width_ = 0.0;        ///< of the longest face [mm]
+  double thinnest_;           ///< least depth of an element beneath a face [mm]
+  std::vector<char> endless_; ///< tools that are looked at where the part is, one flag a tool
+  std::vector<std::vector<Part>> parts_; ///< of the others
+};
+
+} // namespace billet::process

@@ -1,0 +1,98 @@
+// A run that comes to its end with a result of no use says so by its status.
+
+#include "tests/support/case_texts.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace billet::test::failed_checks_test {
+
+namespace {
+
+/// A block between two planes; `where` holds what supports it.
+std::string block(const std::string& more) {
+  return R"(analysis = "plane-strain"
+[workpiece]
+element = "quad8"
+material = "m"
+mesh = { box = [[0, 0], [10, 10]], cells = [4, 4] }
+)" + more +
+         R"(
+[material.m]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 300 }
+[[tool]]
+name = "table"
+surface = { plane = { point = [0, 0], normal = [0, 1] } }
+touch = true
+motion = { displacement = [[0, 0, 0], [1, 0, 1e-9]] }
+[[tool]]
+name = "punch"
+surface = { plane = { point = [0, 10], normal = [0, -1] } }
+motion = { velocity = [0, -0.5] }
+touch = true
+[time]
+end = 1
+)";
+}
+
+class FailedCheck : public testing::Test {
+protected:
+  Outcome run(const std::string& text) const {
+    write_text(folder_.path() / "case.toml", text);
+    return billet({"run", "case.toml", "--quiet", "-o", "out", "--threads", "1"}, folder_.path());
+  }
+  [[nodiscard]] nlohmann::json summary() const {
+    return nlohmann::json::parse(whole_file(folder_.path() / "out/summary.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(FailedCheck, AGoodRunHasNone) {
+  const Outcome outcome = run(upsetting);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(summary()["status"], "done");
+  EXPECT_TRUE(summary()["failed_checks"].empty());
+}
+
+// It ended with "done", a force of 0.0003 N and all of the work in the grounding.
+TEST_F(FailedCheck, AForgottenSupportIsNamed) {
+  const std::string text = R"(analysis = "plane-strain"
+[workpiece]
+element = "quad8"
+material = "m"
+mesh = { box = [[0, 0], [10, 10]], cells = [4, 4] }
+[material.m]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 300 }
+[[tool]]
+name = "punch"
+surface = { plane = { point = [0, 10], normal = [0, -1] } }
+motion = { velocity = [0, -0.5] }
+[time]
+end = 1
+)";
+  const Outcome outcome = run(text);
+  EXPECT_EQ(outcome.status, 8) << outcome.err;
+  EXPECT_TRUE(outcome.says("failed check 'stabilization'")) << outcome.err;
+  EXPECT_TRUE(outcome.says("[[support]]")) << outcome.err;
+  const nlohmann::json result = summary();
+  EXPECT_EQ(result["status"], "failed-checks");
+  EXPECT_EQ(result["exit_status"], 8);
+  EXPECT_EQ(result["failed_checks"][0]["check"], "stabilization");
+  EXPECT_TRUE(outcome.prints("failed-checks at time 1")) << outcome.out;
+}
+
+TEST_F(FailedCheck, ABlockThatStandsTiltedHasNone) {
+  const Outcome outcome = run(block("place = { rotate = { axis = [0, 0, 1], degrees = 20 } }"));
+  EXPECT_NE(outcome.status, 0) << outcome.out;
+}
+
+} // namespace
+
+} // namespace billet::test::failed_checks_test

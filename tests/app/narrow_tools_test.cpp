@@ -1,0 +1,145 @@
+// Tools that are narrower than faces: no run passes them over.
+
+#include "tests/app/tables.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace billet::test::narrow_tools_test {
+
+namespace {
+
+/// A tool goes half of a length unit down into a block of 3 x 3 x 2 hex8 of about 1.4.
+std::string in_space(const std::string& surface, const std::string& more = "") {
+  return R"(analysis = "3d"
+[workpiece]
+element = "hex8"
+material = "m"
+mesh = { box = [[-2, -2, 0], [2, 2, 3]], cells = [3, 3, 2] }
+[material.m]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 300 }
+[[support]]
+where = "z = 0"
+fix = ["x", "y", "z"]
+[[tool]]
+name = "needle"
+surface = )" +
+         surface + R"(
+motion = { velocity = [0, 0, -0.5] }
+friction = { law = "coulomb", mu = 0.1 }
+[time]
+end = 1
+)" + more;
+}
+
+/// A wire of that radius goes 0.5 into a block of 20 x 8 quad8 of 0.5.
+std::string in_plane(double radius, const std::string& more = "") {
+  const std::string r = std::to_string(radius);
+  const std::string height = std::to_string(4.0 + radius);
+  return R"(analysis = "plane-strain"
+[workpiece]
+element = "quad8"
+material = "m"
+mesh = { box = [[-5, 0], [5, 4]], cells = [20, 8] }
+[material.m]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 300 }
+[[support]]
+where = "y = 0"
+fix = ["x", "y"]
+[[tool]]
+name = "needle"
+surface = { circle = { centre = [0.1, )" +
+         height + "], radius = " + r + R"( } }
+motion = { velocity = [0, -0.5] }
+friction = { law = "coulomb", mu = 0.1 }
+[time]
+end = 1
+)" + more;
+}
+
+class NarrowTool : public testing::Test {
+protected:
+  Outcome run(const std::string& text) const {
+    write_text(folder_.path() / "case.toml", text);
+    return billet({"run", "case.toml", "--quiet", "-o", "out", "--threads", "1"}, folder_.path());
+  }
+  [[nodiscard]] nlohmann::json summary() const {
+    return nlohmann::json::parse(whole_file(folder_.path() / "out/summary.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+// They went in by up to a third of an element, or through it, with force 0 and status 0.
+TEST_F(NarrowTool, InSpaceEndsTheRunWhereItLiesInThePartUnfelt) {
+  for (const std::string surface : {
+           "{ sphere = { centre = [0.13, 0.21, 3.001], radius = 0.001 } }",
+           "{ sphere = { centre = [0.13, 0.21, 3.1], radius = 0.1 } }",
+           "{ sphere = { centre = [0.13, 0.21, 3.3], radius = 0.3 } }",
+           "{ cone = { apex = [0.13, 0.21, 3], axis = [0, 0, 1], half_angle = 2 } }",
+           "{ cylinder = { point = [0, 0, 3.01], axis = [0, 1, 0], radius = 0.01 } }",
+           "{ torus = { centre = [0.1, 0, 3.01], axis = [0, 0, 1], major = 0.6, minor = 0.01 } }",
+       }) {
+    const Outcome outcome = run(in_space(surface));
+    EXPECT_EQ(outcome.status, 5) << surface;
+    const nlohmann::json result = summary();
+    const std::string reason = result["failure"]["reason"];
+    for (const char* part : {"tool 'needle' lies ", " deep in the workpiece near (",
+                             "% of the element there", "no contact point meets it"})
+      EXPECT_NE(reason.find(part), std::string::npos) << reason;
+    const double share = result["penetration"]["largest_share_of_element"];
+    EXPECT_LE(share, 0.1) << surface << ": no accepted increment has it deeper";
+    EXPECT_GT(share, 0.05) << surface;
+  }
+}
+
+TEST_F(NarrowTool, IsMetInFixedIncrementsThatWouldCarryItThrough) {
+  const Outcome outcome =
+      run(in_space("{ sphere = { centre = [0.13, 0.21, 3.01], radius = 0.01 } }",
+                   "increments = { first = 1, max = 1 }\n"));
+  EXPECT_EQ(outcome.status, 5);
+  const double share = summary()["penetration"]["largest_share_of_element"];
+  EXPECT_LE(share, 0.1);
+}
+
+TEST_F(NarrowTool, WithALimitOfPenetrationKeepsIt) {
+  const Outcome outcome = run(in_plane(0.1501, "[contact]\nmax_penetration = 0.001\n"));
+  EXPECT_EQ(outcome.status, 5) << outcome.err;
+  const double largest = summary()["penetration"]["largest"];
+  EXPECT_LE(largest, 0.001);
+}
+
+// In the plane a thin wire presses between the contact points, as the rounding of a profile does.
+TEST_F(NarrowTool, InThePlaneAWireHasAForce) {
+  for (const double radius : {0.0005, 0.05}) {
+    const Outcome outcome = run(in_plane(radius));
+    const ResultTable table = read_table(folder_.path() / "out" / "history.csv");
+    const std::vector<double> force = table.values("needle.force_y");
+    ASSERT_FALSE(force.empty());
+    const double largest = *std::max_element(force.begin(), force.end());
+    EXPECT_GT(largest, 100.0) << radius << ", status " << outcome.status;
+    const double share = summary()["penetration"]["largest_share_of_element"];
+    EXPECT_LE(share, 0.1) << radius;
+  }
+}
+
+TEST_F(NarrowTool, LargeToolsAndSharpPunchesRunAsBefore) {
+  const Outcome outcome = run(in_space("{ sphere = { centre = [0.13, 0.21, 8], radius = 5 } }"));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const double balance = summary()["energy"]["relative_error"];
+  EXPECT_LT(balance, 0.01);
+}
+
+} // namespace
+
+} // namespace billet::test::narrow_tools_test
