@@ -95,22 +95,27 @@ double curvature(const Process& process, std::size_t tool) {
   return most;
 }
 
+/// Faces that a tool presses on.
+std::set<std::size_t> faces_pressed(const Process& process, std::size_t tool) {
+  const auto points = static_cast<std::size_t>(process.surface()->points());
+  std::set<std::size_t> faces;
+  for (const contact::ClosedPoint& at : process.contact()->closed()[tool])
+    faces.insert(at.point / points);
+  return faces;
+}
+
 /// In space: whether a tool presses on so few faces, round beside their size, that they cannot
 /// follow it.
 bool too_round(const Process& process, std::size_t tool) {
   constexpr std::size_t fewest_faces = 4;
   constexpr double tightest = 0.5; // of the turn of the tool over a face [rad]
-  std::set<std::size_t> faces;
-  double largest = 0.0; // of the areas of points
-  const auto points = static_cast<std::size_t>(process.surface()->points());
-  for (const contact::ClosedPoint& at : process.contact()->closed()[tool]) {
-    faces.insert(at.point / points);
-    largest = std::max(largest, at.area);
-  }
-  if (faces.empty() || faces.size() > fewest_faces)
+  const std::size_t n_faces = faces_pressed(process, tool).size();
+  if (n_faces == 0 || n_faces > fewest_faces)
     return false;
-  const double length = std::sqrt(largest * static_cast<double>(points)); // of a face
-  return length * curvature(process, tool) > tightest;
+  double area = 0.0; // of a face
+  for (const contact::ClosedPoint& at : process.contact()->closed()[tool])
+    area = std::max(area, at.area * process.surface()->points());
+  return std::sqrt(area) * curvature(process, tool) > tightest;
 }
 
 FailedCheck unresolved(const Process& process, std::size_t tool, const std::string& how) {
@@ -127,10 +132,13 @@ std::optional<FailedCheck> contact_resolution(const Process& process) {
       load.share > most_of_corner && bears(process, load.tool))
     return unresolved(process, load.tool,
                       "with corners, or roundings smaller than a quarter of an element, alone");
-  for (const ContactZone& zone : process.poorly_resolved_tools())
-    if (bears(process, static_cast<std::size_t>(zone.tool)))
-      return unresolved(process, static_cast<std::size_t>(zone.tool),
-                        fmt::format("on {} edge(s) of elements only", zone.n_sides));
+  constexpr std::size_t fewest_edges = 3; // in one zone or more
+  for (const ContactZone& zone : process.poorly_resolved_tools()) {
+    const auto tool = static_cast<std::size_t>(zone.tool);
+    const std::size_t pressed = faces_pressed(process, tool).size();
+    if (bears(process, tool) && pressed < fewest_edges)
+      return unresolved(process, tool, fmt::format("on {} edge(s) of elements only", pressed));
+  }
   if (process.scene().mesh.dimension() == 3 && process.contact() != nullptr)
     for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
       if (bears(process, t) && too_round(process, t))
