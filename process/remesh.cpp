@@ -94,7 +94,11 @@ std::string Process::remesh(const std::string& cause,
   CarriedOver carried = carry_over(part.part);
   carried.sources = exchange_mesh(std::move(part), carried);
   const double exchanged = seconds_now();
+  const long systems = solver_work().systems;
+  const int wasted = wasted_iterations_;
   settle(carried, forces, report);
+  remeshing_iterations_ += static_cast<int>(solver_work().systems - systems);
+  wasted_iterations_ = wasted; // its failed tries are among them
   mesh_increment_ = increment_;
   turned_inside_out_ = 0;
   mesh_time_ = time_;

@@ -74,10 +74,7 @@ mechanics::Prescribed Process::prescribed(double time) const {
   return result;
 }
 
-int Process::spent() const {
-  return static_cast<int>(std::count_if(newton_->records().begin(), newton_->records().end(),
-                                        [](const auto& record) { return record.iteration > 0; }));
-}
+int Process::spent() const { return static_cast<int>(solver_work().systems - systems_before_try_); }
 
 std::vector<double> Process::foretold(double dt) const {
   std::vector<double> x = trial_x_; // driven tools go on only if they have moved in this stage
@@ -121,6 +118,7 @@ bool Process::touched() const {
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
   trial_x_ = x_;
+  systems_before_try_ = solver_work().systems;
   if (!last_step_.empty() && approach != mechanics::Approach::gently) {
     const double factor = dt / last_dt_;
     for (std::size_t i = 0; i < x_.size(); ++i)

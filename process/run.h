@@ -282,6 +282,8 @@ public:
   /// Iterations that went into tries that failed.
   [[nodiscard]] int wasted_iterations() const { return wasted_iterations_; }
   /// Plastic work done while forces of tools that had left faded and no tool touched [N mm].
+  /// Iterations on new meshes before time went on: for equilibrium, and what was solved again.
+  [[nodiscard]] int remeshing_iterations() const { return remeshing_iterations_; }
   [[nodiscard]] double flow_in_fading() const { return flow_in_fading_; }
   /// Rigid motions held by grounding alone.
   [[nodiscard]] int grounded_motions() const { return grounded_; }
@@ -598,3 +600,5 @@ private:
 };
 
 } // namespace billet::process
+  int remeshing_iterations_ = 0;
+  long systems_before_try_ = 0;

@@ -521,6 +521,7 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   summary["iterations"] = process.iterations();
   summary["cutbacks"] = process.cutbacks();
   summary["iterations_of_failed_tries"] = process.wasted_iterations();
+  summary["iterations_on_new_meshes"] = process.remeshing_iterations();
   if (last_) {
     summary["volume"] = last_->volume;
     summary["max_plastic_strain"] = last_->max_plastic_strain;
