@@ -40,6 +40,9 @@ constexpr int exponent_bias = 1023;
 /// Relative residual that counts as exact: what a factorization and its refinement are held to.
 constexpr double exact = 1e-10;
 
+/// How a system is solved that needs no factorization of its own.
+constexpr std::string_view with_earlier = "gmres";
+
 /// Iterations with a neighbour of the matrix: more cost more than an LU does.
 constexpr int most_iterations = 24;
 
@@ -277,6 +280,17 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
                                          std::span<double> x,
                                          const Demand& demand) {
   ++work_.systems;
+  auto solved = solve_system(matrix, symmetric, rhs, x, demand);
+  if (solved && solved->method == with_earlier)
+    ++work_.reused;
+  return solved;
+}
+
+Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
+                                                bool symmetric,
+                                                std::span<const double> rhs,
+                                                std::span<double> x,
+                                                const Demand& demand) {
   held_ = Held::earlier;
   if (norm(rhs) == 0.0) {
     std::fill(x.begin(), x.end(), 0.0);
@@ -289,8 +303,7 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
     const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
     if (report.converged) {
       wear_.take(report.solves);
-      ++work_.reused;
-      return SolveReport{"gmres", report.residual};
+      return SolveReport{with_earlier, report.residual};
     }
   }
   return factorize_and_solve(matrix, symmetric, rhs, x, demand);
@@ -309,7 +322,7 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
     if (report.converged)
       return SolveReport{"again", report.residual};
   }
-  return solve(matrix, symmetric, rhs, x, {tolerance});
+  return solve_system(matrix, symmetric, rhs, x, {tolerance});
 }
 
 const std::shared_ptr<const Elimination>& LinearSolver::elimination() {

@@ -56,9 +56,9 @@ struct SolverWork {
   double flops = 0.0;         ///< of all factorizations
   long factorizations = 0;
   long substitutions = 0;
-  long reused = 0;           ///< systems solved without a factorization of their own
-  long nearly_symmetric = 0; ///< unsymmetric systems solved with their symmetric part
-  long systems = 0;
+  long reused = 0;                ///< systems solved without a factorization of their own
+  long nearly_symmetric = 0;      ///< unsymmetric systems solved with their symmetric part
+  long systems = 0;               ///< however many right-hand sides each has
   std::string_view last_method;   ///< of the last factorization
   double last_flops = 0.0;        ///< of the last factorization
   double last_factor_bytes = 0.0; ///< of the last factorization's factors
@@ -181,6 +181,12 @@ public:
 private:
   using Known = std::span<const std::vector<double>>; ///< directions to begin with
 
+  /// Solves for any right-hand side.
+  [[nodiscard]] Outcome<SolveReport> solve_system(const SparseMatrix& matrix,
+                                                  bool symmetric,
+                                                  std::span<const double> rhs,
+                                                  std::span<double> x,
+                                                  const Demand& demand);
   /// Makes a factorization of the pattern where there is none so far.
   template <class Make>
   Factorization& prepared(std::unique_ptr<Factorization>& factorization, Make make);
