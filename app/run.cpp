@@ -55,8 +55,14 @@ int exit_status(process::RunStatus status) {
   return 0;
 }
 
+std::string largest_in_words(const io::LargestForce& largest, const io::UnitSystem& units) {
+  return fmt::format(" at the end, at most {:.6g} {} at time {:.6g} {}", largest.force.norm(),
+                     units.force, largest.time, units.time);
+}
+
 void print_summary(const process::Process& process,
                    const io::Case& content,
+                   const std::vector<io::LargestForce>& largest,
                    process::RunStatus status,
                    const std::filesystem::path& folder) {
   fmt::print("{}: {} at time {:.6g} {}, {} increments, {} iterations, {} cut-backs\n",
@@ -64,8 +70,9 @@ void print_summary(const process::Process& process,
              content.units.time, process.increments(), process.iterations(), process.cutbacks());
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     const Vec3& force = process.contact()->loads()[t].force;
-    fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}\n", process.scene().tools[t].name,
-               force[0], force[1], force[2], content.units.force);
+    fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}{}\n", process.scene().tools[t].name,
+               force[0], force[1], force[2], content.units.force,
+               t < largest.size() ? largest_in_words(largest[t], content.units) : "");
   }
   for (const process::BlowReport& blow : process.blows())
     fmt::print("blow of {}: energy {:.6g} {} {}, {:.1f} % used, stroke {:.6g} {} in {:.4g} {}\n",
@@ -122,7 +129,7 @@ int run_case(const Arguments& arguments) {
   const int threads = arguments.threads.value_or(content.solver.threads.value_or(available));
   const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
                                             static_cast<std::size_t>(threads));
-  Progress progress(arguments.quiet);
+  Progress progress(arguments.quiet, content.units);
   const ReadyProcess ready = make_process(content, arguments.file, threads);
   process::Process& process = *ready.process;
   progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
@@ -139,7 +146,7 @@ int run_case(const Arguments& arguments) {
   for (const std::string& warning : writer.warnings(process))
     progress.say(warning);
   writer.write_summary(process, {ending(status), exit_status(status)});
-  print_summary(process, content, status, folder);
+  print_summary(process, content, writer.largest_forces(), status, folder);
   if (arguments.profile)
     print_profile(process);
   return exit_status(status);
