@@ -21,11 +21,14 @@ int main(int count, char** values) {
       std::fputs(billet::render::usage().c_str(), stdout);
       return 0;
     }
-    if (!options.curves)
-      billet::render::require_display(values);
     const std::filesystem::path picture = billet::render::picture_file(options);
-    const std::string shown = options.curves ? billet::render::draw_chart(options, picture)
-                                             : billet::render::draw_scene(options, picture);
+    std::string shown;
+    if (options.curves) {
+      shown = billet::render::draw_chart(options, picture);
+    } else {
+      const billet::render::Display display;
+      shown = billet::render::draw_scene(options, picture);
+    }
     std::printf("picture: %s\n%s\n", picture.c_str(), shown.c_str());
     return 0;
   } catch (const billet::Error& error) {

@@ -12,6 +12,7 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCleanPolyData.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkFeatureEdges.h>
@@ -161,8 +162,12 @@ void add_tool(Stage& stage, vtkPolyData& tool, double size) {
   property->SetColor(0.55, 0.60, 0.68);
   property->SetOpacity(0.15);
   stage.add(*mapper, *property, 0.0);
+  const vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputData(&tool);
   const vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(&tool);
+  edges->SetInputConnection(joined->GetOutputPort());
+  // Cells of wear meet with hanging corners: their rims are no edges of the tool.
+  edges->SetBoundaryEdges(tool.GetCellData()->HasArray("wear_depth") == 0);
   edges->SetFeatureAngle(30.0);
   edges->ColoringOff();
   edges->Update();
