@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
+#include "io/home_folder.h"
 
 #include <fmt/format.h>
 
@@ -17,16 +18,18 @@ struct Option {
   std::string_view name;
   std::string_view value; ///< what it takes; empty: nothing
   std::string_view help;
+  std::string_view also = {}; ///< another way to write it
 };
 
 /// Of `render`, which passes them on to billet-render.
 constexpr Option render_options[] = {
-    {"--field", "NAME", "coloured by a field (von_mises); NAME:x is a component"},
+    {"--field", "NAME", "coloured by a field (von_mises), or a part: NAME:x, NAME:xx"},
     {"--time", "T|last", "the frame nearest to that time (last)"},
-    {"--range", "LOW:HIGH", "of the colours (that of the frame)"},
+    {"--range", "LOW:HIGH", "of the colours (2nd to 98th percentile of the frame)"},
     {"--flow-lines", "N", "N + N lines that were straight before the run (in the plane)"},
     {"--mirror", "", "both halves (--no-mirror: one; axisymmetric scenes show both)"},
-    {"--output", "FILE.png", "the picture (picture.png)"},
+    {"--curve", "", "the force on each tool over its stroke, not a frame"},
+    {"-o", "FILE.png", "the picture (RESULTS/NAME.png, RESULTS/load-stroke.png)", "--output"},
     {"--size", "WxH", "of the picture in pixels (1200x900)"},
     {"--title", "TEXT", "above the picture"},
 };
@@ -41,7 +44,7 @@ constexpr Option case_options[] = {
 
 /// Of `run` alone; `check` takes them, so that the same words may follow, and has no use for them.
 constexpr Option run_options[] = {
-    {"-o", "DIR", "results go to DIR (default: results/<case name>)"},
+    {"-o", "DIR", "results go to DIR (default: results/<case name>)", "--output"},
     {"--threads", "N", "threads for assembly and contact search (default: all)"},
     {"--quiet", "", "no progress on standard error, warnings alone"},
     {"--profile", "", "print where the time went"},
@@ -61,7 +64,7 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
   if (option == "-o" && value.empty())
     throw Error(Fault::usage, "", "-o needs the name of a folder");
   if (option == "-o")
-    arguments.output = value;
+    arguments.output = io::with_home_folder(value, option);
   else if (option == "--set")
     arguments.overrides.push_back(value);
   else if (option == "--threads")
@@ -83,9 +86,11 @@ const Option& find_option(const std::string& word, const Command& command) {
   const Option* found = nullptr;
   const auto look_in = [&](std::span<const Option> options) {
     for (const Option& option : options) {
-      if (option.name == word)
+      if (word == option.name || word == option.also)
         found = &option;
       known.emplace_back(option.name);
+      if (!option.also.empty())
+        known.emplace_back(option.also);
     }
   };
   if (command.name == "info") {
@@ -108,23 +113,24 @@ const std::vector<Command>& commands() {
       {"check", "CASE.toml [options]", "read and validate a case without solving it", &check_case},
       {"info", "FILE [--unit UNIT]",
        "what an STL, mesh or result contains, and what is wrong with it", &show_info},
-      {"render", "RESULTS [--field F] [--time T] [--output FILE.png]",
-       "a picture of a run, without a display", &render_results},
+      {"render", "RESULTS [--field F] [--time T] [--curve] [-o FILE.png]",
+       "a picture of a run, or of its forces, without a display", &render_results},
   };
   return all;
 }
 
 Arguments parse(const Command& command, const std::vector<std::string>& words) {
   Arguments arguments;
-  const bool passes_on = command.name == "render";
+  if (command.name == "render") { // billet-render tells its options from its files
+    arguments.rest = words;
+    return arguments;
+  }
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const bool is_option = word.size() > 1 && word[0] == '-';
-    if (!is_option || passes_on) {
-      if (arguments.file.empty() && !is_option)
+    if (!is_option) {
+      if (arguments.file.empty())
         arguments.file = word;
-      else if (passes_on)
-        arguments.rest.push_back(word);
       else
         throw Error(
             Fault::usage, "",
@@ -170,7 +176,9 @@ std::string help(const Command& command) {
   std::string text =
       fmt::format("billet {} {}\n\n{}\n", command.name, command.usage, command.summary);
   const auto line = [](const Option& option) {
-    return fmt::format("  {:18s} {}\n", fmt::format("{} {}", option.name, option.value),
+    const std::string also =
+        option.also.empty() ? "" : fmt::format(", {} {}", option.also, option.value);
+    return fmt::format("  {:26s} {}\n", fmt::format("{} {}{}", option.name, option.value, also),
                        option.help);
   };
   text += '\n';

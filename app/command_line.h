@@ -12,7 +12,7 @@ namespace billet::app {
 
 /// What the user typed after the command.
 struct Arguments {
-  std::string file;                            ///< case, mesh, STL or results
+  std::string file;                            ///< case, mesh, STL or results; render: empty
   std::optional<std::filesystem::path> output; ///< -o
   std::vector<std::string> overrides;          ///< --set key=value
   std::optional<int> threads;                  ///< --threads
@@ -20,7 +20,7 @@ struct Arguments {
   bool profile = false;                        ///< --profile
   bool allow_outside = false;                  ///< --allow-outside
   std::optional<std::string> unit;             ///< --unit, of an STL
-  std::vector<std::string> rest;               ///< passed on (render)
+  std::vector<std::string> rest;               ///< of render: all, passed on
 };
 
 /// A command of the program.

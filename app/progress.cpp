@@ -1,5 +1,6 @@
 #include "app/progress.h"
 
+#include "app/progress_bar.h"
 #include "geometry/base/error.h"
 
 #include <fmt/format.h>
@@ -18,19 +19,13 @@ volatile std::sig_atomic_t caught = 0;
 
 void on_signal(int number) { caught = number; }
 
-/// A bar of the share done.
-std::string bar(double share) {
-  constexpr int width = 30;
-  const int full = static_cast<int>(share * width);
-  return fmt::format("[{:<{}}]", std::string(static_cast<std::size_t>(full), '='), width);
-}
-
 /// Progress is a courtesy: a run goes on when nobody can be told.
 void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 } // namespace
 
-Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
+Progress::Progress(bool quiet, io::UnitSystem units)
+    : quiet_(quiet), units_(std::move(units)), terminal_(isatty(STDERR_FILENO) != 0) {
   std::signal(SIGINT, &on_signal);
   std::signal(SIGTERM, &on_signal);
   std::signal(SIGPIPE, SIG_IGN); // a reader of the progress that left does not end the run
@@ -83,8 +78,7 @@ void Progress::incremented(const process::Process& process,
   if (quiet_)
     return;
   if (terminal_)
-    tell(fmt::format("\r{} {:3.0f} %  increment {}  iterations {}\033[K", bar(report.time / end),
-                     100.0 * report.time / end, report.increment, report.iterations));
+    tell("\r" + progress_bar(process, report, units_, terminal_columns()) + "\033[K");
   else
     tell(line + "\n");
 }

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "io/case/case.h"
 #include "process/run.h"
 
 #include <csignal>
@@ -15,7 +16,7 @@ namespace billet::app {
 class Progress final : public process::Observer {
 public:
   /// @param quiet  nothing on standard error
-  explicit Progress(bool quiet);
+  Progress(bool quiet, io::UnitSystem units);
 
   void incremented(const process::Process& process,
                    const process::IncrementReport& report) override;
@@ -35,6 +36,7 @@ public:
 
 private:
   bool quiet_;
+  io::UnitSystem units_;
   bool terminal_;
   void log(const std::string& text);
 

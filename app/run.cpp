@@ -56,18 +56,24 @@ int exit_status(process::RunStatus status, bool usable) {
   return 0;
 }
 
+std::string largest_in_words(const io::LargestForce& largest, const io::UnitSystem& units) {
+  return fmt::format(" at the end, at most {:.6g} {} at time {:.6g} {}", largest.force.norm(),
+                     units.force, largest.time, units.time);
+}
+
 void print_summary(const process::Process& process,
                    const io::Case& content,
-                   process::RunStatus status,
-                   bool usable,
+                   const std::vector<io::LargestForce>& largest,
+                   const io::RunEnd& end,
                    const std::filesystem::path& folder) {
   fmt::print("{}: {} at time {:.6g} {}, {} increments, {} iterations, {} cut-backs\n",
-             content.title.empty() ? "run" : content.title, ending(status, usable), process.time(),
+             content.title.empty() ? "run" : content.title, end.status, process.time(),
              content.units.time, process.increments(), process.iterations(), process.cutbacks());
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     const Vec3& force = process.contact()->loads()[t].force;
-    fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}\n", process.scene().tools[t].name,
-               force[0], force[1], force[2], content.units.force);
+    fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}{}\n", process.scene().tools[t].name,
+               force[0], force[1], force[2], content.units.force,
+               t < largest.size() ? largest_in_words(largest[t], content.units) : "");
   }
   for (const process::BlowReport& blow : process.blows())
     fmt::print("blow of {}: energy {:.6g} {} {}, {:.1f} % used, stroke {:.6g} {} in {:.4g} {}\n",
@@ -81,7 +87,7 @@ void print_summary(const process::Process& process,
              process.energy().friction, content.units.force, content.units.length,
              process.energy().error());
   fmt::print("results: {}\n", folder.string());
-  if (status == process::RunStatus::not_converged)
+  if (end.exit_status == static_cast<int>(Fault::not_converged))
     fmt::print("what went wrong: {}\n", (folder / "failure" / "post_mortem.txt").string());
 }
 
@@ -124,7 +130,7 @@ int run_case(const Arguments& arguments) {
   const int threads = arguments.threads.value_or(content.solver.threads.value_or(available));
   const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
                                             static_cast<std::size_t>(threads));
-  Progress progress(arguments.quiet);
+  Progress progress(arguments.quiet, content.units);
   const ReadyProcess ready = make_process(content, arguments.file, threads);
   process::Process& process = *ready.process;
   progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
@@ -143,12 +149,12 @@ int run_case(const Arguments& arguments) {
   const std::vector<process::FailedCheck> failed = process::failed_checks(process);
   for (const process::FailedCheck& check : failed)
     progress.say(fmt::format("failed check '{}': {}", check.name, check.what));
-  const int exit = exit_status(status, failed.empty());
-  writer.write_summary(process, {ending(status, failed.empty()), exit, failed});
-  print_summary(process, content, status, failed.empty(), folder);
+  const io::RunEnd end{ending(status, failed.empty()), exit_status(status, failed.empty()), failed};
+  writer.write_summary(process, end);
+  print_summary(process, content, writer.largest_forces(), end, folder);
   if (arguments.profile)
     print_profile(process);
-  return exit;
+  return end.exit_status;
 }
 
 } // namespace billet::app

@@ -1,193 +1,200 @@
 #include "app/render/chart.h"
 
-#include "app/render/picture.h"
-#include "geometry/base/error.h"
+#include "app/render/axis.h"
+#include "app/render/canvas.h"
+#include "app/render/curve.h"
+#include "app/render/load_stroke.h"
 
 #include <fmt/format.h>
-#include <vtkAxis.h>
-#include <vtkChartLegend.h>
-#include <vtkChartXY.h>
-#include <vtkContextScene.h>
-#include <vtkContextView.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPen.h>
-#include <vtkPlotPoints.h>
-#include <vtkRenderer.h>
-#include <vtkTable.h>
-#include <vtkTextProperty.h>
-#include <vtkVariant.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
 namespace billet::render {
 
 namespace {
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) {
-    const auto first = cell.find_first_not_of(" \t\r\"");
-    const auto last = cell.find_last_not_of(" \t\r\"");
-    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
-  }
-  return cells;
+constexpr Colour black{0, 0, 0};
+constexpr Colour grey{120, 120, 120};
+constexpr Colour light{224, 224, 224};
+
+/// Colours that the colour-blind can tell apart (Okabe and Ito).
+const Colour& colour_of(std::size_t number) {
+  static constexpr std::array<Colour, 6> colours{
+      {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {0, 0, 0}}};
+  return colours[number % colours.size()];
 }
 
-/// A column of a table and the sign it is drawn with.
-struct Column {
-  std::size_t position;
-  double sign;
+std::array<Vec2, 2> range_of(const std::vector<Curve>& curves) {
+  std::array<Vec2, 2> range{curves[0].values[0], curves[0].values[0]};
+  for (const Curve& curve : curves)
+    for (const Vec2& value : curve.values)
+      range = {range[0].cwiseMin(value), range[1].cwiseMax(value)};
+  return range;
+}
+
+/// The place of the curves on the paper, and the scale of what is drawn beside them.
+struct Layout {
+  Axis x, y;
+  Vec2 low, high; ///< corners of the field [pixels]
+  int font;       ///< [pixels]
+
+  [[nodiscard]] Vec2 at(const Vec2& value) const {
+    const Vec2 share(x.share(value.x()), y.share(value.y()));
+    return low + share.cwiseProduct(high - low);
+  }
 };
 
-Column find_column(const std::vector<std::string>& header,
-                   const std::string& asked,
-                   const std::filesystem::path& file) {
-  for (const double sign : {1.0, -1.0}) {
-    if (sign < 0.0 && !asked.starts_with('-'))
-      break;
-    const auto found =
-        std::find(header.begin(), header.end(), sign > 0.0 ? asked : asked.substr(1));
-    if (found != header.end())
-      return {static_cast<std::size_t>(found - header.begin()), sign};
-  }
-  std::string known;
-  for (const std::string& name : header)
-    known += (known.empty() ? "" : ", ") + name;
-  throw Error(Fault::usage, file.string(), fmt::format("the table has no column \"{}\"", asked),
-              fmt::format("it has {}", known));
+Layout layout_of(const Chart& chart, const std::array<int, 2>& size) {
+  constexpr int smallest = 8, largest = 32, lines = 46;
+  Layout layout{};
+  layout.font = std::clamp(std::min(size[0], size[1]) / lines, smallest, largest);
+  const double font = layout.font;
+  const std::array<Vec2, 2> range = range_of(chart.curves);
+  layout.y = axis_through_zero(range[0].y(), range[1].y(), std::clamp(size[1] / 90, 2, 12));
+  layout.x = axis_through_zero(range[0].x(), range[1].x(), std::clamp(size[0] / 100, 2, 12));
+  double widest = 0.0;
+  for (const double tick : layout.y.ticks())
+    widest = std::max(widest, Canvas::text_length(layout.y.label(tick), layout.font));
+  layout.low = {widest + 4.0 * font, 4.5 * font};
+  layout.high = {size[0] - 3.0 * font, size[1] - 3.5 * font};
+  return layout;
 }
 
-/// The points of a series; lines that begin with # are comments, rows that lack a number are left
-/// out.
-vtkNew<vtkTable> read_series(const Series& series) {
-  std::ifstream stream(series.file);
-  if (!stream)
-    throw Error(Fault::input_output, series.file.string(),
-                fmt::format("the table cannot be read: {}", std::strerror(errno)));
-  const vtkNew<vtkDoubleArray> x;
-  const vtkNew<vtkDoubleArray> y;
-  x->SetName("x");
-  y->SetName(series.label.c_str());
-  std::optional<std::array<Column, 2>> columns;
-  for (std::string line; std::getline(stream, line);) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells.empty() || line.starts_with('#'))
-      continue;
-    if (!columns) {
-      columns = {find_column(cells, series.x_column, series.file),
-                 find_column(cells, series.y_column, series.file)};
-      continue;
-    }
-    std::array<double, 2> values{};
-    bool whole = true;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Column& column = (*columns)[i];
-      char* end = nullptr;
-      const char* text = column.position < cells.size() ? cells[column.position].c_str() : "";
-      values[i] = column.sign * std::strtod(text, &end);
-      whole = whole && end != text;
-    }
-    if (whole) {
-      x->InsertNextValue(values[0]);
-      y->InsertNextValue(values[1]);
-    }
+void draw_axes(Canvas& canvas, const Layout& on, const Chart& chart) {
+  const double font = on.font;
+  const auto straight = [&](const Vec2& a, const Vec2& b, double width, const Colour& colour) {
+    // Middles of pixels: sharp.
+    const auto snapped = [](const Vec2& p) {
+      return Vec2(std::floor(p.x()) + 0.5, std::floor(p.y()) + 0.5);
+    };
+    canvas.line(std::array{snapped(a), snapped(b)}, width, colour);
+  };
+  const Vec2 down(0.0, -0.4 * font), left(-0.4 * font, 0.0);
+  for (const double tick : on.x.ticks()) {
+    const Vec2 foot(on.at({tick, on.y.low}));
+    straight(foot, {foot.x(), on.high.y()}, 1.0, light);
+    straight(foot, foot + down, 1.0, black);
+    canvas.text(on.x.label(tick), foot + 1.5 * down,
+                {.size = on.font, .along = Hold::middle, .across = Hold::high});
   }
-  if (x->GetNumberOfValues() == 0)
-    throw Error(Fault::input_output, series.file.string(), "the table has no rows of numbers");
-  vtkNew<vtkTable> table;
-  table->AddColumn(x);
-  table->AddColumn(y);
-  return table;
+  for (const double tick : on.y.ticks()) {
+    const Vec2 foot(on.at({on.x.low, tick}));
+    straight(foot, {on.high.x(), foot.y()}, 1.0, light);
+    straight(foot, foot + left, 1.0, black);
+    canvas.text(on.y.label(tick), foot + 1.7 * left,
+                {.size = on.font, .along = Hold::high, .across = Hold::middle});
+  }
+  straight(on.at({on.x.low, 0.0}), on.at({on.x.high, 0.0}), 1.0, grey);
+  straight(on.at({0.0, on.y.low}), on.at({0.0, on.y.high}), 1.0, grey);
+  straight(on.low, {on.high.x(), on.low.y()}, 1.0, black);
+  straight(on.low, {on.low.x(), on.high.y()}, 1.0, black);
+  const Vec2 middle = 0.5 * (on.low + on.high);
+  const int large = static_cast<int>(1.1 * font);
+  canvas.text(chart.x_label, {middle.x(), 0.8 * font}, {.size = large, .along = Hold::middle});
+  canvas.text(chart.y_label, {0.8 * font, middle.y()},
+              {.size = large, .along = Hold::middle, .across = Hold::high, .upwards = true});
 }
 
-/// The corner with the fewest points: there the legend goes.
-std::array<bool, 2> emptiest_corner(const std::vector<vtkTable*>& tables) {
-  std::array<std::array<double, 2>, 2> ranges{{{1e300, -1e300}, {1e300, -1e300}}};
-  for (vtkTable* table : tables)
-    for (vtkIdType axis = 0; axis < 2; ++axis)
-      for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row) {
-        auto& range = ranges[static_cast<std::size_t>(axis)];
-        range[0] = std::min(range[0], table->GetValue(row, axis).ToDouble());
-        range[1] = std::max(range[1], table->GetValue(row, axis).ToDouble());
-      }
+void draw_curve(Canvas& canvas, const Layout& on, const Curve& curve, const Colour& colour) {
+  std::vector<Vec2> places;
+  for (const Vec2& value : curve.values)
+    places.push_back(on.at(value));
+  const double width = on.font / 8.0;
+  if (!curve.points && places.size() > 1)
+    canvas.line(places, width, colour);
+  else
+    for (const Vec2& place : places)
+      canvas.dot(place, 2.0 * width, colour);
+}
+
+/// The corner of the field with the fewest points: there the legend goes. Where several are empty:
+/// above rather than below, on the right rather than on the left.
+std::array<bool, 2> emptiest_corner(const std::vector<Curve>& curves, const Layout& on) {
+  constexpr double wide = 0.35, high = 0.3;
   std::array<int, 4> counts{};
-  for (vtkTable* table : tables)
-    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row) {
-      std::array<double, 2> place{};
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        place[axis] =
-            (table->GetValue(row, static_cast<vtkIdType>(axis)).ToDouble() - ranges[axis][0]) /
-            (ranges[axis][1] - ranges[axis][0]);
-      const bool edge_x = place[0] < 0.35 || place[0] > 0.65;
-      const bool edge_y = place[1] < 0.3 || place[1] > 0.7;
-      if (edge_x && edge_y)
-        ++counts[(place[0] > 0.5 ? 1U : 0U) + (place[1] > 0.5 ? 2U : 0U)];
+  for (const Curve& curve : curves)
+    for (const Vec2& value : curve.values) {
+      const double x = on.x.share(value.x()), y = on.y.share(value.y());
+      if ((x < wide || x > 1.0 - wide) && (y < high || y > 1.0 - high))
+        ++counts[(x > 0.5 ? 1U : 0U) + (y > 0.5 ? 2U : 0U)];
     }
-  // Where several are empty: above rather than below, on the right rather than on the left.
   std::size_t best = 3;
   for (const std::size_t corner : {2U, 1U, 0U})
     best = counts[corner] < counts[best] ? corner : best;
   return {best % 2 == 1, best / 2 == 1};
 }
 
-vtkTable* add_series(vtkChartXY& chart, const Series& series, std::size_t number) {
-  // Colours that the colour-blind can tell apart (Okabe and Ito).
-  constexpr std::array<std::array<unsigned char, 3>, 6> colours{
-      {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {0, 0, 0}}};
-  const auto& [red, green, blue] = colours[number % colours.size()];
-  const vtkNew<vtkTable> table = read_series(series);
-  vtkPlot* plot = chart.AddPlot(series.points ? vtkChart::POINTS : vtkChart::LINE);
-  plot->SetInputData(table, 0, 1);
-  plot->SetColor(red, green, blue, 255);
-  plot->SetWidth(series.points ? 8.0F : 2.5F);
-  if (auto* markers = vtkPlotPoints::SafeDownCast(plot); markers != nullptr && series.points) {
-    markers->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-    markers->SetMarkerSize(9.0F);
+void draw_legend(Canvas& canvas, const Layout& on, const std::vector<Curve>& curves) {
+  const double font = on.font, line = 1.5 * font, sample = 2.5 * font;
+  double widest = 0.0;
+  for (const Curve& curve : curves)
+    widest = std::max(widest, Canvas::text_length(curve.label, on.font));
+  const Vec2 size(sample + 0.6 * font + widest, line * static_cast<double>(curves.size()));
+  const auto [right, top] = emptiest_corner(curves, on);
+  const Vec2 first(right ? on.high.x() - font - size.x() : on.low.x() + font,
+                   top ? on.high.y() - 0.5 * font : on.low.y() + 0.5 * font + size.y());
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Vec2 start = first - Vec2(0.0, line * (static_cast<double>(i) + 0.5));
+    const Vec2 end = start + Vec2(sample, 0.0);
+    if (curves[i].points)
+      canvas.dot(0.5 * (start + end), on.font / 4.0, colour_of(i));
+    else
+      canvas.line(std::array{start, end}, on.font / 8.0, colour_of(i));
+    canvas.text(curves[i].label, end + Vec2(0.6 * font, 0.0),
+                {.size = on.font, .across = Hold::middle});
   }
-  return plot->GetInput();
 }
 
-void label_axis(vtkAxis& axis, const std::string& label) {
-  axis.SetTitle(label);
-  axis.GetTitleProperties()->SetFontSize(18);
-  axis.GetTitleProperties()->BoldOff();
-  axis.GetLabelProperties()->SetFontSize(15);
+/// The curves asked for and their axes.
+Chart chart_of(const Options& options) {
+  Chart chart;
+  if (options.series.empty()) {
+    chart = load_stroke(options.results);
+  } else {
+    for (const Series& series : options.series)
+      chart.curves.push_back(read_curve(series));
+    chart.x_label = options.series[0].x_column;
+    chart.y_label = options.series[0].y_column;
+  }
+  if (!options.title.empty())
+    chart.title = options.title;
+  if (!options.x_label.empty())
+    chart.x_label = options.x_label;
+  if (!options.y_label.empty())
+    chart.y_label = options.y_label;
+  return chart;
+}
+
+std::string in_words(const Chart& chart) {
+  std::string text;
+  for (const Curve& curve : chart.curves) {
+    const Vec2& last = curve.values.back();
+    const Vec2& top = *std::max_element(curve.values.begin(), curve.values.end(),
+                                        [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    text +=
+        fmt::format("{}curve: {}, {} points, at most {:.6g} at {:.6g}, at last {:.6g} at {:.6g}",
+                    text.empty() ? "" : "\n", curve.label, curve.values.size(), top.y(), top.x(),
+                    last.y(), last.x());
+  }
+  return text + fmt::format("\naxes: {} over {}", chart.y_label, chart.x_label);
 }
 
 } // namespace
 
-void draw_chart(const Options& options) {
-  const vtkNew<vtkChartXY> chart;
-  std::vector<vtkTable*> tables;
-  for (std::size_t i = 0; i < options.series.size(); ++i)
-    tables.push_back(add_series(*chart, options.series[i], i));
-  chart->SetTitle(options.title);
-  chart->GetTitleProperties()->SetFontSize(22);
-  chart->SetShowLegend(true);
-  chart->GetLegend()->SetLabelSize(16);
-  const auto [right, top] = emptiest_corner(tables);
-  chart->GetLegend()->SetHorizontalAlignment(right ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
-  chart->GetLegend()->SetVerticalAlignment(top ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
-  label_axis(*chart->GetAxis(vtkAxis::BOTTOM),
-             options.x_label.empty() ? options.series[0].x_column : options.x_label);
-  label_axis(*chart->GetAxis(vtkAxis::LEFT),
-             options.y_label.empty() ? options.series[0].y_column : options.y_label);
-
-  const vtkNew<vtkContextView> view;
-  view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
-  view->GetRenderWindow()->SetOffScreenRendering(1);
-  view->GetRenderWindow()->SetMultiSamples(0);
-  view->GetRenderWindow()->SetSize(options.size[0], options.size[1]);
-  view->GetScene()->AddItem(chart);
-  write_picture(*view->GetRenderWindow(), options.output);
+std::string draw_chart(const Options& options, const std::filesystem::path& picture) {
+  const Chart chart = chart_of(options);
+  const Layout layout = layout_of(chart, options.size);
+  Canvas canvas(options.size);
+  draw_axes(canvas, layout, chart);
+  for (std::size_t i = 0; i < chart.curves.size(); ++i)
+    draw_curve(canvas, layout, chart.curves[i], colour_of(i));
+  draw_legend(canvas, layout, chart.curves);
+  canvas.text(
+      chart.title, {0.5 * (layout.low.x() + layout.high.x()), options.size[1] - 1.0 * layout.font},
+      {.size = static_cast<int>(1.3 * layout.font), .along = Hold::middle, .across = Hold::high});
+  canvas.write(picture);
+  return in_words(chart);
 }
 
 } // namespace billet::render

@@ -1,27 +1,17 @@
-// billet-render: pictures of results and curves. Needs a display (`billet render` starts one).
+// billet-render: pictures of results and curves. Scenes need a display, and start one of Xvfb's
+// where there is none; curves need none.
 
 #include "app/render/chart.h"
+#include "app/render/display.h"
 #include "app/render/options.h"
 #include "app/render/scene.h"
 #include "geometry/base/error.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
-
-namespace {
-
-/// VTK ends the program without a word where there is no display.
-void require_display() {
-  const char* display = std::getenv("DISPLAY");
-  if (display == nullptr || *display == '\0')
-    throw billet::Error(billet::Fault::usage, "DISPLAY", "there is no display to draw on",
-                        "use `billet render`, or start it as `xvfb-run -a billet-render ...`");
-}
-
-} // namespace
 
 int main(int count, char** values) {
   try {
@@ -31,9 +21,15 @@ int main(int count, char** values) {
       std::fputs(billet::render::usage().c_str(), stdout);
       return 0;
     }
-    require_display();
-    options.curves ? billet::render::draw_chart(options) : billet::render::draw_scene(options);
-    std::printf("picture: %s\n", options.output.c_str());
+    const std::filesystem::path picture = billet::render::picture_file(options);
+    std::string shown;
+    if (options.curves) {
+      shown = billet::render::draw_chart(options, picture);
+    } else {
+      const billet::render::Display display;
+      shown = billet::render::draw_scene(options, picture);
+    }
+    std::printf("picture: %s\n%s\n", picture.c_str(), shown.c_str());
     return 0;
   } catch (const billet::Error& error) {
     std::fprintf(stderr, "billet-render: %s\n", error.what());

@@ -1,9 +1,11 @@
 #include "app/render/options.h"
 
 #include "geometry/base/error.h"
+#include "io/home_folder.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -74,15 +76,13 @@ using Setter = std::function<void(Options&, const std::string&)>;
 /// Options that take a value.
 const std::map<std::string, Setter>& setters() {
   static const std::map<std::string, Setter> table{
-      {"--curve",
-       [](Options& options, const std::string& value) {
-         options.curves = true;
-         options.output = value;
-       }},
       {"--field", [](Options& options, const std::string& value) { options.field = value; }},
       {"--flow-lines",
        [](Options& options, const std::string& value) { options.flow_lines = count(value); }},
-      {"--output", [](Options& options, const std::string& value) { options.output = value; }},
+      {"--output",
+       [](Options& options, const std::string& value) {
+         options.output = io::with_home_folder(value, "--output");
+       }},
       {"--points", [](Options& options,
                       const std::string& value) { options.series.push_back(series(value, true)); }},
       {"--range",
@@ -100,16 +100,40 @@ const std::map<std::string, Setter>& setters() {
 }
 
 void check(const Options& options) {
-  if (options.help)
-    return;
-  if (options.curves ? options.series.empty() : options.results.empty())
-    fail(options.curves ? "a chart needs a series" : "no results are given");
   if (options.curves && options.flow_lines)
     fail("--flow-lines belongs to a scene");
   if (!options.curves && !options.series.empty())
     fail("--points belongs to --curve");
-  if (options.output.extension() != ".png")
-    fail(fmt::format("the picture \"{}\" should have the suffix .png", options.output.string()));
+  if (options.results.empty() && options.series.empty())
+    fail(options.curves ? "a chart needs results or a series" : "no results are given");
+  if (!options.results.empty() && !options.series.empty())
+    fail("a chart is of results or of series, not of both");
+  if (options.output && options.output->empty())
+    fail("--output needs the name of a file");
+  if (const auto file = picture_file(options); file.extension() != ".png")
+    fail(fmt::format("the picture \"{}\" should have the suffix .png", file.string()));
+}
+
+/// Words that are neither options nor their values.
+void take(Options& options, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    const bool is_there = std::filesystem::exists(word);
+    if (options.curves && !is_there && word.find(':') != std::string::npos)
+      options.series.push_back(series(word, false));
+    else if (options.curves && !options.output && word.ends_with(".png"))
+      options.output = io::with_home_folder(word, "--curve");
+    else if (options.results.empty())
+      options.results = io::with_home_folder(word, "RESULTS");
+    else
+      fail(fmt::format("\"{}\" is one argument too many", word));
+  }
+}
+
+/// Text that may stand in the name of a file.
+std::string as_name(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ':' || c == '/'; }, '_');
+  return text;
 }
 
 } // namespace
@@ -117,46 +141,69 @@ void check(const Options& options) {
 std::string usage() {
   return "billet-render RESULTS [options]      draws a frame of the results (folder, .pvd or "
          ".vtu)\n"
-         "  --field NAME[:COMPONENT]           coloured by (von_mises); vectors by their length\n"
+         "  --field NAME[:COMPONENT]           coloured by (von_mises); a component is x, y, z or "
+         "xx,\n"
+         "                                     yy, zz, xy, yz, xz; without: the length of a "
+         "vector\n"
          "  --time T|last                      the frame nearest to this time (last)\n"
-         "  --range LOW:HIGH                   of the colours (that of the frame)\n"
+         "  --range LOW:HIGH                   of the colours (2nd to 98th percentile of the "
+         "frame)\n"
          "  --flow-lines N                     instead of the mesh N + N lines that were straight\n"
          "                                     before the run (scenes of the plane)\n"
          "  --mirror, --no-mirror              both halves (in axisymmetric scenes)\n"
-         "billet-render --curve OUT.png [options] SERIES...   draws curves\n"
+         "billet-render RESULTS --curve        draws the force on each tool over its stroke\n"
+         "billet-render --curve SERIES...      draws columns of tables\n"
          "  SERIES                             FILE.csv:X-COLUMN:Y-COLUMN[:LABEL]; -COLUMN turns "
          "the sign\n"
          "  --points SERIES                    the same, as markers\n"
          "  --x-label TEXT, --y-label TEXT\n"
-         "both:\n"
-         "  --output FILE.png                  (picture.png)\n"
+         "all:\n"
+         "  -o, --output FILE.png              (in the results, FIELD.png or load-stroke.png)\n"
          "  --size WxH                         pixels (1200x900)\n"
          "  --title TEXT\n";
 }
 
+std::filesystem::path picture_file(const Options& options) {
+  if (options.output && !std::filesystem::is_directory(*options.output))
+    return *options.output;
+  const std::filesystem::path given =
+      options.series.empty() ? options.results : options.series.front().file;
+  const std::filesystem::path folder = options.output                         ? *options.output
+                                       : std::filesystem::is_directory(given) ? given
+                                                                              : given.parent_path();
+  if (options.curves)
+    return folder / (options.series.empty() ? "load-stroke.png" : "curves.png");
+  const std::string time = options.time ? fmt::format("-{:.6g}", *options.time) : "";
+  return folder / (as_name(options.field) + time + ".png");
+}
+
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
+  std::vector<std::string> words;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    const auto setter = setters().find(argument);
-    if (setter != setters().end()) {
-      if (i + 1 == arguments.size())
+    const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+    const std::string name = argument == "-o" ? "--output" : argument.substr(0, equals);
+    if (const auto setter = setters().find(name); setter != setters().end()) {
+      if (equals == std::string::npos && i + 1 == arguments.size())
         fail(fmt::format("{} needs a value", argument));
-      setter->second(options, arguments[++i]);
+      setter->second(options,
+                     equals == std::string::npos ? arguments[++i] : argument.substr(equals + 1));
     } else if (argument == "--help" || argument == "-h") {
       options.help = true;
+    } else if (argument == "--curve") {
+      options.curves = true;
     } else if (argument == "--mirror" || argument == "--no-mirror") {
       options.mirror = argument == "--mirror";
-    } else if (argument.starts_with("--")) {
+    } else if (argument.size() > 1 && argument.starts_with('-')) {
       fail(fmt::format("the option {} is not known", argument));
-    } else if (options.curves) {
-      options.series.push_back(series(argument, false));
-    } else if (options.results.empty()) {
-      options.results = argument;
     } else {
-      fail(fmt::format("\"{}\" is one argument too many", argument));
+      words.push_back(argument);
     }
   }
+  if (options.help)
+    return options;
+  take(options, words);
   check(options);
   return options;
 }

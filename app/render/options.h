@@ -23,13 +23,14 @@ struct Series {
 /// What to draw.
 struct Options {
   bool help = false;
-  bool curves = false;                          ///< a chart, not a scene
-  std::filesystem::path output = "picture.png"; ///< .png
-  std::array<int, 2> size{1200, 900};           ///< [pixels]
-  std::string title;                            ///< empty: that of the results
+  bool curves = false;                         ///< a chart, not a scene
+  std::optional<std::filesystem::path> output; ///< .png, or a folder; empty: beside the results
+  std::array<int, 2> size{1200, 900};          ///< [pixels]
+  std::string title;                           ///< empty: that of the results
+
+  std::filesystem::path results; ///< folder of results; of a scene also .pvd or .vtu
 
   // scene
-  std::filesystem::path results; ///< folder of results, .pvd or .vtu
   std::string field = "von_mises";
   std::optional<double> time;                 ///< nearest frame; empty: the last [s]
   std::optional<std::array<double, 2>> range; ///< of the colours; empty: that of the frame
@@ -37,12 +38,15 @@ struct Options {
   std::optional<bool> mirror;                 ///< empty: in axisymmetric scenes
 
   // chart
-  std::vector<Series> series;
+  std::vector<Series> series; ///< empty: forces over strokes of the results
   std::string x_label, y_label;
 };
 
 /// How the program is called.
 [[nodiscard]] std::string usage();
+
+/// Where the picture goes: by default into the folder of the results, named after what it shows.
+[[nodiscard]] std::filesystem::path picture_file(const Options& options);
 
 /// @throws Error  (Fault::usage)
 [[nodiscard]] Options parse(const std::vector<std::string>& arguments);

@@ -1,5 +1,6 @@
 #include "app/render/scene.h"
 
+#include "app/render/colours.h"
 #include "app/render/flow_lines.h"
 #include "app/render/frame_files.h"
 #include "app/render/picture.h"
@@ -11,7 +12,7 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkColorTransferFunction.h>
+#include <vtkCleanPolyData.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkFeatureEdges.h>
@@ -28,83 +29,11 @@
 #include <vtkUnstructuredGridGeometryFilter.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace billet::render {
 
 namespace {
-
-/// What is drawn in colour: an array, one of its components (-1: the length) and its name.
-struct ColouredBy {
-  bool at_points = true;
-  std::string array;
-  int component = -1;
-  std::string label;
-  std::array<double, 2> range{0.0, 1.0};
-};
-
-std::string known_fields(vtkUnstructuredGrid& grid) {
-  std::string names;
-  for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(grid.GetPointData()),
-                                     static_cast<vtkDataSetAttributes*>(grid.GetCellData())})
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-      names += (names.empty() ? "" : ", ") + std::string(data->GetArrayName(i));
-  return names;
-}
-
-ColouredBy coloured_by(const Frame& frame, const Options& options) {
-  ColouredBy colours;
-  const std::size_t colon = options.field.find(':');
-  colours.array = options.field.substr(0, colon);
-  vtkDataArray* array = frame.workpiece->GetPointData()->GetArray(colours.array.c_str());
-  colours.at_points = array != nullptr;
-  if (array == nullptr)
-    array = frame.workpiece->GetCellData()->GetArray(colours.array.c_str());
-  if (array == nullptr)
-    throw Error(Fault::usage, "--field", fmt::format("the results have no \"{}\"", colours.array),
-                fmt::format("they have {}", known_fields(*frame.workpiece)));
-  if (colon != std::string::npos) {
-    const std::string text = options.field.substr(colon + 1);
-    const auto [end, error] =
-        std::from_chars(text.data(), text.data() + text.size(), colours.component);
-    if (error != std::errc() || end != text.data() + text.size() || colours.component < 0 ||
-        colours.component >= array->GetNumberOfComponents())
-      throw Error(Fault::usage, "--field",
-                  fmt::format("\"{}\" has the components 0 to {}", colours.array,
-                              array->GetNumberOfComponents() - 1));
-  } else if (array->GetNumberOfComponents() == 1) {
-    colours.component = 0;
-  }
-  array->GetRange(colours.range.data(), colours.component);
-  if (options.range)
-    colours.range = *options.range;
-  if (!(colours.range[1] > colours.range[0]))
-    colours.range[1] = colours.range[0] + std::max(1e-9, 1e-6 * std::abs(colours.range[0]));
-  const std::string unit = text_in(*frame.workpiece, "unit of " + colours.array);
-  colours.label = options.field + (unit.empty() ? "" : "\n[" + unit + "]");
-  return colours;
-}
-
-/// The colours of "viridis": even steps look even, in print and to the colour-blind.
-vtkNew<vtkColorTransferFunction> colour_map(const std::array<double, 2>& range) {
-  constexpr std::array<std::array<double, 3>, 9> viridis{{{0.267, 0.005, 0.329},
-                                                          {0.278, 0.175, 0.483},
-                                                          {0.230, 0.322, 0.546},
-                                                          {0.173, 0.449, 0.558},
-                                                          {0.128, 0.567, 0.551},
-                                                          {0.158, 0.684, 0.502},
-                                                          {0.369, 0.789, 0.383},
-                                                          {0.678, 0.864, 0.190},
-                                                          {0.993, 0.906, 0.144}}};
-  vtkNew<vtkColorTransferFunction> map;
-  for (std::size_t i = 0; i < viridis.size(); ++i) {
-    const double t = static_cast<double>(i) / (viridis.size() - 1);
-    map->AddRGBPoint(range[0] + t * (range[1] - range[0]), viridis[i][0], viridis[i][1],
-                     viridis[i][2]);
-  }
-  return map;
-}
 
 /// Edges of the faces as they are: parabolas where the cells are quadratic.
 vtkNew<vtkPolyData> element_edges(vtkDataSet& faces) {
@@ -233,12 +162,31 @@ void add_tool(Stage& stage, vtkPolyData& tool, double size) {
   property->SetColor(0.55, 0.60, 0.68);
   property->SetOpacity(0.15);
   stage.add(*mapper, *property, 0.0);
+  const vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputData(&tool);
   const vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(&tool);
+  edges->SetInputConnection(joined->GetOutputPort());
+  // Cells of wear meet with hanging corners: their rims are no edges of the tool.
+  edges->SetBoundaryEdges(tool.GetCellData()->HasArray("wear_depth") == 0);
   edges->SetFeatureAngle(30.0);
   edges->ColoringOff();
   edges->Update();
   stage.add_lines(*edges->GetOutput(), 1.5F, 0.3, 0.0);
+}
+
+void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, int font) {
+  const vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
+  actor->GetTextProperty()->SetFontSize(font);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(x, y);
+  renderer.AddActor2D(actor);
+}
+
+/// The title of the colour bar.
+std::string title(const ColouredBy& colours) {
+  return colours.name + (colours.unit.empty() ? "" : "\n[" + colours.unit + "]");
 }
 
 /// `width` is that of the part of the picture it has [pixels].
@@ -248,9 +196,9 @@ void add_colour_bar(vtkRenderer& renderer,
                     double width) {
   const vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(&map);
-  bar->SetTitle(colours.label.c_str());
+  bar->SetTitle(title(colours).c_str());
   // A letter is a little more than half as wide as the font is high.
-  const double letters = static_cast<double>(std::max<std::size_t>(colours.array.size() + 2, 10));
+  const double letters = static_cast<double>(std::max<std::size_t>(colours.name.size() + 2, 10));
   const int font = std::clamp(static_cast<int>(width / (0.6 * letters)), 8, 18);
   bar->SetNumberOfLabels(6);
   bar->SetVerticalTitleSeparation(font);
@@ -267,16 +215,10 @@ void add_colour_bar(vtkRenderer& renderer,
   bar->SetWidth(0.7);
   bar->SetHeight(0.65);
   renderer.AddActor2D(bar);
-}
-
-void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, int font) {
-  const vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
-  actor->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
-  actor->GetTextProperty()->SetFontSize(font);
-  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  actor->SetPosition(x, y);
-  renderer.AddActor2D(actor);
+  add_text(renderer,
+           fmt::format("colours: {}\nlargest {:.4g}\nsmallest {:.4g}", colours.span(),
+                       colours.all[1], colours.all[0]),
+           0.1, 0.03, std::max(8, font - 4));
 }
 
 /// Looks at the workpiece: flat in the plane, along a diagonal in space.
@@ -307,7 +249,7 @@ void aim(vtkRenderer& renderer,
 
 } // namespace
 
-void draw_scene(const Options& options) {
+std::string draw_scene(const Options& options, const std::filesystem::path& picture) {
   const Frame frame = read_frame(options);
   std::array<double, 6> bounds{};
   frame.workpiece->GetBounds(bounds.data());
@@ -316,7 +258,7 @@ void draw_scene(const Options& options) {
   const bool planar = bounds[5] - bounds[4] <= 1e-9 * size;
   const bool axisymmetric = text_in(*frame.workpiece, "analysis") == "axisymmetric";
   const bool mirrored = options.mirror.value_or(axisymmetric);
-  const ColouredBy colours = coloured_by(frame, options);
+  const ColouredBy colours = coloured_by(*frame.workpiece, options);
   const vtkNew<vtkColorTransferFunction> map = colour_map(colours.range);
 
   if (options.flow_lines && !planar)
@@ -342,7 +284,11 @@ void draw_scene(const Options& options) {
   window->AddRenderer(&stage.renderer());
   window->AddRenderer(margin);
   aim(stage.renderer(), bounds, planar, mirrored, divide * options.size[0] / options.size[1]);
-  write_picture(*window, options.output);
+  write_picture(*window, picture);
+  const std::string unit = colours.unit.empty() ? "" : " " + colours.unit;
+  return fmt::format("colours: {} from {:.6g} to {:.6g}{}, {}; all values {:.6g} to {:.6g}{}",
+                     colours.name, colours.range[0], colours.range[1], unit, colours.span(),
+                     colours.all[0], colours.all[1], unit);
 }
 
 } // namespace billet::render

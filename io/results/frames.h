@@ -31,7 +31,8 @@ struct FrameSettings {
 [[nodiscard]] SurfaceFrame contact_frame(const process::Process& process,
                                          std::span<const Vec3> points,
                                          const FrameSettings& settings);
-/// A tool where it is now; unbounded surfaces are drawn a little beyond the workpiece.
+/// A tool where it is now; unbounded surfaces are drawn a little beyond the workpiece, and as far
+/// as they are worn.
 [[nodiscard]] SurfaceFrame tool_frame(const process::Process& process,
                                       std::size_t tool,
                                       std::span<const Vec3> points,

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -159,7 +160,13 @@ ordered_json window_json(const contact::Window& window) {
   return json;
 }
 
-ordered_json tools_json(const process::Process& process) {
+ordered_json largest_force_json(const LargestForce& largest) {
+  const Vec3& force = largest.force;
+  return {
+      {"value", force.norm()}, {"vector", {force[0], force[1], force[2]}}, {"time", largest.time}};
+}
+
+ordered_json tools_json(const process::Process& process, std::span<const LargestForce> largest) {
   ordered_json tools = ordered_json::object();
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     const contact::ToolLoad& load = process.contact()->loads()[t];
@@ -168,6 +175,7 @@ ordered_json tools_json(const process::Process& process) {
     const Vec3& offset = process.scene().tools[t].motion.offset;
     tools[process.scene().tools[t].name] = {
         {"force", {load.force[0], load.force[1], load.force[2]}},
+        {"largest_force", largest_force_json(t < largest.size() ? largest[t] : LargestForce{})},
         {"torque", {load.torque[0], load.torque[1], load.torque[2]}},
         {"displacement", {way[0], way[1], way[2]}},
         {"turned", motion.angle(process.time(), process.driven(t))},
@@ -381,6 +389,7 @@ bool RunWriter::frame_due(double time) const {
 void RunWriter::incremented(const process::Process& process,
                             const process::IncrementReport& report) {
   history_->row(history_row(process, report));
+  note_largest_forces(process, report.time, largest_forces_);
   for (const mechanics::IterationRecord& record : report.records)
     iterations_->row(std::array<double, 7>{static_cast<double>(report.increment), report.time,
                                            static_cast<double>(record.iteration), record.residual,
@@ -543,7 +552,7 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   if (process.scene().remesh)
     summary["remeshings"] = remeshings_json(process);
   summary["grounded_rigid_motions"] = process.grounded_motions();
-  summary["tools"] = tools_json(process);
+  summary["tools"] = tools_json(process, largest_forces_);
   if (!process.scene().tools.empty())
     summary["process_window"] = window_json(process.window().total());
   std::vector<std::string> warnings = facts_.warnings;

@@ -10,6 +10,7 @@
 #include "io/case/case.h"
 #include "io/results/csv_writer.h"
 #include "io/results/frames.h"
+#include "io/results/largest_force.h"
 #include "io/results/pvd.h"
 #include "process/run.h"
 #include "process/run_checks.h"
@@ -58,6 +59,9 @@ public:
   /// Writes summary.json; last of all.
   void write_summary(const process::Process& process, const RunEnd& end);
 
+  /// Of each tool, shape (n_tools); empty: there has been no increment.
+  [[nodiscard]] const std::vector<LargestForce>& largest_forces() const { return largest_forces_; }
+
   /// What a person should know about the quality of the result; empty: nothing.
   [[nodiscard]] std::vector<std::string> warnings(const process::Process& process) const;
 
@@ -84,6 +88,7 @@ private:
   std::optional<process::PostMortem> post_;
   std::string ledger_;                  ///< what remesh.csv holds
   std::vector<std::string> complaints_; ///< about remeshings
+  std::vector<LargestForce> largest_forces_;
   double largest_penetration_ = 0.0;
   double largest_share_ = 0.0;
   /// Of a tool that no contact point has met so far.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cstddef>
@@ -41,6 +42,25 @@ std::uint8_t vtk_type(ElementKind kind) {
     return quadratic_tetra;
   }
   return 0;
+}
+
+/// What the components of a vector or a tensor are called, as a person picks one in ParaView.
+std::span<const std::string_view> component_names(int components) {
+  static constexpr std::array<std::string_view, 3> vector{"X", "Y", "Z"};
+  static constexpr std::array<std::string_view, 6> tensor{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+  if (components == 3)
+    return vector;
+  return components == 6 ? std::span<const std::string_view>(tensor)
+                         : std::span<const std::string_view>();
+}
+
+/// The attributes of an array that tell of its components.
+std::string shape_of(int components) {
+  std::string shape = fmt::format("NumberOfComponents=\"{}\"", components);
+  int number = 0;
+  for (const std::string_view name : component_names(components))
+    shape += fmt::format(" ComponentName{}=\"{}\"", number++, name);
+  return shape;
 }
 
 template <class T> constexpr std::string_view type_name;
@@ -82,8 +102,7 @@ public:
     line("<{}>", place);
     for (const Field& field : fields) {
       assert(field.values.size() == n * idx(field.components));
-      array<double>(field.name, field.values,
-                    fmt::format("NumberOfComponents=\"{}\"", field.components));
+      array<double>(field.name, field.values, shape_of(field.components));
     }
     line("</{}>", place);
   }

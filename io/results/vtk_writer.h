@@ -24,8 +24,8 @@ namespace billet::io {
 
 /// Values at points or cells.
 struct Field {
-  std::string name;           ///< as a person reading ParaView expects it: "von_mises"
-  int components = 1;         ///< 1, 3 (vector) or 6 (symmetric tensor xx, yy, zz, xy, yz, xz)
+  std::string name;   ///< as a person reading ParaView expects it: "von_mises"
+  int components = 1; ///< 1, 3 (vector X, Y, Z) or 6 (symmetric tensor XX, YY, ZZ, XY, YZ, XZ)
   std::vector<double> values; ///< shape (n, components)
   std::string unit;           ///< "MPa"; empty: none is written
 };

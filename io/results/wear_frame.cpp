@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace billet::io {
 
@@ -13,8 +15,10 @@ namespace {
 
 using mechanics::Index;
 
-/// Cuts a shape off where it has no end.
-Box drawn_part(const geometry::RigidSurface& surface, const Box& window) {
+/// What is drawn of a shape where it has no end: what is near the workpiece, and what is worn.
+Box drawn_part(const geometry::RigidSurface& surface,
+               const Box& window,
+               std::span<const contact::WearCell> cells) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Box bounds = surface.bounds();
   const Vec3 middle = 0.5 * (window.low + window.high);
@@ -22,11 +26,17 @@ Box drawn_part(const geometry::RigidSurface& surface, const Box& window) {
   surface.project(std::array{middle}, infinity, foot);
   const Vec3 around = foot[0].found() ? foot[0].foot : middle;
   Box part;
-  for (int d = 0; d < 3; ++d) {
-    const bool ends = std::isfinite(bounds.low[d]) && std::isfinite(bounds.high[d]);
-    part.low[d] = ends ? -infinity : around[d] - window.size();
-    part.high[d] = ends ? infinity : around[d] + window.size();
-  }
+  part.add(around - Vec3::Constant(window.size()));
+  part.add(around + Vec3::Constant(window.size()));
+  for (const contact::WearCell& cell : cells)
+    if (cell.depth > 0.0)
+      for (const Vec3& corner : cell.shape.corners())
+        part.add(corner);
+  for (int d = 0; d < 3; ++d)
+    if (std::isfinite(bounds.low[d]) && std::isfinite(bounds.high[d])) {
+      part.low[d] = -infinity;
+      part.high[d] = infinity;
+    }
   return part;
 }
 
@@ -37,12 +47,14 @@ void add_wear(const contact::WearMap& map,
               const Box& window,
               const std::string& unit_of_length,
               SurfaceFrame& frame) {
-  const Box part = drawn_part(*tool.surface, window);
+  const std::vector<contact::WearCell> cells = map.cells();
+  const Box part = drawn_part(*tool.surface, window, cells);
   std::vector<double> depth;
-  for (const contact::WearCell& cell : map.cells()) {
+  for (const contact::WearCell& cell : cells) {
     const bool line = cell.shape.corners().size() == 2;
     geometry::ConvexPolygon drawn = cell.shape;
-    drawn.cut(part);
+    if (cell.depth == 0.0) // a worn one stays whole: the sum over the frame is what was worn
+      drawn.cut(part);
     if (drawn.empty() || (!line && drawn.corners().size() < 3))
       continue;
     std::vector<Index>& corners = (line ? frame.lines : frame.polygons).emplace_back();

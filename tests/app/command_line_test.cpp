@@ -45,9 +45,10 @@ TEST_F(CommandLine, help_and_version_answer_on_standard_output) {
   const Outcome help = run({"--help"});
   for (const char* piece : {"run", "check", "info", "render", "Exit status", "130/143"})
     EXPECT_TRUE(help.prints(piece)) << piece;
-  for (const char* piece : {"-o DIR", "--set KEY=VALUE", "--threads N", "--quiet"})
+  for (const char* piece : {"-o DIR, --output DIR", "--set KEY=VALUE", "--threads N", "--quiet"})
     EXPECT_TRUE(run({"run", "--help"}).prints(piece)) << piece;
-  for (const char* piece : {"--flow-lines N", "--size WxH", "picture.png"})
+  for (const char* piece :
+       {"--flow-lines N", "--size WxH", "--curve", "-o FILE.png, --output FILE.png"})
     EXPECT_TRUE(run({"render", "--help"}).prints(piece)) << piece;
   EXPECT_FALSE(run({"check", "--help"}).prints("--profile"));
   EXPECT_FALSE(run({"info", "--help"}).prints("--threads"));

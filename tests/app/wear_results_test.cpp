@@ -5,10 +5,12 @@
 #include "tests/support/case_texts.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/vtk_arrays.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 namespace billet::test::wear_results_test {
 
@@ -79,6 +81,46 @@ TEST_F(WearResults, are_in_the_frames_of_tool_and_workpiece) {
   EXPECT_EQ(whole_file(without / "frames/tool-punch_0001.vtp").find("wear"), std::string::npos);
   EXPECT_EQ(whole_file(without / "frames/workpiece_0001.vtu").find("wear"), std::string::npos);
   EXPECT_EQ(whole_file(without / "summary.json").find("\"wear\""), std::string::npos);
+}
+
+/// A block beneath a plane that presses it and goes aside by twenty of its lengths.
+const std::string slid = R"(analysis = "plane-strain"
+workpiece = { element = "quad4", material = "steel", mesh = { box = [[0, 0], [5, 2]], cells = [5, 2] } }
+material.steel = { elastic = { young = "210 GPa", poisson = 0.3 }, flow = { law = "perfect", yield = 300 } }
+support = [{ where = "y = 0", fix = ["x", "y"] }]
+time = { end = 2 }
+
+[[tool]]
+name     = "punch"
+surface  = { plane = { point = [0, 2], normal = [0, -1] } }
+motion   = { displacement = [[0, 0, 0], [1, 0, -0.001], [2, 100, -0.001]] }
+friction = { law = "coulomb", mu = 0.1 }
+wear     = { law = "archard", K = 1e-4, hardness = "8 GPa" }
+)";
+
+/// Depth times length, over the lines of a tool's frame in the plane.
+double shown_volume(const std::string& frame) {
+  const auto points = array_of<double>(frame, "Points", "<Points>");
+  const auto depth = array_of<double>(frame, "wear_depth", "<CellData>");
+  const auto nodes = array_of<std::int32_t>(frame, "connectivity", "<Lines>");
+  EXPECT_EQ(nodes.size(), 2 * depth.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const auto x = [&](std::size_t end, std::size_t d) {
+      return points.at(3 * static_cast<std::size_t>(nodes.at(2 * i + end)) + d);
+    };
+    sum += depth[i] * std::hypot(x(1, 0) - x(0, 0), x(1, 1) - x(0, 1));
+  }
+  return sum;
+}
+
+TEST_F(WearResults, are_whole_in_the_frame_of_a_plane_that_slid_far) {
+  const auto folder = run("slid", slid, {"--set", "output.every=2"});
+  const double volume = wear_of(folder).at("volume");
+  EXPECT_GT(volume, 0.0);
+  constexpr double rounding = 1e-9;
+  EXPECT_NEAR(shown_volume(whole_file(folder / "frames/tool-punch_0001.vtp")), volume,
+              rounding * volume);
 }
 
 TEST_F(WearResults, repeat_from_the_resolved_case_and_with_other_threads) {

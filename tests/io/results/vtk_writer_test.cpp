@@ -45,10 +45,21 @@ WorkpieceFrame sample(const Mesh& mesh) {
   return frame;
 }
 
+/// Names as ParaView shows them in its list of components.
+void expect_named(vtkDataArray& array) {
+  const std::vector<const char*> names =
+      array.GetNumberOfComponents() == 3   ? std::vector<const char*>{"X", "Y", "Z"}
+      : array.GetNumberOfComponents() == 6 ? std::vector{"XX", "YY", "ZZ", "XY", "YZ", "XZ"}
+                                           : std::vector<const char*>{};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    EXPECT_STREQ(array.GetComponentName(static_cast<vtkIdType>(i)), names[i]);
+}
+
 void expect_same(const Field& field, vtkDataArray* array) {
   ASSERT_NE(array, nullptr) << field.name;
   EXPECT_EQ(array->GetDataType(), VTK_DOUBLE);
   EXPECT_EQ(array->GetNumberOfComponents(), field.components);
+  expect_named(*array);
   ASSERT_EQ(array->GetNumberOfValues(), static_cast<vtkIdType>(field.values.size()));
   for (std::size_t i = 0; i < field.values.size(); ++i) {
     const auto at = static_cast<int>(i);

@@ -1,0 +1,25 @@
+// The axis of a chart: through zero, with ticks at round numbers.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace billet::render {
+
+struct Axis {
+  double low = 0.0;
+  double high = 1.0;
+  double step = 1.0; ///< between ticks: 1, 2 or 5 times a power of ten
+
+  [[nodiscard]] std::vector<double> ticks() const;
+  /// A tick as it is written, all of them with as many digits behind the point.
+  [[nodiscard]] std::string label(double tick) const;
+  /// Where a value lies between the ends, 0 to 1.
+  [[nodiscard]] double share(double value) const { return (value - low) / (high - low); }
+};
+
+/// The shortest axis from tick to tick that holds zero and the values.
+[[nodiscard]] Axis axis_through_zero(double least, double most, int most_steps);
+
+} // namespace billet::render
