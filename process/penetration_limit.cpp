@@ -28,6 +28,17 @@ void Process::certify(double dt) {
   narrow_radius_ = deepest.radius;
 }
 
+void Process::note_deepest_tool() {
+  const contact::Penetration& deep = penetration_;
+  if (deep.face < 0)
+    return;
+  const std::vector<Vec3> corners = surface_->samples(x_, deep.face, 1);
+  const double size = std::max(surface_->depth(deep.face), (corners[1] - corners[0]).norm());
+  if (deep.sampled > deepest_tool_.share * size)
+    deepest_tool_ = {deep.sampled / size, deep.sampled, deep.at_points, time_,
+                     deep.tool,           deep.position};
+}
+
 bool Process::lies_in_unfelt(std::string& why) const {
   const contact::Penetration& deep = penetration_;
   if (!(deep.share > deepest_unfelt) || deep.face < 0 || contact_->bears_near(deep.tool, deep.face))

@@ -279,13 +279,7 @@ void Process::accept(double dt) {
   iterations_ += last_iterations_;
   if (increment_ == mesh_increment_ + 1)
     mesh_share_ = penetration_.share;
-  const std::vector<double> forces = forces_on_tools();
-  peak_forces_.resize(forces.size(), 0.0);
-  for (std::size_t t = 0; t < forces.size(); ++t)
-    peak_forces_[t] = std::max(peak_forces_[t], forces[t]);
-  if (penetration_.share > deepest_tool_.share)
-    deepest_tool_ = {penetration_.share, penetration_.sampled, time_, penetration_.tool,
-                     penetration_.position};
+  note_deepest_tool();
   const double external = energy_.external;
   const double plastic = energy_.plastic;
   update_energy();

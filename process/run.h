@@ -256,17 +256,17 @@ public:
     int increment;     ///< the last one before it
   };
   [[nodiscard]] std::span<const Intruder> intruders() const { return intruders_; }
-  /// Where a tool has been the deepest in the part so far, relative to the element there.
+  /// Where a tool has been the deepest in the part so far, relative to the element there: to its
+  /// depth or the length of its face, whichever is larger.
   struct DeepestTool {
-    double share = 0.0; ///< of the element beneath, a bound [-]
-    double depth = 0.0; ///< of the deepest point found [mm]
+    double share = 0.0;     ///< [-]
+    double depth = 0.0;     ///< of the deepest point found [mm]
+    double at_points = 0.0; ///< of the deepest contact point then [mm]
     double time = 0.0;  ///< [s]
     std::size_t tool = 0;
     Vec3 place = Vec3::Zero(); ///< in space [mm]
   };
   [[nodiscard]] const DeepestTool& deepest_tool() const { return deepest_tool_; }
-  /// Largest magnitude of the force on each tool so far, shape (n_tools) [N].
-  [[nodiscard]] std::span<const double> peak_forces() const { return peak_forces_; }
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
   /// Places where the part's boundary crosses itself in creases deeper than a quarter of an
@@ -382,6 +382,8 @@ private:
   /// Presses harder until the limit of penetration holds. (P.7)
   [[nodiscard]] bool limit_penetration(double dt, std::string& why);
   [[nodiscard]] bool too_deep() const;
+  /// Keeps where a tool has been the deepest.
+  void note_deepest_tool();
   /// Whether a tool lies in the part where it does not bear on it. (P.40)
   [[nodiscard]] bool lies_in_unfelt(std::string& why) const;
   void press_harder(double gain);
@@ -570,7 +572,6 @@ private:
   std::vector<double> reactions_;
   contact::Penetration penetration_; ///< of the last increment, or of the last solution tried
   DeepestTool deepest_tool_;
-  std::vector<double> peak_forces_;
   double narrow_radius_ = -1.0; ///< of the tool where it is the deepest; < 0: it is not narrow [mm]
   bool refused_as_too_deep_ = false; ///< the last try
   bool refused_inside_out_ = false;  ///< likewise

