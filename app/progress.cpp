@@ -78,7 +78,7 @@ void Progress::incremented(const process::Process& process,
   if (quiet_)
     return;
   if (terminal_)
-    tell("\r" + progress_bar(process, report, units_, terminal_columns()) + "\033[K");
+    tell(fmt::format("\r{}\033[K", progress_bar(process, report, units_, terminal_columns())));
   else
     tell(line + "\n");
 }

@@ -11,8 +11,9 @@ namespace billet::contact {
 
 namespace {
 
-/// Where a shape without end is cut off, in sizes of the workpiece.
-constexpr double farthest = 1000.0;
+/// Where a shape without end is cut off, in sizes of the workpiece: farther than any slides, and
+/// rounding there is still nothing beside a cell.
+constexpr double farthest = 1e6;
 
 /// Edges of cells beneath a footprint, in its sizes.
 constexpr double fineness = 0.5;

@@ -48,7 +48,7 @@ struct WearCell {
 class WearMap {
 public:
   /// @param body  the workpiece at the start, tool frame: a shape without end is cut off at a
-  ///              thousand times its size [mm]
+  ///              million times its size [mm]
   WearMap(const geometry::RigidSurface& surface, mechanics::Analysis analysis, const Box& body);
 
   void add(const WornPatch& patch);

@@ -117,6 +117,28 @@ TEST(WearMap, draws_a_piece_along_its_way) {
   }
 }
 
+TEST(WearMap, goes_on_for_thousands_of_sizes_of_the_workpiece) {
+  // A pin on a disc whose track is rolled off: the last metre is worn like the first.
+  const auto floor = geometry::make_plane(Vec3::Zero(), Vec3::UnitY());
+  WearMap map(*floor, Analysis::plane_strain, body());
+  constexpr double way = 10'000.0, volume = 1.0; // a body of size 4.6
+  constexpr int n_increments = 20;
+  for (int i = 1; i <= n_increments; ++i) {
+    const double x = i * way / n_increments;
+    map.add(on_floor(x, x + 0.5, Vec3(way / n_increments, 0, 0), volume / n_increments));
+  }
+  EXPECT_NEAR(map.volume(), volume, 1e-9 * volume);
+  double length_worn = 0.0;
+  for (const WearCell& cell : map.cells()) {
+    const double x = cell.shape.middle()[0];
+    length_worn += cell.depth > 0.0 ? length(cell) : 0.0;
+    if (x > 1.0 && x < way - 1.0) {
+      EXPECT_NEAR(cell.depth, volume / way, 0.35 * volume / way) << x;
+    }
+  }
+  EXPECT_NEAR(length_worn, way, 2.0);
+}
+
 TEST(WearMap, keeps_the_volume_on_every_kind_of_tool) {
   const std::vector<std::pair<const char*, geometry::SurfacePtr>> surfaces = [] {
     std::vector<std::pair<const char*, geometry::SurfacePtr>> list;
