@@ -174,7 +174,7 @@ bool Process::try_softened(double dt, bool patiently, std::string& why) {
   // Metal that snaps off an edge has far to go in any increment.
   return patiently && may_help() &&
          (try_increment(dt, mechanics::Approach::patiently, why) ||
-          try_calmed(dt, mechanics::Approach::patiently, why) || try_held_tool(dt, why));
+          try_calmed(dt, mechanics::Approach::patiently, why));
 }
 
 bool Process::try_calmed(double dt, mechanics::Approach approach, std::string& why) {
@@ -420,6 +420,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     constexpr int many = 6;
     return in_vain == many || 0.5 * step < *limit.min;
   };
+  constexpr int many_failures = 2; // of an increment: then a driven tool is held in places (P.32)
   // While tools draw back points part in rows: where the last increment was cut back, too, halves
   // would be cut back and back.
   int in_rows = 0;
@@ -462,7 +463,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
                         ((failures > 0 || parts_in_rows() || is_last_way(failures, step)) &&
-                         try_softened(step, is_last_way(failures, step), why)))) {
+                         try_softened(step, is_last_way(failures, step), why)) ||
+                        (failures >= many_failures && try_held_tool(step, why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(*sooner);

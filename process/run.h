@@ -364,6 +364,7 @@ private:
   /// Likewise, the tool that a load drives held in one place after the other, until the part bears
   /// the load. (P.32)
   [[nodiscard]] bool try_held_tool(double dt, std::string& why);
+  [[nodiscard]] std::optional<std::size_t> driven_alone(double time) const;
   /// Whether an increment that Newton has solved may be accepted.
   [[nodiscard]] bool plausible(double dt, double force_scale, std::string& why) const;
   [[nodiscard]] bool is_squeezed() const;
