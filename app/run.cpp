@@ -144,6 +144,8 @@ int run_case(const Arguments& arguments) {
                        {BILLET_VERSION, mechanics::blas_core(), threads, std::move(warnings)});
   progress.write_to(folder / "run.log");
   const process::RunStatus status = process.run({&writer, &progress});
+  for (const std::string& line : writer.advice(process))
+    progress.say("what may help: " + line);
   for (const std::string& warning : writer.warnings(process))
     progress.say(warning);
   const std::vector<process::FailedCheck> failed = process::failed_checks(process);

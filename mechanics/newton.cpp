@@ -222,7 +222,9 @@ Outcome<SolveReport> Newton::solve_bordered(const Demand& demand) {
   const std::size_t m = system_.borders.size();
   const std::span<double> nodal = std::span(correction_).first(n);
   auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, demand);
-  if (!solved || m == 0)
+  const bool held = std::all_of(fixed_.begin() + static_cast<std::ptrdiff_t>(n), fixed_.end(),
+                                [](char fixed) { return fixed != 0; });
+  if (!solved || held) // they are where they have been told to be: none follows its load
     return solved;
   // A tool in equilibrium between its load and contact is moved by the small rest of both.
   constexpr double of_columns = 1e-6;
@@ -401,11 +403,12 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   int shortened = 0;
   constexpr int most_shortened = 8;
   double taken = HUGE_VAL;
-  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * largest(x_old);
+  const double position = std::max(largest(x_old), 0.5 * largest(x)); // it may come from far
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * position;
   const auto at_rounding = [&](double relative) {
     constexpr double plausible = 1e-2;
     return relative <= plausible &&
-           (taken <= rounding || norms->residual <= rounding_of_forces(largest(x_old)));
+           (taken <= rounding || norms->residual <= rounding_of_forces(position));
   };
   double before = norms->residual / norms->scale;
   double correction = 0.0;

@@ -93,7 +93,7 @@ std::string Process::misses_too_much(double dt, double length) const {
   const double usual = default_longest(length);
   const bool is_long = dt > (1.0 + rounding) * usual;
   const bool is_spoiling = !scene_.increments.max && dt > short_share * usual &&
-                           time_ > early * scene_.stages.back().end;
+                           time_ - flown_ > early * (scene_.stages.back().end - flown_);
   if (!is_long && !is_spoiling)
     return "";
   const EnergyBalance after = energy_after(dt);
@@ -119,7 +119,8 @@ double Process::missed_since(const EnergyBalance& before, double gone) const {
 
 bool Process::lets_go_too_fast(double dt) const {
   constexpr double early = 0.1; // of the run: there is next to no work yet to compare with
-  if (!contact_ || scene_.increments.max || time_ < early * scene_.stages.back().end)
+  if (!contact_ || scene_.increments.max ||
+      time_ - flown_ < early * (scene_.stages.back().end - flown_))
     return false;
   // Of all work so far, for a tool whose force falls by more than half.
   constexpr double most = 1e-3, fall = 0.5;

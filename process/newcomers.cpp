@@ -2,6 +2,7 @@
 // way they may find the workpiece where they are.
 
 #include "geometry/first_contact.h"
+#include "process/drives.h"
 #include "process/remeshing.h"
 #include "process/run.h"
 #include "process/tool_meetings.h"
@@ -13,20 +14,6 @@
 #include <utility>
 
 namespace billet::process {
-
-namespace {
-
-/// The first value that is not zero from a time on; where a load begins it may be nothing yet.
-double first_load(const TimeFunction& load, double time) {
-  if (const double now = load(time); now != 0.0)
-    return now;
-  for (const auto& [at, value] : load.points())
-    if (at > time && value != 0.0)
-      return value;
-  return 0.0;
-}
-
-} // namespace
 
 void Process::meet_newcomers(const Stage& stage, double until) {
   if (!contact_)

@@ -7,7 +7,7 @@
 #include "contact/contact_surface.h"
 #include "geometry/box_tree.h"
 #include "mechanics/mesh_locator.h"
-#include "process/drawn_workpiece.h"
+#include "process/drawing.h"
 
 #include <optional>
 #include <span>

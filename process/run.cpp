@@ -189,12 +189,13 @@ bool Process::try_calmed(double dt, mechanics::Approach approach, std::string& w
   return false;
 }
 
-std::string Process::restless_points() const {
+std::string Process::restless_points() {
   if (!contact_)
     return {};
   const std::vector<contact::ContactTerm::Restless> points = contact_->restless();
   if (points.empty())
     return {};
+  restless_ = points;
   const auto& worst = points.front();
   return fmt::format("; {} contact point(s) kept changing between open, stick and slip, most of "
                      "all one on tool '{}' at ({:.6g}, {:.6g}, {:.6g}): {} times",
@@ -270,6 +271,7 @@ void Process::accept(double dt) {
     note_forces();
   }
   const bool fades = time_ < fading_until_;
+  restless_.clear();
   commit(dt);
   if (!refusal_event_.empty())
     events_.push_back(std::exchange(refusal_event_, {}));
@@ -358,8 +360,16 @@ IncrementReport Process::report(double dt, int cutbacks) const {
 
 PostMortem
 Process::post_mortem(double dt, const std::string& why, std::vector<std::string> tried) const {
-  PostMortem post{time_ + dt,        dt, why, -1, penetration_.position, std::move(tried),
-                  newton_->records()};
+  PostMortem post{.time = time_ + dt,
+                  .dt = dt,
+                  .reason = why,
+                  .worst_position = penetration_.position,
+                  .tried = std::move(tried),
+                  .drives = drive_states(time_ + dt),
+                  .restless = restless_,
+                  .inside_out = refused_inside_out_,
+                  .too_deep = refused_as_too_deep_,
+                  .records = newton_->records()};
   if (!refused_as_too_deep_) {
     post.worst_node = newton_->worst_unknown() / scene_.mesh.dimension();
     post.worst_position =
@@ -394,14 +404,14 @@ bool stop_requested(const std::vector<Observer*>& observers) {
 
 RunStatus
 Process::run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers) {
-  const double length = stage.end - start;
+  double length = stage.end - start;
   start_stage(stage);
   if (const std::string why = begin_blows(stage); !why.empty()) {
     for (Observer* observer : observers)
       observer->failed(*this, post_mortem(0.0, why, {}));
     return RunStatus::not_converged;
   }
-  const IncrementLimits limit = limits(length);
+  IncrementLimits limit = limits(length);
   longest_ = *limit.max;
   IncrementControl control({*limit.first, *limit.min, *limit.max});
   constexpr int most_refusals = 3; // for penetration: shorter increments seldom mend it
@@ -415,6 +425,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     constexpr int many = 6;
     return in_vain == many || 0.5 * step < *limit.min;
   };
+  constexpr int many_failures = 2; // of an increment: then a driven tool is held in places (P.32)
   // While tools draw back points part in rows: where the last increment was cut back, too, halves
   // would be cut back and back.
   int in_rows = 0;
@@ -426,6 +437,16 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   while (time_ < stage.end) {
     if (stop_requested(observers))
       return RunStatus::stopped;
+    if (failures == 0 && flies(stage, length)) {
+      if (fly(stage, observers) && time_ < stage.end) { // as if the stage began here
+        start = time_;
+        length = stage.end - start;
+        limit = limits(length);
+        longest_ = *limit.max;
+        control = IncrementControl({*limit.first, *limit.min, *limit.max});
+      }
+      continue;
+    }
     if (failures == 0 && !rested && rests(stage)) {
       energy_used_up_ = &stage == &scene_.stages.back();
       if (energy_used_up_)
@@ -449,7 +470,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
                         ((failures > 0 || parts_in_rows() || is_last_way(failures, step)) &&
-                         try_softened(step, is_last_way(failures, step), why)))) {
+                         try_softened(step, is_last_way(failures, step), why)) ||
+                        (failures >= many_failures && try_held_tool(step, why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
         wasted_iterations_ += last_iterations_;
         control.set_next(*sooner);
@@ -543,6 +565,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     }
     if (control.exhausted() || refusals == most_refusals || turned_inside_out_ >= most_turned) {
       why += intruders_now();
+      if (!refused_as_too_deep_ && !refused_inside_out_)
+        why += unbalanced_loads(time_ + step);
       if (!unmeshed.empty())
         why += "; the part could not be meshed anew: " + unmeshed;
       const PostMortem post = post_mortem(step, why, tried);

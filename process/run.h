@@ -15,6 +15,8 @@
 #include "mechanics/loads.h"
 #include "mechanics/newton.h"
 #include "process/blows.h"
+#include "process/drives.h"
+#include "process/flight.h"
 #include "process/lap.h"
 #include "process/narrow_tools.h"
 #include "process/part_boundary.h"
@@ -102,6 +104,11 @@ struct PostMortem {
   Index worst_node = -1;              ///< with the largest residual
   Vec3 worst_position = Vec3::Zero(); ///< of that node; without one: of the deepest point [mm]
   std::vector<std::string> tried;     ///< one line a try
+  std::vector<DriveState> drives;     ///< tools that loads drive there
+  /// Contact points that kept changing in the last tries, the most restless first.
+  std::vector<contact::ContactTerm::Restless> restless;
+  bool inside_out = false; ///< an element turned inside out in the last try
+  bool too_deep = false;   ///< a face lay deeper in a tool than a limit allows
   std::vector<mechanics::IterationRecord> records; ///< of the last try
 };
 
@@ -313,6 +320,12 @@ private:
   void make_terms();
   [[nodiscard]] contact::DriveScale drive_scale() const;
   void check_drives() const;
+  [[nodiscard]] bool is_pulled_off(std::size_t tool) const;
+  [[nodiscard]] Vec3 towards(std::size_t tool, double load) const;
+  /// Loads that drive tools at a time, and what answered them in the last try. (P.33)
+  [[nodiscard]] std::vector<DriveState> drive_states(double time) const;
+  /// What of them is known to have no answer, for the reason of a failure.
+  [[nodiscard]] std::string unbalanced_loads(double time) const;
   void make_loads();
   /// Force per displacement of the size of the body's own stiffness [N/mm].
   [[nodiscard]] double body_stiffness() const;
@@ -334,6 +347,15 @@ private:
   [[nodiscard]] std::vector<double> foretold(double dt) const;
   /// The step, or as much of it as passes before more of the part comes to touch. (P.27)
   [[nodiscard]] double up_to_touch(double step);
+  /// Whether the run is in a flight, or one begins now. (P.31)
+  ///
+  /// @param length  of the stage, since the last flight [s]
+  [[nodiscard]] bool flies(const Stage& stage, double length);
+  /// An increment of the flight, to its end or as far as it may go at once.
+  /// @return whether it has come to its end
+  bool fly(const Stage& stage, const std::vector<Observer*>& observers);
+  [[nodiscard]] bool try_flight(double dt, std::string& why);
+  void guess_flight(const Vec3& shift, double dt);
   [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
   /// Whether the part lies on any tool.
   [[nodiscard]] bool touched() const;
@@ -360,6 +382,10 @@ private:
   [[nodiscard]] bool try_softened(double dt, bool patiently, std::string& why);
   /// Likewise, with less friction where points go from stick to slip and back.
   [[nodiscard]] bool try_calmed(double dt, mechanics::Approach approach, std::string& why);
+  /// Likewise, the tool that a load drives held in one place after the other, until the part bears
+  /// the load. (P.32)
+  [[nodiscard]] bool try_held_tool(double dt, std::string& why);
+  [[nodiscard]] std::optional<std::size_t> driven_alone(double time) const;
   /// Whether an increment that Newton has solved may be accepted.
   [[nodiscard]] bool plausible(double dt, double force_scale, std::string& why) const;
   [[nodiscard]] bool is_squeezed() const;
@@ -388,7 +414,7 @@ private:
   [[nodiscard]] bool lies_in_unfelt(std::string& why) const;
   void press_harder(double gain);
   /// Which contact points kept changing in the last try, for the log; empty: none.
-  [[nodiscard]] std::string restless_points() const;
+  [[nodiscard]] std::string restless_points();
   /// Tools that begin to act by `until`, in the midst of the run: those under a force come to
   /// touch, others that lie in the workpiece are noted.
   void meet_newcomers(const Stage& stage, double until);
@@ -575,7 +601,8 @@ private:
   double narrow_radius_ = -1.0; ///< of the tool where it is the deepest; < 0: it is not narrow [mm]
   bool refused_as_too_deep_ = false; ///< the last try
   bool refused_inside_out_ = false;  ///< likewise
-  int turned_inside_out_ = 0;        ///< increments refused for that on the present mesh
+  std::vector<contact::ContactTerm::Restless> restless_; ///< of the last try that had any
+  int turned_inside_out_ = 0; ///< increments refused for that on the present mesh
   contact::ProcessWindow window_;
   std::unique_ptr<contact::Wear> wear_;
   EnergyBalance energy_;
@@ -588,6 +615,10 @@ private:
   int grounding_failures_ = 0;  ///< to do with a lighter one, in a row
   int grounding_wait_ = 0;      ///< increments until that is tried again
   double time_ = 0.0;
+  std::optional<Flight> flight_;  ///< under way
+  std::size_t flight_mesh_ = 0;   ///< remeshings before it began
+  double no_flight_before_ = 0.0; ///< one has failed [s]
+  double flown_ = 0.0;            ///< time spent in flights [s]
   bool energy_used_up_ = false;
   std::vector<std::string> events_; ///< of the last increment
   std::string penalty_event_;       ///< a change of the penalty since then

@@ -228,6 +228,12 @@ void Process::check_drives() const {
                               "nothing tells where it is",
                               tool.name),
                   "give it touch = true, or place it where it touches");
+    if (pressed && contact_->acts(t, 0.0) && is_pulled_off(t))
+      throw Error(Fault::case_file, tool.said_at,
+                  fmt::format("the force on tool '{}' pulls it off the workpiece: contact pushes "
+                              "only, and nothing holds the tool",
+                              tool.name),
+                  "turn its direction round, or give the force the other sign");
   }
 }
 

@@ -4,12 +4,13 @@
 #include "geometry/base/error.h"
 #include "geometry/facet_body.h"
 #include "geometry/first_contact.h"
-#include "process/drawn_workpiece.h"
+#include "process/drawing.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -19,41 +20,6 @@ namespace {
 
 using geometry::DisplayMesh;
 using geometry::FacetBody;
-
-constexpr double facet_tolerance = 1e-6;  // share of the size of the scene
-constexpr std::size_t most_facets = 4000; // asked how far a drawing is from its surface
-
-/// How far a drawing stands out of the surface it stands for, at middles of its facets [mm].
-double excess(const geometry::RigidSurface& surface, const DisplayMesh& mesh) {
-  const auto point = [&](std::int32_t i) { return mesh.points[static_cast<std::size_t>(i)]; };
-  std::vector<Vec3> middles;
-  for (std::size_t k = 0; k < mesh.triangles.size(); k += 1 + mesh.triangles.size() / most_facets) {
-    const auto& [a, b, c] = mesh.triangles[k];
-    for (const Vec3& p : {point(a), point(b), point(c)})
-      middles.push_back(0.5 * (point(a) + point(b) + point(c) - p));
-  }
-  for (const auto& [a, b] : mesh.lines)
-    middles.push_back(0.5 * (point(a) + point(b)));
-  const Box box = box_of(mesh.points);
-  std::vector<geometry::Projection> feet(middles.size());
-  double most = 0.0;
-  if (box.size() > 0.0)
-    surface.project(middles, box.size(), feet);
-  for (const geometry::Projection& foot : feet)
-    if (foot.found())
-      most = std::max(most, foot.gap);
-  return most;
-}
-
-/// Drops the triangles that the workpiece cannot meet: of a large die most.
-void keep_within(const Box& window, DisplayMesh& mesh) {
-  std::erase_if(mesh.triangles, [&](const auto& triangle) {
-    Box box;
-    for (const std::int32_t corner : triangle)
-      box.add(mesh.points[static_cast<std::size_t>(corner)]);
-    return !box.overlaps(window, facet_tolerance * window.size());
-  });
-}
 
 /// The unit vector of the first displacement that a tool's motion has; zero: it stands still.
 Vec3 first_direction(const geometry::Motion& motion, double end) {
@@ -84,7 +50,7 @@ public:
   Toucher(const Scene& scene, const contact::ContactSurface& surface, std::span<const double> x)
       : analysis_(scene.analysis), end_(scene.stages.back().end),
         n_contact_points_(surface.n_points()), points_(surface.n_points()),
-        size_(box_of(scene.mesh.points).size()), workpiece_(drawn_workpiece(surface, x)) {
+        size_(box_of(scene.mesh.points).size()), workpiece_(drawn(surface, x)) {
     surface.positions(x, points_);
     for (mechanics::Index f = 0; f < surface.n_faces(); ++f)
       for (const mechanics::Index node : surface.scatter().nodes(f))

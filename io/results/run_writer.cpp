@@ -3,6 +3,7 @@
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "io/case/read_case.h"
+#include "io/results/advice.h"
 #include "io/results/atomic_file.h"
 #include "io/results/full_cavity.h"
 #include "process/part_boundary.h"
@@ -84,34 +85,6 @@ std::vector<double> history_row(const process::Process& process,
       row.insert(row.end(), v.data(), v.data() + 3);
   }
   return row;
-}
-
-/// Whether a pressure, a traction or a tool under a force drives the workpiece: there may be no
-/// equilibrium beyond some load.
-bool driven_by_load(const process::Scene& scene) {
-  return !scene.loads.empty() ||
-         std::any_of(scene.tools.begin(), scene.tools.end(), [](const contact::Tool& tool) {
-           return tool.motion.force || tool.motion.torque;
-         });
-}
-
-/// Loads on tools that a run may have stopped for.
-std::string advice_on_loads(const process::Scene& scene, double stopped) {
-  std::string text;
-  for (const contact::Tool& tool : scene.tools) {
-    const std::optional<geometry::Drive>& force = tool.motion.force;
-    const std::optional<geometry::Drive>& torque = tool.motion.torque;
-    if (force && !force->blow && force->load(stopped) != 0.0)
-      text += fmt::format("tool {} is under a force of {:.6g} there\n", tool.name,
-                          force->load(stopped));
-    if (torque && torque->load(stopped) != 0.0)
-      text +=
-          fmt::format("a torque of {:.6g} turns tool {}: one that friction cannot hold, or more "
-                      "than the part bears, spins it freely; a prescribed rotation in its "
-                      "place goes on beyond\n",
-                      torque->load(stopped), tool.name);
-  }
-  return text;
 }
 
 ordered_json energy_json(const process::EnergyBalance& e) {
@@ -470,22 +443,14 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
   for (const mechanics::IterationRecord& r : post.records)
     text += fmt::format("  {:3d} {:.3e} {:.3e} {:.3f} {}\n", r.iteration, r.residual, r.correction,
                         r.step, r.solver);
-  text +=
-      process.scene().remesh
-          ? "what may help: smaller elements there (remesh.size), a check of the tools' motion\n"
-          : "what may help: a finer mesh there, a [remesh] section, a check of the tools' motion\n";
-  constexpr double of_no_more_use = 1e-5; // of the run: shorter ones would have failed as well
-  if (const std::optional<double>& min = process.scene().increments.min;
-      min && post.dt < 2.0 * *min && post.dt > of_no_more_use * process.scene().stages.back().end)
-    text +=
-        fmt::format("time.increments.min = {:.4g} allows none shorter: leave it out, and the run "
-                    "finds its own\n",
-                    *min);
-  if (driven_by_load(process.scene()))
-    text += "a load drives this part: it may be at the most that the part bears (it necks, bulges, "
-            "buckles or leaves the tool); a prescribed motion in its place goes on beyond\n";
-  text += advice_on_loads(process.scene(), post.time);
+  text += "what may help:\n";
+  for (const std::string& line : advice(process))
+    text += "  " + line + "\n";
   write_file(folder_ / "failure" / "post_mortem.txt", text);
+}
+
+std::vector<std::string> RunWriter::advice(const process::Process& process) const {
+  return post_ ? io::advice(*content_, process, *post_) : std::vector<std::string>();
 }
 
 void RunWriter::remeshing(const process::Process& process) {

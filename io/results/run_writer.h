@@ -65,6 +65,9 @@ public:
   /// What a person should know about the quality of the result; empty: nothing.
   [[nodiscard]] std::vector<std::string> warnings(const process::Process& process) const;
 
+  /// What may help a run that could not go on; empty: it could.
+  [[nodiscard]] std::vector<std::string> advice(const process::Process& process) const;
+
 private:
   void note_unmet_tools(const process::Process& process, const process::IncrementReport& report);
   void write_frame(const process::Process& process);

@@ -50,7 +50,8 @@ Scene pressed_block(ElementKind kind, double place) {
   u.material = billet_steel();
   Scene scene = upsetting_scene(std::move(u));
   scene.contact_faces = free_faces(scene.mesh, scene.analysis);
-  const TimeFunction rests(0.0), comes({{0.0, 0.0}, {longest, -4.5}, {1.0, -4.5}});
+  const TimeFunction rests(0.0),
+      comes({{0.0, 0.0}, {longest, -4.5}, {1.0, -4.5 - 1e-6}}); // no flight
   scene.tools[0].motion.velocity.reset();
   scene.tools[0].motion.displacement =
       std::array{rests, in_space ? rests : comes, in_space ? comes : rests};

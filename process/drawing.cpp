@@ -1,9 +1,10 @@
-#include "process/drawn_workpiece.h"
+#include "process/drawing.h"
+
+#include "geometry/base/box.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace billet::process {
 
@@ -11,7 +12,8 @@ namespace {
 
 using geometry::DisplayMesh;
 
-constexpr int cells = 4; // an edge of a face's grid of samples
+constexpr std::size_t most_facets = 4000; // asked how far a drawing is from its surface
+constexpr int cells = 4;                  // a side of a face's grid of samples
 
 /// Where the samples of a face stand: a line, a square of rows, or a triangle of rows that become
 /// shorter by one. `cells` lie along each side.
@@ -86,7 +88,7 @@ double sagitta(const Grid& grid, const std::vector<Vec3>& samples) {
 
 } // namespace
 
-DrawnWorkpiece drawn_workpiece(const contact::ContactSurface& surface, std::span<const double> x) {
+DrawnWorkpiece drawn(const contact::ContactSurface& surface, std::span<const double> x) {
   DrawnWorkpiece workpiece;
   for (mechanics::Index f = 0; f < surface.n_faces(); ++f) {
     const std::vector<Vec3> samples = surface.samples(x, f, cells);
@@ -96,6 +98,36 @@ DrawnWorkpiece drawn_workpiece(const contact::ContactSurface& surface, std::span
     workpiece.error = std::max(workpiece.error, sagitta(grid, samples));
   }
   return workpiece;
+}
+
+double excess(const geometry::RigidSurface& surface, const DisplayMesh& mesh) {
+  const auto point = [&](std::int32_t i) { return mesh.points[static_cast<std::size_t>(i)]; };
+  std::vector<Vec3> middles;
+  for (std::size_t k = 0; k < mesh.triangles.size(); k += 1 + mesh.triangles.size() / most_facets) {
+    const auto& [a, b, c] = mesh.triangles[k];
+    for (const Vec3& p : {point(a), point(b), point(c)})
+      middles.push_back(0.5 * (point(a) + point(b) + point(c) - p));
+  }
+  for (const auto& [a, b] : mesh.lines)
+    middles.push_back(0.5 * (point(a) + point(b)));
+  const Box box = box_of(mesh.points);
+  std::vector<geometry::Projection> feet(middles.size());
+  double most = 0.0;
+  if (box.size() > 0.0)
+    surface.project(middles, box.size(), feet);
+  for (const geometry::Projection& foot : feet)
+    if (foot.found())
+      most = std::max(most, foot.gap);
+  return most;
+}
+
+void keep_within(const Box& window, DisplayMesh& mesh) {
+  std::erase_if(mesh.triangles, [&](const auto& triangle) {
+    Box box;
+    for (const std::int32_t corner : triangle)
+      box.add(mesh.points[static_cast<std::size_t>(corner)]);
+    return !box.overlaps(window, facet_tolerance * window.size());
+  });
 }
 
 } // namespace billet::process

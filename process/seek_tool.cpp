@@ -1,0 +1,168 @@
+// An increment in which the place of a tool that a load drives is looked for.
+//
+// Where facets or friction change from iteration to iteration the tool's own equation carries every
+// change to all points at once, and the iteration goes round in circles. With the tool held in a
+// place the part finds its equilibrium as under a prescribed motion, and what it bears there says
+// on which side of that place the load is borne. (P.32)
+
+#include "process/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+/// A place of the tool, and what the part bears there more than the load.
+struct HeldPlace {
+  double travel;         ///< [mm]
+  double excess;         ///< [N]
+  std::vector<double> x; ///< unknowns in equilibrium [mm]
+};
+
+/// Looks for the place where the load is borne.
+class PlaceSearch {
+public:
+  /// The part with the tool held somewhere, from a guess; none: there is no solution.
+  using HeldAt = std::function<std::optional<HeldPlace>(double, const std::vector<double>&)>;
+  using Borne = std::function<bool(const HeldPlace&)>;
+
+  PlaceSearch(HeldAt held_at, Borne borne, double size)
+      : held_at_(std::move(held_at)), borne_(std::move(borne)), size_(size) {}
+
+  /// @param step  first one away from the start [mm]
+  /// @return whether it is borne where the tool is held at last
+  [[nodiscard]] bool from(HeldPlace start, double step) {
+    if (borne_(start))
+      return true;
+    near_ = std::move(start);
+    return march(step) || (far_ && close_in());
+  }
+
+private:
+  /// Away from where it bears too little, or too much, in longer and longer steps.
+  [[nodiscard]] bool march(double step) {
+    constexpr double shortest = 1e-9, longest = 1e-2, farthest = 0.1; // of the body
+    constexpr int most_places = 100;
+    constexpr double after_failure = 1.2; // what was too long is so soon again
+    const double start = near_.travel;
+    const double sense = near_.excess < 0.0 ? 1.0 : -1.0;
+    double growth = 2.0;
+    for (int place = 0; place < most_places && std::abs(near_.travel - start) < farthest * size_;
+         ++place) {
+      std::optional<HeldPlace> next = held_at_(near_.travel + sense * step, near_.x);
+      if (!next) {
+        step *= 0.5;
+        growth = after_failure;
+        if (step < shortest * size_)
+          return false;
+        continue;
+      }
+      if (borne_(*next))
+        return true;
+      if (!same_side(*next)) {
+        far_ = std::move(next);
+        return false;
+      }
+      near_ = std::move(*next);
+      step = std::min(growth * step, longest * size_);
+    }
+    return false;
+  }
+
+  /// Between the two, by the Illinois variant of the rule of false position.
+  [[nodiscard]] bool close_in() {
+    constexpr int most_places = 40;
+    double weight_near = 1.0, weight_far = 1.0;
+    for (int place = 0; place < most_places; ++place) {
+      const double a = weight_near * near_.excess, b = weight_far * far_->excess;
+      const double share = a / (a - b);
+      std::vector<double> guess = near_.x;
+      for (std::size_t i = 0; i < guess.size(); ++i)
+        guess[i] += share * (far_->x[i] - near_.x[i]);
+      std::optional<HeldPlace> next =
+          held_at_(near_.travel + share * (far_->travel - near_.travel), guess);
+      if (!next || borne_(*next))
+        return next.has_value();
+      const bool is_near = same_side(*next);
+      (is_near ? near_ : *far_) = std::move(*next);
+      (is_near ? weight_near : weight_far) = 1.0;
+      (is_near ? weight_far : weight_near) *= 0.5;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool same_side(const HeldPlace& place) const {
+    return (place.excess < 0.0) == (near_.excess < 0.0);
+  }
+
+  HeldAt held_at_;
+  Borne borne_;
+  double size_; ///< of the body [mm]
+  HeldPlace near_{};
+  std::optional<HeldPlace> far_;
+};
+
+} // namespace
+
+/// The one tool that a force drives, if no other is driven: more would have to be looked for at
+/// once.
+std::optional<std::size_t> Process::driven_alone(double time) const {
+  const std::vector<contact::DriveUnknown> drives = contact::drive_unknowns(scene_.tools);
+  if (drives.size() != 1 || drives[0].turns || scene_.tools[drives[0].tool].motion.force->blow ||
+      !contact_->acts(drives[0].tool, time))
+    return std::nullopt;
+  return drives[0].tool;
+}
+
+bool Process::try_held_tool(double dt, std::string& why) {
+  if (refused_as_too_deep_ || refused_inside_out_ || !contact_ || !driven_alone(time_ + dt))
+    return false;
+  const std::size_t drive = x0_.size();
+  double scale = 0.0;
+  const auto held_at = [&](double travel,
+                           const std::vector<double>& guess) -> std::optional<HeldPlace> {
+    contact_->restart();
+    contact_->foretell(foretold(dt));
+    trial_x_ = guess;
+    trial_x_[drive] = travel;
+    mechanics::Prescribed held = prescribed(time_ + dt);
+    held.unknowns.push_back(static_cast<Index>(drive));
+    held.positions.push_back(travel);
+    const auto outcome = newton_->solve(terms_, held, time_, time_ + dt, x_, trial_x_);
+    wasted_iterations_ += spent();
+    if (!outcome)
+      return std::nullopt;
+    scale = outcome->force_scale;
+    last_residual_ = outcome->residual;
+    return HeldPlace{travel, newton_->residual()[drive], trial_x_};
+  };
+  newton_->set_force_floor(force_floor(time_ + dt));
+  std::optional<HeldPlace> start = held_at(x_[drive], x_);
+  const double size = body_size(scene_.mesh);
+  constexpr double first = 1e-4, shortest = 1e-9; // of the body
+  const double usual = last_step_.empty() ? 0.0 : std::abs(last_step_[drive]) * dt / last_dt_;
+  PlaceSearch search(
+      held_at,
+      [&](const HeldPlace& place) { return std::abs(place.excess) <= scene_.tolerance * scale; },
+      size);
+  if (!start || !search.from(std::move(*start),
+                             usual > 0.0 ? std::max(usual, shortest * size) : first * size))
+    return false;
+  bool solved = plausible(dt, scale, why) && !passes_through(dt, why) && limit_penetration(dt, why);
+  refused_inside_out_ = solved && turns_inside_out(why);
+  solved = solved && !refused_inside_out_;
+  if (solved) {
+    last_iterations_ = spent();
+    wasted_iterations_ -= last_iterations_;
+  }
+  return solved;
+}
+
+} // namespace billet::process
