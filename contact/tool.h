@@ -27,6 +27,9 @@ struct Tool {
   double active_to = std::numeric_limits<double>::infinity();    ///< [s]
 
   std::string said_at; ///< where the case names it, for messages; empty: nowhere
+  /// On which side of its surface it lies and how it is turned round, for messages; empty: nothing
+  /// to say.
+  std::string facing;
 
   [[nodiscard]] bool active(double time) const { return time >= active_from && time <= active_to; }
 };

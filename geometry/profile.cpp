@@ -127,6 +127,18 @@ Profile polygon(std::span<const Vec2> points, bool closed) {
   return profile;
 }
 
+Profile reversed(const Profile& profile) {
+  Profile result;
+  result.closed = profile.closed;
+  result.start = profile.segments.empty() ? profile.start : profile.segments.back().to;
+  for (std::size_t i = profile.segments.size(); i-- > 0;) {
+    const ProfileSegment& segment = profile.segments[i];
+    result.segments.push_back(
+        {i > 0 ? profile.segments[i - 1].to : profile.start, -segment.radius, segment.large});
+  }
+  return result;
+}
+
 std::optional<std::string> flaw(const Vec2& from, const ProfileSegment& segment) {
   if (!from.allFinite() || !segment.to.allFinite() || !std::isfinite(segment.radius))
     return "a coordinate or radius is not a finite number";

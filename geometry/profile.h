@@ -41,6 +41,9 @@ struct Profile {
 /// Straight segments through `points`. shape (n >= 2)
 [[nodiscard]] Profile polygon(std::span<const Vec2> points, bool closed);
 
+/// The same chain run the other way: its tool lies on the other side.
+[[nodiscard]] Profile reversed(const Profile& profile);
+
 /// What is wrong with a segment that starts at `from`: not finite, no length, radius too small for
 /// its chord; none if it is sound.
 [[nodiscard]] std::optional<std::string> flaw(const Vec2& from, const ProfileSegment& segment);

@@ -40,6 +40,11 @@ std::string smoothing_note(const geometry::Smoothing& s, double feature_angle) {
   return text;
 }
 
+/// A profile, or the same one run the other way.
+geometry::Profile turned(geometry::Profile profile, bool flip) {
+  return flip ? geometry::reversed(profile) : profile;
+}
+
 /// A roll of facets lifts off along its flats and digs in with its edges as it turns.
 std::string facets_note(const contact::Tool& tool) {
   const bool turns = tool.motion.rotation || tool.motion.torque;
@@ -78,18 +83,19 @@ struct SurfaceMaker {
     return geometry::make_torus(s.centre, s.axis, s.major, s.minor, s.inside);
   }
   geometry::SurfacePtr operator()(const RevolutionSurface& s) const {
-    return geometry::make_revolved_profile(s.point, s.axis,
-                                           s.profile ? read_profile(s.profile->path)
-                                                     : geometry::polygon(s.points, s.closed));
+    return geometry::make_revolved_profile(
+        s.point, s.axis,
+        turned(s.profile ? read_profile(s.profile->path) : geometry::polygon(s.points, s.closed),
+               s.flip));
   }
   geometry::SurfacePtr operator()(const ProfileSurface& s) const {
-    return geometry::make_profile(read_profile(s.file.path));
+    return geometry::make_profile(turned(read_profile(s.file.path), s.flip));
   }
   geometry::SurfacePtr operator()(const PointsSurface& s) const {
     std::vector<Vec2> points;
     for (const Vec3& p : s.points)
       points.emplace_back(p[0], p[1]);
-    return geometry::make_profile(geometry::polygon(points, s.closed));
+    return geometry::make_profile(turned(geometry::polygon(points, s.closed), s.flip));
   }
   geometry::SurfacePtr operator()(const StlSurface& s) const {
     return triangulated(read_stl(s.file.path), {s.unit_factor, s.flip, s.feature_angle}, s.unit,
@@ -123,6 +129,27 @@ private:
         fmt::format("tool '{}': {}", tool, smoothing_note(smooth.smoothing, use.feature_angle)));
     return std::move(smooth.surface);
   }
+};
+
+/// On which side of its surface a tool lies, and how it is turned round.
+struct FacingRule {
+  std::string operator()(const PlaneSurface&) const {
+    return "a plane's normal points out of its tool, to the workpiece";
+  }
+  std::string operator()(const ProfileSurface&) const { return of_profile; }
+  std::string operator()(const PointsSurface&) const { return of_profile; }
+  std::string operator()(const RevolutionSurface&) const { return of_profile; }
+  std::string operator()(const StlSurface&) const { return of_facets; }
+  std::string operator()(const StepSurface&) const { return of_facets; }
+  template <class Round> std::string operator()(const Round&) const {
+    return "the workpiece is outside of it, or with inside = true within it";
+  }
+
+  static constexpr const char* of_profile =
+      "a tool lies on the left of the direction in which its profile runs; flip = true puts it on "
+      "the right";
+  static constexpr const char* of_facets =
+      "the facets of a tool face out of it; flip = true turns them round";
 };
 
 /// A strength given as a stress; none: that of the material.
@@ -284,6 +311,7 @@ contact::Tool build_tool(const Tool& tool,
   contact::Tool result;
   result.name = tool.name;
   result.said_at = tool.said_at;
+  result.facing = std::visit(FacingRule{}, tool.surface);
   const bool in_space = std::holds_alternative<StlSurface>(tool.surface) ||
                         std::holds_alternative<StepSurface>(tool.surface);
   if (analysis != Analysis::solid && in_space)

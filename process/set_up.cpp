@@ -114,28 +114,29 @@ void Process::make_loads() {
 
 namespace {
 
-/// Whether all candidate faces lie in a tool: it has the part on the wrong side, most likely.
-bool holds_all(const contact::Tool& tool,
-               const geometry::Pose& pose,
-               const contact::ContactSurface& surface,
-               std::span<const double> x,
-               double reach) {
+/// Whether no candidate face lies in front of a tool: it has the part on the wrong side, most
+/// likely. Beyond the ends of an open surface there is no tool.
+bool has_all_behind(const contact::Tool& tool,
+                    const geometry::Pose& pose,
+                    const contact::ContactSurface& surface,
+                    std::span<const double> x,
+                    double reach) {
   constexpr double touching = 0.02; // of the element beneath
   for (Index f = 0; f < surface.n_faces(); ++f)
     for (const Vec3& p : surface.samples(x, f, 1)) {
       const Vec3 at = pose.to_tool(p);
       geometry::Projection foot;
       tool.surface->project(std::span(&at, 1), reach, std::span(&foot, 1));
-      if (!foot.found() || foot.gap > touching * surface.depth(f))
+      if (foot.found() && foot.gap > touching * surface.depth(f))
         return false;
     }
   return true;
 }
 
-constexpr const char* turned = "the whole workpiece lies inside of the tool, which may be turned: "
-                               "a profile has its tool on the left of "
-                               "the direction in which it runs, a plane's normal points out of its "
-                               "tool, inside or flip turn the other surfaces";
+std::string turned(const contact::Tool& tool) {
+  return "the whole workpiece lies inside of the tool, which may be turned" +
+         (tool.facing.empty() ? "" : ": " + tool.facing);
+}
 
 } // namespace
 
@@ -150,9 +151,9 @@ void Process::check_overlap() const {
             {scene_.tools[t].said_at,
              fmt::format("the workpiece overlaps tool '{}' before the start: {}",
                          scene_.tools[t].name, where),
-             holds_all(scene_.tools[t], contact_->pose(t, time_, x_), *surface_, x_,
-                       body_size(scene_.mesh))
-                 ? turned
+             has_all_behind(scene_.tools[t], contact_->pose(t, time_, x_), *surface_, x_,
+                            body_size(scene_.mesh))
+                 ? turned(scene_.tools[t])
                  : "move the tool or the workpiece apart, or give the tool touch = true"});
   if (!complaints.empty())
     throw Error(Fault::geometry, std::move(complaints));

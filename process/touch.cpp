@@ -79,8 +79,8 @@ public:
       throw Error(Fault::geometry, tool.said_at,
                   fmt::format("tool '{}' cannot be brought to touch: {}", tool.name,
                               by_points.error().reason),
-                  "check its place, the direction of its motion and which way its surface faces "
-                  "(flip = true turns an STL)");
+                  "check its place, the direction of its motion and which way its surface faces" +
+                      (tool.facing.empty() ? "" : ": " + tool.facing));
     tool.motion.offset = distance * direction;
   }
 

@@ -80,6 +80,7 @@ struct RevolutionSurface {
   std::optional<InputFile> profile; ///< lines and arcs; absent: `points`
   std::vector<Vec2> points;         ///< straight lines, shape (n >= 2), neighbours differ [mm]
   bool closed = false;              ///< of `points`: a line leads from the last to the first
+  bool flip = false;                ///< the tool lies on the right
 
   bool operator==(const RevolutionSurface&) const = default;
 };
@@ -87,6 +88,7 @@ struct RevolutionSurface {
 /// A file of lines and arcs in the plane; the tool lies on the left of the direction of travel.
 struct ProfileSurface {
   InputFile file;
+  bool flip = false; ///< the tool lies on the right
 
   bool operator==(const ProfileSurface&) const = default;
 };
@@ -95,6 +97,7 @@ struct ProfileSurface {
 struct PointsSurface {
   std::vector<Vec3> points; ///< shape (n >= 2), neighbours differ [mm]
   bool closed = false;      ///< a line leads from the last point to the first
+  bool flip = false;        ///< the tool lies on the right
 
   bool operator==(const PointsSurface&) const = default;
 };

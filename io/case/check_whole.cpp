@@ -143,12 +143,21 @@ void check_stage_ends(const At& root, const Case& content) {
   }
 }
 
+/// Whether [time] has a key that it does not know: complained about, and most likely the end.
+bool has_foreign_key(const std::optional<At>& time) {
+  const Table* const table = time ? time->node.as<Table>() : nullptr;
+  return table != nullptr &&
+         std::any_of(table->entries.begin(), table->entries.end(), [](const Entry& entry) {
+           return entry.key != "end" && entry.key != "increments";
+         });
+}
+
 /// The end of the run is given by [time] or by the last stage.
 void settle_end(const At& root, Case& content) {
   const std::optional<At> time = child(root, "time");
   const std::optional<At> end = child(time, "end");
   if (content.stages.empty()) {
-    if (!end && !child(root, "stage"))
+    if (!end && !child(root, "stage") && !has_foreign_key(time))
       (time ? *time : root)
           .context.complaints.add((time ? *time : root).node.place,
                                   "time.end: missing, it must be given");

@@ -28,8 +28,14 @@ int Complaints::add_override(std::string text) {
   return static_cast<int>(overrides_.size());
 }
 
-void Complaints::add(const TextPlace& place, std::string message, std::string remedy) {
+std::size_t Complaints::add(const TextPlace& place, std::string message, std::string remedy) {
   found_.push_back({place, std::move(message), std::move(remedy)});
+  return found_.size() - 1;
+}
+
+bool Complaints::empty() const {
+  return std::all_of(found_.begin(), found_.end(),
+                     [](const Found& found) { return found.is_withdrawn; });
 }
 
 std::string Complaints::text(const TextPlace& place) const {
@@ -41,6 +47,7 @@ std::string Complaints::text(const TextPlace& place) const {
 }
 
 void Complaints::throw_if_any() {
+  std::erase_if(found_, [](const Found& found) { return found.is_withdrawn; });
   if (found_.empty())
     return;
   std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {

@@ -7,6 +7,7 @@
 
 #include "geometry/base/error.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -30,8 +31,11 @@ public:
 
   /// Makes an override known; its number for TextPlace.
   int add_override(std::string text);
-  void add(const TextPlace& place, std::string message, std::string remedy = {});
-  [[nodiscard]] bool empty() const { return found_.empty(); }
+  /// @return  the number of the complaint, to withdraw it by
+  std::size_t add(const TextPlace& place, std::string message, std::string remedy = {});
+  /// Takes a complaint back that follows from another one.
+  void withdraw(std::size_t number) { found_[number].is_withdrawn = true; }
+  [[nodiscard]] bool empty() const;
 
   /// Throws an Error of all complaints in the order of their places, if there are any.
   void throw_if_any();
@@ -44,6 +48,7 @@ private:
     TextPlace place;
     std::string message;
     std::string remedy;
+    bool is_withdrawn = false;
   };
 
   std::string name_;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "io/case/suggestion.h"
 #include "io/case/table_reader.h"
 
 #include <cstddef>
@@ -20,6 +21,17 @@ template <class Into> struct Kind {
   Scenes scenes;
   std::optional<Into> (*read)(TableReader& table, const At& at_key);
 };
+
+/// Complains of a table that has the key of no kind. One of its keys may be meant for that: then
+/// the complaint says which, and there is no other one.
+inline void complain_of_kinds(const At& at, const TableReader& table, const std::string& allowed) {
+  for (const std::string& key : table.unknown_keys())
+    if (const std::optional<Meant> word = meant(key, table.known_keys())) {
+      at.complain("found the key '" + printable(key) + "', " + allowed, word->text());
+      return;
+    }
+  at.complain(allowed);
+}
 
 /// Reads a table that must have the key of exactly one kind, and all the rest of its keys.
 template <class Into>
@@ -42,8 +54,7 @@ template <class Into>
   }
   if (chosen == nullptr) {
     if (table.is_table())
-      at.complain("allowed is exactly one of the keys " + keys);
-    table.finish();
+      complain_of_kinds(at, table, "allowed is exactly one of the keys " + keys);
     return std::nullopt;
   }
   const At at_key = *table.find(chosen->key);

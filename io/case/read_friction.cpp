@@ -236,9 +236,11 @@ void read_more(TableReader& table, AsperityFriction& law) {
 }
 
 std::optional<Friction> as_friction(const At& at) {
-  TableReader table(at);
-  if (!table.is_table())
+  if (at.node.as<Table>() == nullptr) {
+    at.complain_found("a table such as { law = \"coulomb\", mu = 0.1 }");
     return std::nullopt;
+  }
+  TableReader table(at);
   Friction friction;
   const bool has_law = read_law(table, friction.law);
   table.optional("tensor", friction.tensor, as_tensor);

@@ -1,3 +1,4 @@
+#include "io/case/initial_yield.h"
 #include "io/case/material_library.h"
 #include "io/case/read_law.h"
 #include "io/case/read_parts.h"
@@ -5,31 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace billet::io {
 
 namespace {
 
-/// The yield stress at no plastic strain; none where the law gives none of its own.
-double initial_yield(const PerfectFlow& law) { return law.yield; }
-double initial_yield(const LinearFlow& law) { return law.yield; }
-double initial_yield(const SwiftFlow& law) { return law.K * std::pow(law.eps0, law.n); }
-double initial_yield(const LudwikFlow& law) { return law.yield; }
-double initial_yield(const VoceFlow& law) { return law.yield; }
-double initial_yield(const TableFlow& law) {
-  return law.points.empty() ? 0.0 : law.points.front().second;
-}
-double initial_yield(const NortonHoffFlow& law) { return law.yield; }
-double initial_yield(const PerzynaFlow& law) {
-  return std::visit([](const auto& base) { return initial_yield(base); }, law.base);
-}
-// That of Johnson and Cook depends on the temperature of the case: check_whole.cpp.
-double initial_yield(const JohnsonCookFlow& /*law*/) { return 0.0; }
-double initial_yield(const HanselSpittelFlow& /*law*/) { return 0.0; }
-
 std::optional<double> default_hardness(const FlowLaw& flow) {
-  const double yield = std::visit([](const auto& law) { return initial_yield(law); }, flow);
+  const double yield = initial_yield(flow);
   return yield > 0.0 ? std::optional(3.0 * yield) : std::nullopt;
 }
 
@@ -44,6 +27,10 @@ std::optional<ElasticConstants> as_elastic(const At& at) {
 }
 
 std::optional<FlowLaw> as_flow(const At& at) {
+  if (at.node.as<Table>() == nullptr) {
+    at.complain_found("a table such as { law = \"perfect\", yield = \"300 MPa\" }");
+    return std::nullopt;
+  }
   TableReader table(at);
   FlowLaw flow;
   if (read_law(table, flow))

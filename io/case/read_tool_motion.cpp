@@ -1,4 +1,5 @@
 #include "io/case/law_keys.h"
+#include "io/case/one_kind.h"
 #include "io/case/read_parts.h"
 
 #include <array>
@@ -101,8 +102,10 @@ std::optional<ToolMotion> as_tool_motion(const At& at) {
   refuse_two(table, {"rotation", "torque"});
   if (!table.find("velocity") && !table.find("displacement") && !table.find("force") &&
       !table.find("press") && !table.find("rotation") && !table.find("torque"))
-    at.complain("allowed is velocity, displacement, force, press, rotation or torque");
-  table.finish();
+    complain_of_kinds(at, table,
+                      "allowed is velocity, displacement, force, press, rotation or torque");
+  else
+    table.finish();
   return motion;
 }
 

@@ -77,9 +77,13 @@ std::optional<ToolSurface> read_torus(TableReader& table, const At& at) {
   return surface;
 }
 
-std::optional<ToolSurface> read_profile_surface(TableReader& /*table*/, const At& at) {
+std::optional<ToolSurface> read_profile_surface(TableReader& table, const At& at) {
+  ProfileSurface surface;
   const std::optional<InputFile> file = as_input_file(at);
-  return file ? std::optional<ToolSurface>(ProfileSurface{*file}) : std::nullopt;
+  if (file)
+    surface.file = *file;
+  table.optional("flip", surface.flip, as_flag);
+  return file ? std::optional<ToolSurface>(surface) : std::nullopt;
 }
 
 /// A point of a chain.
@@ -133,6 +137,7 @@ bool read_chain(TableReader& table, const At& at, std::vector<Vec>& chain, bool&
 
 std::optional<ToolSurface> read_points(TableReader& table, const At& at) {
   PointsSurface surface;
+  table.optional("flip", surface.flip, as_flag);
   return read_chain(table, at, surface.points, surface.closed) ? std::optional<ToolSurface>(surface)
                                                                : std::nullopt;
 }
@@ -142,6 +147,7 @@ std::optional<ToolSurface> read_revolution(TableReader& /*table*/, const At& at)
   RevolutionSurface surface;
   inner.required("point", surface.point, as_vector, any_length);
   inner.required("axis", surface.axis, as_direction);
+  inner.optional("flip", surface.flip, as_flag);
   const std::optional<At> profile = inner.find("profile"), points = inner.find("points");
   bool good = false;
   if (profile && points)

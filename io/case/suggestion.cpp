@@ -1,5 +1,7 @@
 #include "io/case/suggestion.h"
 
+#include "io/case/other_words.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -45,8 +47,13 @@ int edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-std::string
-suggestion(std::string_view found, const std::vector<std::string>& known, std::string_view label) {
+std::string Meant::text() const {
+  return fmt::format("did you mean '{}'?{}{}", word, remark.empty() ? "" : " ", remark);
+}
+
+std::optional<Meant> meant(std::string_view found, const std::vector<std::string>& known) {
+  if (const std::optional<OurWord> ours = our_word(found, known))
+    return Meant{std::string(ours->word), std::string(ours->remark)};
   const std::string* nearest = nullptr;
   int least = 0;
   for (const std::string& word : known) {
@@ -58,8 +65,13 @@ suggestion(std::string_view found, const std::vector<std::string>& known, std::s
       least = distance;
     }
   }
-  if (nearest != nullptr)
-    return fmt::format("did you mean '{}'?", *nearest);
+  return nearest != nullptr ? std::optional(Meant{*nearest, {}}) : std::nullopt;
+}
+
+std::string
+suggestion(std::string_view found, const std::vector<std::string>& known, std::string_view label) {
+  if (const std::optional<Meant> word = meant(found, known))
+    return word->text();
   if (known.empty() || known.size() > most_listed)
     return {};
   return fmt::format("{} {}", label, fmt::join(known, ", "));

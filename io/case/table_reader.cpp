@@ -45,8 +45,10 @@ std::optional<At> TableReader::find(std::string_view key) {
 std::optional<At> TableReader::require(std::string_view key) {
   std::optional<At> at = find(key);
   if (!at && table_ != nullptr)
-    at_.context.complaints.add(at_.node.place,
-                               fmt::format("{}: missing, it must be given", joined(at_.path, key)));
+    missing_.push_back(
+        {std::string(key),
+         at_.context.complaints.add(
+             at_.node.place, fmt::format("{}: missing, it must be given", joined(at_.path, key)))});
   return at;
 }
 
@@ -71,15 +73,56 @@ std::vector<std::pair<std::string, At>> TableReader::named_items() {
   return items;
 }
 
+bool TableReader::is_known(const std::string& key) const {
+  return std::find(known_.begin(), known_.end(), key) != known_.end();
+}
+
+bool TableReader::settle_missing(const std::string& key) {
+  const auto at = std::find_if(missing_.begin(), missing_.end(),
+                               [&](const Missing& missing) { return missing.key == key; });
+  if (at == missing_.end())
+    return false;
+  at_.context.complaints.withdraw(at->complaint);
+  missing_.erase(at);
+  return true;
+}
+
+std::string TableReader::remedy_for(const std::string& key, std::size_t n_unknown) {
+  std::vector<std::string> missing;
+  for (const Missing& one : missing_)
+    missing.push_back(one.key);
+  if (const std::optional<Meant> word = meant(key, missing)) {
+    settle_missing(word->word);
+    return word->text();
+  }
+  std::string remedy = suggestion(key, known_);
+  if (missing.size() == 1 && n_unknown == 1) {
+    settle_missing(missing.front());
+    remedy =
+        fmt::format("'{}' is missing{}{}", missing.front(), remedy.empty() ? "" : "; ", remedy);
+  }
+  return remedy;
+}
+
+std::vector<std::string> TableReader::unknown_keys() const {
+  std::vector<std::string> keys;
+  if (table_ != nullptr)
+    for (const Entry& entry : table_->entries)
+      if (!is_known(entry.key))
+        keys.push_back(entry.key);
+  return keys;
+}
+
 void TableReader::finish() {
   if (table_ == nullptr)
     return;
+  std::size_t n_unknown = unknown_keys().size();
   for (const Entry& entry : table_->entries) {
-    if (std::find(known_.begin(), known_.end(), entry.key) != known_.end())
+    if (is_known(entry.key))
       continue;
     const TextPlace place = entry.node.place.override != 0 ? entry.node.place : entry.place;
     at_.context.complaints.add(place, fmt::format("{}: unknown key", joined(at_.path, entry.key)),
-                               suggestion(entry.key, known_));
+                               remedy_for(entry.key, n_unknown));
   }
 }
 

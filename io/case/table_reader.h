@@ -9,6 +9,7 @@
 #include "io/case/case.h"
 #include "io/case/document.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -81,7 +82,12 @@ public:
   /// The keys and values of a table whose keys are names given by the user; all count as known.
   [[nodiscard]] std::vector<std::pair<std::string, At>> named_items();
 
-  /// Complains about the keys nobody asked for. To be called once, last.
+  /// Keys that were asked for so far.
+  [[nodiscard]] const std::vector<std::string>& known_keys() const { return known_; }
+  /// Keys of the table that nobody asked for so far.
+  [[nodiscard]] std::vector<std::string> unknown_keys() const;
+  /// Complains about the keys nobody asked for. To be called once, last. A key that is missing and
+  /// one that is written in its place are one mistake, and one complaint.
   void finish();
 
 private:
@@ -97,9 +103,22 @@ private:
     return true;
   }
 
+  /// A key that must be there and is not.
+  struct Missing {
+    std::string key;
+    std::size_t complaint;
+  };
+
+  [[nodiscard]] bool is_known(const std::string& key) const;
+  /// Withdraws the complaint of a missing key. False: it is not missing.
+  bool settle_missing(const std::string& key);
+  /// What is said of an unknown key.
+  [[nodiscard]] std::string remedy_for(const std::string& key, std::size_t n_unknown);
+
   At at_;
   const Table* table_;
   std::vector<std::string> known_;
+  std::vector<Missing> missing_;
 };
 
 } // namespace billet::io

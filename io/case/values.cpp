@@ -1,17 +1,32 @@
 #include "io/case/values.h"
 
 #include "io/case/suggestion.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 
 #include <cctype>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace billet::io {
 
 namespace {
 
 constexpr int largest_count = 1'000'000;
+
+/// How a text that should be a plain number is written as one; empty: it is none.
+std::string as_plain_number(std::string_view text) {
+  text = trimmed(text);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (error != std::errc{} || !(rest.empty() || rest == "%"))
+    return {};
+  return fmt::format("write {}{}", rest.empty() ? value : value / 100.0,
+                     rest.empty() ? ", without quotes" : "");
+}
 
 /// A finite number in the case's units, bounds not yet checked.
 std::optional<double> finite_number(const At& at, const Number& kind) {
@@ -23,7 +38,8 @@ std::optional<double> finite_number(const At& at, const Number& kind) {
   else if (const auto* const text = at.node.as<std::string>()) {
     const Outcome<double> in_units = converted(*text, kind.measured, at.context.units);
     if (!in_units) {
-      at.complain(fmt::format("found {}, {}", shown(at.node), in_units.error().reason));
+      at.complain(fmt::format("found {}, {}", shown(at.node), in_units.error().reason),
+                  kind.measured.takes_unit ? "" : as_plain_number(*text));
       return std::nullopt;
     }
     value = *in_units;

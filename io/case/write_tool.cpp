@@ -71,11 +71,15 @@ std::string surface_text(const RevolutionSurface& surface, int size) {
       points.push_back(toml_text(std::vector<double>{point.x(), point.y()}));
     inner.add("points", toml_list(points)).add("closed", toml_text(surface.closed));
   }
+  inner.add("flip", toml_text(surface.flip));
   return TomlTable().add("revolution", inner.on_one_line()).on_one_line();
 }
 
 std::string surface_text(const ProfileSurface& surface, int /*size*/) {
-  return TomlTable().add("profile", toml_text(surface.file)).on_one_line();
+  return TomlTable()
+      .add("profile", toml_text(surface.file))
+      .add("flip", toml_text(surface.flip))
+      .on_one_line();
 }
 
 std::string surface_text(const PointsSurface& surface, int size) {
@@ -85,6 +89,7 @@ std::string surface_text(const PointsSurface& surface, int size) {
   return TomlTable()
       .add("points", toml_list(points))
       .add("closed", toml_text(surface.closed))
+      .add("flip", toml_text(surface.flip))
       .on_one_line();
 }
 

@@ -193,7 +193,7 @@ std::vector<Broken> damaged_text() {
                           {"m = 0.08", "mm = 0.08"},
                           {"end = 0.1", "end = \"0.1 mm\""}}),
        3,
-       {"quad9", "poisson: found 0.7", "friction.mm: unknown key", "friction.m: missing",
+       {"quad9", "poisson: found 0.7", "friction.mm: unknown key (did you mean 'm'?)",
         "time.end: found \"0.1 mm\""},
        {"quad9", "poisson = 0.7", "mm = 0.08", "end = \"0.1 mm\""}},
   };

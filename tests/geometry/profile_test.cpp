@@ -33,18 +33,6 @@ Profile punch() {
   return p;
 }
 
-Profile reversed(const Profile& p) {
-  Profile r;
-  r.closed = p.closed;
-  std::vector<Vec2> corners{p.start};
-  for (const ProfileSegment& s : p.segments)
-    corners.push_back(s.to);
-  r.start = corners.back();
-  for (std::size_t i = p.segments.size(); i-- > 0;)
-    r.segments.push_back({corners[i], -p.segments[i].radius, p.segments[i].large});
-  return r;
-}
-
 // Winding number of a polygon: independent of distances.
 bool inside(const std::vector<Vec2>& polygon, const Vec2& x) {
   double turn = 0.0;

@@ -97,6 +97,33 @@ TEST_F(ToolBuilder, APointsChainAndAProfileFileAreTurned) {
   EXPECT_NEAR(gap(), 1.0, 1e-12);
 }
 
+TEST_F(ToolBuilder, AFlippedProfileHasItsToolOnTheOtherSide) {
+  const std::filesystem::path path = folder_.path() / "roll.toml";
+  std::ofstream(path) << "start = [20, 30]\n[[segment]]\nto = [9, 19]\nradius = 11\n"
+                         "[[segment]]\nto = [9, -30]\n";
+  const auto gap_of = [&](const ToolSurface& surface) {
+    tool_.surface = surface;
+    const Vec3 x(10.0, 2.0, 0.0);
+    const contact::Tool built = build_tool(tool_, Analysis::plane_strain, 10.0, notes_);
+    geometry::Projection p;
+    built.surface->project({&x, 1}, 5.0, {&p, 1});
+    EXPECT_NE(built.facing.find("on the left of the direction"), std::string::npos);
+    return p.gap;
+  };
+  EXPECT_NEAR(gap_of(ProfileSurface{{"roll.toml", path}}), -1.0, 1e-12);
+  EXPECT_NEAR(gap_of(ProfileSurface{{"roll.toml", path}, true}), 1.0, 1e-12);
+  const std::vector<Vec3> points{{9, 30, 0}, {9, -30, 0}};
+  EXPECT_NEAR(gap_of(PointsSurface{points}), -1.0, 1e-12);
+  EXPECT_NEAR(gap_of(PointsSurface{points, false, true}), 1.0, 1e-12);
+  RevolutionSurface turned;
+  turned.points = {{30, 9}, {-30, 9}};
+  tool_.surface = turned;
+  EXPECT_NEAR(gap(), 1.0, 1e-12);
+  turned.flip = true;
+  tool_.surface = turned;
+  EXPECT_NEAR(gap(), -1.0, 1e-12);
+}
+
 TEST_F(ToolBuilder, AProfileBeyondTheAxisIsRefusedWithTheNameOfTheTool) {
   const std::filesystem::path path = folder_.path() / "roll.toml";
   std::ofstream(path) << "points = [[30, 9], [-30, -9]]\n";

@@ -52,7 +52,7 @@ const std::vector<Mistake>& mistakes() {
       {plane, "temperature = 20", "title = \"again\"", "not valid TOML"},
       {plane, "title = \"upsetting\"", "[=]", "'[' without a key"},
       // the workpiece
-      {plane, "[workpiece]", "[workpiec]", "workpiece: missing, it must be given", -1},
+      {plane, "[workpiece]", "[workpiec]", "workpiec: unknown key (did you mean 'workpiece'?)"},
       {plane, "\"quad8\"", "\"quad9\"", "workpiece.element: found \"quad9\", allowed is \"quad8\""},
       {plane, "\"quad8\"", "\"hex20\"", "workpiece.element: found \"hex20\", allowed is \"quad8\""},
       {space, "material = \"lead\"", "material = \"lead\"\nelement = \"quad8\"",
@@ -387,6 +387,66 @@ TEST(BrokenCase, is_complained_about_once_for_one_mistake) {
     EXPECT_LE(complaints.size(), 3U) << mistake.from << "  ->  " << mistake.to;
   }
   EXPECT_LE(more, mistakes().size() / 5);
+}
+
+/// One mistake of a beginner, and all that is to be said of it.
+struct BeginnersMistake {
+  std::string from;
+  std::string to;
+  std::string complaint;
+};
+
+TEST(BrokenCase, of_a_beginner_gets_one_message_with_the_remedy) {
+  const std::string tresca = R"({ law = "tresca", m = 0.08, k = "100 MPa" })";
+  const std::string swift = R"({ law = "swift", K = 740, eps0 = 0.01, n = 0.2 })";
+  const std::string elastic = R"(elastic = { young = "210 GPa", poisson = 0.3 })";
+  const std::vector<BeginnersMistake> all{
+      {tresca, R"({ law = "shear", m = 0.1 })", "did you mean 'tresca'? Its shear is m k"},
+      {tresca, R"({ law = "coulomb-tresca", mu = 0.1 })", "did you mean 'coulomb'? With cap ="},
+      {swift, R"({ law = "hollomon", K = 740, n = 0.2 })",
+       "did you mean 'swift'? With a small eps0, such as 1e-4, it is K eps^n"},
+      {swift, R"({ law = "Power Law", K = 740, n = 0.2 })", "did you mean 'swift'?"},
+      {tresca, "0.1", "found 0.1, allowed is a table such as { law = \"coulomb\", mu = 0.1 }"},
+      {tresca, "\"coulomb\"", "allowed is a table such as { law = \"coulomb\", mu = 0.1 }"},
+      {swift, "300", "found 300, allowed is a table such as { law = \"perfect\", yield ="},
+      {tresca, R"({ law = "coulomb", mu = "10 %" })",
+       "found \"10 %\", allowed is a number without a unit (write 0.1)"},
+      {tresca, R"({ law = "coulomb", mu = "0.1" })", "(write 0.1, without quotes)"},
+      {tresca, R"({ law = "coulomb", coefficient = 0.1 })",
+       "friction.coefficient: unknown key (did you mean 'mu'?)"},
+      {tresca, R"({ law = "tresca", mu = 0.1 })", "friction.mu: unknown key (did you mean 'm'?)"},
+      {tresca, R"({ law = "tresca", share = 0.1 })", "unknown key ('m' is missing; known are law"},
+      {elastic, "elastic = { youngs_modulus = 210e3, poisson = 0.3 }",
+       "elastic.youngs_modulus: unknown key (did you mean 'young'?)"},
+      {elastic, R"(elastic = { young = "210 GPa", poison = 0.3 })",
+       "elastic.poison: unknown key (did you mean 'poisson'?)"},
+      {"\"axisymmetric\"", "\"axisym\"", "did you mean 'axisymmetric'?"},
+      {"\"axisymmetric\"", "\"2D\"", "did you mean 'plane-strain'? Or 'axisymmetric'"},
+      {"\"quad8\"", "\"CAX8\"", "did you mean 'quad8'?"},
+      {"[workpiece]", "[part]", "part: unknown key (did you mean 'workpiece'?)"},
+      {R"({ velocity = [0, "-60 mm/min"] })", "{ speed = [0, -1] }",
+       "motion: found the key 'speed', allowed is velocity"},
+      {"{ plane = { point = [0, 7.5], normal = [0, -1] } }",
+       "{ plane = { origin = [0, 7.5], normal = [0, -1] } }",
+       "plane.origin: unknown key (did you mean 'point'?)"},
+      {"{ plane = { point = [0, 7.5], normal = [0, -1] } }",
+       "{ plain = { point = [0, 7.5], normal = [0, -1] } }", "(did you mean 'plane'?)"},
+      {"cells = [12, 18]", "elements = [12, 18]",
+       "mesh.elements: unknown key (did you mean 'cells'? They are the numbers of elements"},
+  };
+  for (const BeginnersMistake& mistake : all) {
+    SCOPED_TRACE(mistake.from + "  ->  " + mistake.to);
+    const auto complaints = complaints_of(replaced(plane_case, mistake.from, mistake.to));
+    ASSERT_GE(complaints.size(), 1U);
+    EXPECT_EQ(complaints.size(), 1U) << complaints.back().text();
+    EXPECT_NE(complaints.front().text().find(mistake.complaint), std::string::npos)
+        << complaints.front().text();
+  }
+  const auto complaints = complaints_of(replaced(space_case, "end = 1", "t_end = 1"));
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_NE(complaints.front().text().find("time.t_end: unknown key (did you mean 'end'?)"),
+            std::string::npos)
+      << complaints.front().text();
 }
 
 TEST(BrokenCase, gives_all_its_errors_in_one_go_in_the_order_of_the_file) {

@@ -34,6 +34,22 @@ TEST(ResolvedCase, keeps_presses) {
   expect_round_trip(content);
 }
 
+TEST(ResolvedCase, keeps_on_which_side_of_a_profile_the_tool_lies) {
+  for (const bool flip : {false, true}) {
+    Case content = read(plane_case);
+    content.tools[2].surface = PointsSurface{{{0, 0, 0}, {4, 0, 0}}, false, flip};
+    expect_round_trip(content);
+    const test::TemporaryFolder folder; // the file must lie beside the case
+    content.tools[2].surface =
+        ProfileSurface{{"die.toml", folder.file("die.toml", "points = [[0, 0], [4, 0]]")}, flip};
+    const Case again = read_case(folder.file("case.toml", resolved_toml(content)));
+    EXPECT_EQ(again.tools[2].surface, content.tools[2].surface) << resolved_toml(content);
+    content = read(space_case);
+    std::get<RevolutionSurface>(content.tools[4].surface).flip = flip;
+    expect_round_trip(content);
+  }
+}
+
 TEST(ResolvedCase, keeps_step_files) {
   const test::TemporaryFolder folder; // files must lie beside the case
   StepSurface plain;
