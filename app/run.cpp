@@ -3,6 +3,7 @@
 #include "app/command_line.h"
 #include "app/make_process.h"
 #include "app/progress.h"
+#include "app/stop_signals.h"
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
 #include "io/results/run_writer.h"
@@ -50,9 +51,17 @@ int exit_status(process::RunStatus status) {
   case process::RunStatus::not_converged:
     return static_cast<int>(Fault::not_converged);
   case process::RunStatus::stopped:
-    return 128 + Progress::signal();
+    return 128 + stop_signal();
   }
   return 0;
+}
+
+/// Of TBB, to the end of the program: to give the limit up would start a thread.
+void limit_threads(int threads) {
+  using oneapi::tbb::global_control;
+  static const auto* const limit = new global_control(global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(threads));
+  static_cast<void>(limit);
 }
 
 void print_summary(const process::Process& process,
@@ -120,8 +129,7 @@ int run_case(const Arguments& arguments) {
       arguments.output.value_or(std::filesystem::path("results") / name);
   const int available = oneapi::tbb::info::default_concurrency();
   const int threads = arguments.threads.value_or(content.solver.threads.value_or(available));
-  const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(threads));
+  limit_threads(threads);
   Progress progress(arguments.quiet);
   const ReadyProcess ready = make_process(content, arguments.file, threads);
   process::Process& process = *ready.process;
