@@ -43,7 +43,7 @@ constexpr Option case_options[] = {
 constexpr Option run_options[] = {
     {"-o", "DIR", "results go to DIR (default: results/<case name>)"},
     {"--threads", "N", "threads for assembly and contact search (default: all)"},
-    {"--quiet", "", "no progress on standard error, warnings alone"},
+    {"--quiet", "", "no progress on standard error, only warnings and errors"},
     {"--profile", "", "print where the time went"},
     {"--resume", "", "goes on from a checkpoint (not available in this version)"},
 };
@@ -160,8 +160,8 @@ std::string help() {
       "  billet --version        the version\n\n"
       "Exit status: 0 done; 2 usage; 3 bad case file; 4 bad geometry or mesh; 5 not converged\n"
       "(results up to the last good increment are valid); 6 input/output or disk; 7 memory or\n"
-      "another limit; 70 internal error; 130/143 stopped by SIGINT/SIGTERM after a clean end of\n"
-      "the increment.\n";
+      "another limit; 70 internal error; 129/130/143 stopped by SIGHUP/SIGINT/SIGTERM after a\n"
+      "clean end of the increment (a second signal: at once).\n";
   return text;
 }
 
