@@ -46,7 +46,7 @@ constexpr Option case_options[] = {
 constexpr Option run_options[] = {
     {"-o", "DIR", "results go to DIR (default: results/<case name>)", "--output"},
     {"--threads", "N", "threads for assembly and contact search (default: all)"},
-    {"--quiet", "", "no progress on standard error, warnings alone"},
+    {"--quiet", "", "no progress on standard error, only warnings and errors"},
     {"--profile", "", "print where the time went"},
     {"--resume", "", "goes on from a checkpoint (not available in this version)"},
 };
@@ -167,8 +167,8 @@ std::string help() {
       "Exit status: 0 done; 2 usage; 3 bad case file; 4 bad geometry or mesh; 5 not converged\n"
       "(results up to the last good increment are valid); 6 input/output or disk; 7 memory or\n"
       "another limit; 8 ran to its end, but the result fails a check that it must pass (named in\n"
-      "summary.json); 70 internal error; 130/143 stopped by SIGINT/SIGTERM after a clean end of\n"
-      "the increment.\n";
+      "summary.json); 70 internal error; 129/130/143 stopped by SIGHUP/SIGINT/SIGTERM after a\n"
+      "clean end of the increment (a second signal: at once).\n";
   return text;
 }
 

@@ -1,6 +1,7 @@
 // The program: finds the command, catches what goes wrong, gives the exit status.
 
 #include "app/command_line.h"
+#include "app/no_memory.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
 #include "mechanics/blas.h"
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -28,10 +30,12 @@ namespace app = billet::app;
 
 constexpr int internal_error = 70;
 
-/// Gives standard streams that are closed to /dev/null: no file of ours may take their numbers.
+/// Gives standard streams that are closed to /dev/null: no file of ours may take their numbers. To
+/// a standard output that was closed nothing can be written, and this is told at the end.
 void open_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0)
+    if (fcntl(stream, F_GETFD) < 0 &&
+        open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_RDWR) < 0)
       std::exit(internal_error);
 }
 
@@ -100,6 +104,7 @@ int after_output(int status) {
 
 int main(int argc, char** argv) {
   open_streams();
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of writing
   keep_freed_memory();
   billet::mechanics::set_blas_threads(1);
   billet::mechanics::flush_subnormal_numbers();
@@ -108,8 +113,10 @@ int main(int argc, char** argv) {
   } catch (const Error& error) {
     return report(static_cast<int>(error.fault()), error.what());
   } catch (const std::bad_alloc&) {
-    return report(static_cast<int>(Fault::limit), "not enough memory for this case");
+    return app::report_no_memory();
   } catch (const std::system_error& error) { // of std::filesystem and of output
+    if (error.code() == std::errc::not_enough_memory)
+      return app::report_no_memory();
     return report(static_cast<int>(Fault::input_output), error.what());
   } catch (const std::exception& error) {
     return report(internal_error, std::string("internal error: ") + error.what());

@@ -1,23 +1,20 @@
 #include "app/progress.h"
 
 #include "app/progress_bar.h"
-#include "geometry/base/error.h"
+#include "app/stop_signals.h"
+#include "io/results/atomic_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <utility>
 
 namespace billet::app {
 
 namespace {
-
-volatile std::sig_atomic_t caught = 0;
-
-void on_signal(int number) { caught = number; }
 
 /// Progress is a courtesy: a run goes on when nobody can be told.
 void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
@@ -26,16 +23,13 @@ void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 Progress::Progress(bool quiet, io::UnitSystem units)
     : quiet_(quiet), units_(std::move(units)), terminal_(isatty(STDERR_FILENO) != 0) {
-  std::signal(SIGINT, &on_signal);
-  std::signal(SIGTERM, &on_signal);
   std::signal(SIGPIPE, SIG_IGN); // a reader of the progress that left does not end the run
 }
 
-int Progress::signal() { return caught; }
-
-bool Progress::stop_requested() const { return caught != 0; }
+bool Progress::stop_requested() const { return stop_signal() != 0; }
 
 void Progress::write_to(std::filesystem::path file) {
+  notice_stop_signals(); // from now on there is something to lose
   path_ = std::move(file);
   file_.open(path_, std::ios::trunc);
   log(std::exchange(log_, {}));
@@ -49,15 +43,18 @@ void Progress::log(const std::string& text) {
   errno = 0;
   file_ << text << std::flush;
   if (!file_)
-    throw Error(Fault::input_output, path_.string(),
-                fmt::format("cannot be written: {}", std::strerror(errno)),
-                "free some space, or choose another folder with -o");
+    io::cannot_write(path_, errno);
 }
 
 void Progress::say(const std::string& line) {
   log(line + "\n");
-  if (!quiet_ || line.starts_with("warning: ") || line.starts_with("failed check "))
+  if (!quiet_ || line.starts_with("warning: "))
     tell(line + "\n");
+}
+
+void Progress::insist(const std::string& line) {
+  log(line + "\n");
+  tell(line + "\n");
 }
 
 void Progress::incremented(const process::Process& process,
@@ -86,8 +83,8 @@ void Progress::incremented(const process::Process& process,
 void Progress::failed(const process::Process&, const process::PostMortem& post) {
   if (terminal_ && !quiet_)
     tell("\n");
-  say(fmt::format("time {:.6g} could not be reached with increments down to {:.3g}: {}", post.time,
-                  post.dt, post.reason));
+  insist(fmt::format("billet: time {:.6g} could not be reached with increments down to {:.3g}: {}",
+                     post.time, post.dt, post.reason));
 }
 
 void Progress::remeshed(const process::Process&, const process::RemeshReport& r) {

@@ -5,7 +5,6 @@
 #include "io/case/case.h"
 #include "process/run.h"
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -15,7 +14,7 @@ namespace billet::app {
 /// Prints increments, keeps the log, ends the run after a signal.
 class Progress final : public process::Observer {
 public:
-  /// @param quiet  nothing on standard error
+  /// @param quiet  no progress on standard error; warnings and what went wrong stay
   Progress(bool quiet, io::UnitSystem units);
 
   void incremented(const process::Process& process,
@@ -27,12 +26,12 @@ public:
 
   /// Adds a line to the log and, unless quiet, to standard error.
   void say(const std::string& line);
+  /// Adds a line to the log and to standard error, quiet or not: what went wrong.
+  void insist(const std::string& line);
   /// Puts everything said so far into a file and adds every line to it from now on, so that a run
-  /// that is killed leaves its log too.
+  /// that is killed leaves its log too. From then on a signal ends the run after an increment.
   /// @throws Error(Fault::input_output), here or when a line cannot be written
   void write_to(std::filesystem::path file);
-  /// Signal that asked for the end; 0: none.
-  [[nodiscard]] static int signal();
 
 private:
   bool quiet_;

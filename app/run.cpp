@@ -3,6 +3,7 @@
 #include "app/command_line.h"
 #include "app/make_process.h"
 #include "app/progress.h"
+#include "app/stop_signals.h"
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
 #include "io/results/run_writer.h"
@@ -51,7 +52,7 @@ int exit_status(process::RunStatus status, bool usable) {
   case process::RunStatus::not_converged:
     return static_cast<int>(Fault::not_converged);
   case process::RunStatus::stopped:
-    return 128 + Progress::signal();
+    return 128 + stop_signal();
   }
   return 0;
 }
@@ -59,6 +60,14 @@ int exit_status(process::RunStatus status, bool usable) {
 std::string largest_in_words(const io::LargestForce& largest, const io::UnitSystem& units) {
   return fmt::format(" at the end, at most {:.6g} {} at time {:.6g} {}", largest.force.norm(),
                      units.force, largest.time, units.time);
+}
+
+/// Of TBB, to the end of the program: to give the limit up would start a thread.
+void limit_threads(int threads) {
+  using oneapi::tbb::global_control;
+  static const auto* const limit = new global_control(global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(threads));
+  static_cast<void>(limit);
 }
 
 void print_summary(const process::Process& process,
@@ -128,8 +137,7 @@ int run_case(const Arguments& arguments) {
       arguments.output.value_or(std::filesystem::path("results") / name);
   const int available = oneapi::tbb::info::default_concurrency();
   const int threads = arguments.threads.value_or(content.solver.threads.value_or(available));
-  const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(threads));
+  limit_threads(threads);
   Progress progress(arguments.quiet, content.units);
   const ReadyProcess ready = make_process(content, arguments.file, threads);
   process::Process& process = *ready.process;
@@ -150,7 +158,7 @@ int run_case(const Arguments& arguments) {
     progress.say(warning);
   const std::vector<process::FailedCheck> failed = process::failed_checks(process);
   for (const process::FailedCheck& check : failed)
-    progress.say(fmt::format("failed check '{}': {}", check.name, check.what));
+    progress.insist(fmt::format("failed check '{}': {}", check.name, check.what));
   const io::RunEnd end{ending(status, failed.empty()), exit_status(status, failed.empty()), failed};
   writer.write_summary(process, end);
   print_summary(process, content, writer.largest_forces(), end, folder);

@@ -78,8 +78,9 @@ public:
     b.x = ordered_.data();
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,
-                   &common_);
+    if (cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,
+                       &common_) == 0)
+      throw std::bad_alloc();
     const auto* x = static_cast<const double*>(solution_->x);
     for (std::size_t i = 0; i < rhs.size(); ++i)
       rhs[idx(order[i])] = x[i];

@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
+#include <new>
+#include <stdexcept>
 
 namespace billet::mechanics {
 
@@ -74,6 +77,27 @@ double tolerance_for(double asked, double correction, bool small) {
   return std::clamp(asked, exact, small ? loosest_if_small : 1.0);
 }
 
+/// METIS' nested dissection. It takes signals for its own: SIGTERM while it works ends it.
+void order_nodes(std::vector<idx_t>& start,
+                 std::vector<idx_t>& graph,
+                 std::vector<idx_t>& permutation,
+                 std::vector<idx_t>& inverse) {
+  const auto status_of_metis = [&] {
+    auto vertices = static_cast<idx_t>(permutation.size());
+    return METIS_NodeND(&vertices, start.data(), graph.data(), nullptr, nullptr, permutation.data(),
+                        inverse.data());
+  };
+  int status = status_of_metis();
+  if (status == METIS_ERROR) {
+    std::raise(SIGTERM); // for whom it was
+    status = status_of_metis();
+  }
+  if (status == METIS_ERROR_MEMORY)
+    throw std::bad_alloc();
+  if (status != METIS_OK)
+    throw std::runtime_error("METIS cannot order the unknowns");
+}
+
 } // namespace
 
 SolverWork SolverWork::after(const SolverWork& earlier) const {
@@ -109,10 +133,8 @@ std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
   }
   std::vector<idx_t> permutation(static_cast<std::size_t>(n));
   std::vector<idx_t> inverse(static_cast<std::size_t>(n));
-  idx_t vertices = n;
   if (n > 1)
-    METIS_NodeND(&vertices, start.data(), graph.data(), nullptr, nullptr, permutation.data(),
-                 inverse.data());
+    order_nodes(start, graph, permutation, inverse);
   std::vector<Index> order;
   for (const idx_t node : permutation)
     for (int i = 0; i < pattern.dim; ++i)

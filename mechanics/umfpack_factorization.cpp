@@ -42,8 +42,9 @@ public:
   void solve(std::span<double> rhs) override {
     // UMFPACK reads our rows as its columns: it holds the transpose.
     const std::vector<double> b(rhs.begin(), rhs.end());
-    umfpack_di_solve(UMFPACK_At, pattern_->row_start.data(), pattern_->columns.data(),
-                     values_.data(), rhs.data(), b.data(), numeric_, control_.data(), nullptr);
+    check(umfpack_di_solve(UMFPACK_At, pattern_->row_start.data(), pattern_->columns.data(),
+                           values_.data(), rhs.data(), b.data(), numeric_, control_.data(),
+                           nullptr));
   }
 
   void release() override {

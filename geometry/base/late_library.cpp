@@ -5,7 +5,9 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace billet {
@@ -21,17 +23,28 @@ void* opened(const char* library) {
   return beside != nullptr ? beside : ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
 }
 
+/// The loader tells reasons in words alone.
+bool tells_of_memory(std::string_view reason) {
+  for (const std::string_view words : {"llocate memory", "out of memory", "failed to map segment"})
+    if (reason.find(words) != std::string_view::npos)
+      return true;
+  return false;
+}
+
 } // namespace
 
 void* late_symbol(const char* library, const char* name) {
   void* const handle = opened(library); // stays until the program ends
   void* const symbol = handle == nullptr ? nullptr : ::dlsym(handle, name);
-  if (symbol == nullptr)
-    throw Error(Fault::input_output, library,
-                "a part of the program cannot be loaded: " + std::string(::dlerror()),
-                "it is built with the program and belongs beside it; if it is there, a package "
-                "that it needs is missing: ./dev build installs all of them");
-  return symbol;
+  if (symbol != nullptr)
+    return symbol;
+  const char* const reason = ::dlerror();
+  if (tells_of_memory(reason))
+    throw std::bad_alloc();
+  throw Error(Fault::input_output, library,
+              "a part of the program cannot be loaded: " + std::string(reason),
+              "it is built with the program and belongs beside it; if it is there, a package "
+              "that it needs is missing: ./dev build installs all of them");
 }
 
 } // namespace billet

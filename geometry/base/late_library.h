@@ -11,7 +11,8 @@ namespace billet {
 /// Address of a function in one of these libraries.
 ///
 /// @param library  its file's name
-/// @throws Error   (Fault::input_output) where it cannot be loaded
+/// @throws Error   (Fault::input_output) where it cannot be loaded; std::bad_alloc for want of
+///                 memory
 [[nodiscard]] void* late_symbol(const char* library, const char* name);
 
 /// The same as a function.

@@ -38,19 +38,12 @@ int open_table(const std::filesystem::path& path, int mode) {
 /// Appends a whole row; of a row that does not fit nothing stays.
 void append(int file, const std::filesystem::path& path, std::string_view row) {
   const ::off_t before = ::lseek(file, 0, SEEK_END);
-  std::size_t written = 0;
-  while (written < row.size()) {
-    const ::ssize_t n = ::write(file, row.data() + written, row.size() - written);
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n <= 0) {
-      const int reason = n < 0 ? errno : ENOSPC;
-      // If this fails too there is nothing left to do: the error below is reported anyway.
-      [[maybe_unused]] const int result = before >= 0 ? ::ftruncate(file, before) : 0;
-      cannot_write(path, reason);
-    }
-    written += static_cast<std::size_t>(n);
-  }
+  const int reason = write_all(file, row);
+  if (reason == 0)
+    return;
+  // If this fails too there is nothing left to do: the error below is reported anyway.
+  [[maybe_unused]] const int result = before >= 0 ? ::ftruncate(file, before) : 0;
+  cannot_write(path, reason);
 }
 
 /// A text as a cell of the table: quoted if it has a comma, a quote or a line end.

@@ -322,10 +322,13 @@ RunWriter::RunWriter(std::filesystem::path folder,
       facts_(std::move(facts)), settings_{content.units, analysis_name(content.analysis),
                                           content.title},
       every_(content.output.every.value_or(content.time.end / frames_by_default)) {
+  make_folder(folder_, Durable::yes);
+  lock_.emplace(folder_);
   make_folder(folder_ / "frames");
   write_file(folder_ / "case.resolved.toml", resolved_toml(content));
   // Only now that the folder has proved writable.
   remove_earlier_run(folder_);
+  synchronize(folder_); // lest a power cut bring an earlier summary back
 }
 
 RunWriter::~RunWriter() {
@@ -390,25 +393,27 @@ void RunWriter::incremented(const process::Process& process,
 void RunWriter::write_frame(const process::Process& process) {
   const std::vector<Vec3> points = points_of(process.positions(), process.scene().mesh.dimension());
   const std::string number = fmt::format("{:04d}", frames_++);
-  const auto add = [&](const std::string& part, const std::string& suffix) {
+  // The list gets a file's name only once the file is there.
+  const auto add = [&](const std::string& part, const auto& write, const auto& frame,
+                       const std::string& suffix) {
     const std::filesystem::path file =
         std::filesystem::path("frames") / (part + "_" + number + suffix);
+    write(folder_ / file, frame);
     entries_.push_back({process.time(), part, file});
-    return folder_ / file;
   };
   WorkpieceFrame workpiece = workpiece_frame(process, points, settings_);
   select_fields(workpiece.point_fields, content_->output);
   select_fields(workpiece.cell_fields, content_->output);
-  write_vtu(add("workpiece", ".vtu"), workpiece);
+  add("workpiece", write_vtu, workpiece, ".vtu");
   if (process.contact() != nullptr) {
     SurfaceFrame contact = contact_frame(process, points, settings_);
     select_fields(contact.cell_fields, content_->output);
-    write_vtp(add("contact", ".vtp"), contact);
+    add("contact", write_vtp, contact, ".vtp");
   }
   for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
     SurfaceFrame tool = tool_frame(process, t, points, settings_);
     select_fields(tool.cell_fields, content_->output);
-    write_vtp(add("tool-" + process.scene().tools[t].name, ".vtp"), tool);
+    add("tool-" + process.scene().tools[t].name, write_vtp, tool, ".vtp");
   }
   last_frame_ = process.time();
   // A list for every frame would be a quarter of what small frames cost.
@@ -473,9 +478,21 @@ void RunWriter::finished(const process::Process& process) {
     write_frame(process);
 }
 
+/// A power cut may take what is not on the disk: everything but the summary, then its folders.
+void RunWriter::synchronize_results() const {
+  for (const PvdEntry& entry : entries_)
+    synchronize(folder_ / entry.file);
+  const std::string list = name_ + ".pvd";
+  for (const char* file : {list.c_str(), "history.csv", "iterations.csv", "remesh.csv", "run.log",
+                           "case.resolved.toml", "failure/last_good.vtu", "failure/post_mortem.txt",
+                           "failure", "frames", ""})
+    synchronize(folder_ / file);
+}
+
 void RunWriter::write_summary(const process::Process& process, const RunEnd& end) {
   if (entries_.size() > n_listed_)
     write_list();
+  synchronize_results();
   const mechanics::Mesh& mesh = process.scene().mesh;
   ordered_json summary;
   summary["title"] = content_->title;
@@ -531,7 +548,7 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
     summary["failure"] = {{"time", post_->time}, {"reason", post_->reason}};
   summary["seconds"] = timings_json(process.times());
   summary["linear_solver"] = solver_json(process.solver_work());
-  write_file(folder_ / "summary.json", summary.dump(2) + "\n");
+  write_file(folder_ / "summary.json", summary.dump(2) + "\n", Durable::yes);
 }
 
 } // namespace billet::io

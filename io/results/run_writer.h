@@ -3,12 +3,14 @@
 // DIR/<case>.pvd, DIR/frames/, DIR/history.csv, DIR/iterations.csv, DIR/summary.json,
 // DIR/case.resolved.toml; DIR/remesh.csv with a row a remeshing; DIR/failure/ when an increment
 // cannot be solved. Every file is written under a temporary name and renamed, the tables grow by
-// whole rows.
+// whole rows. The folder is locked as long as the writer lives. What the summary speaks for is on
+// the disk before the summary is.
 
 #pragma once
 
 #include "io/case/case.h"
 #include "io/results/csv_writer.h"
+#include "io/results/folder_lock.h"
 #include "io/results/frames.h"
 #include "io/results/largest_force.h"
 #include "io/results/pvd.h"
@@ -41,7 +43,7 @@ struct RunEnd {
 class RunWriter final : public process::Observer {
 public:
   /// Makes the folder and writes the resolved case.
-  /// @throws Error (Fault::input_output)
+  /// @throws Error (Fault::input_output), also if another run writes there
   RunWriter(std::filesystem::path folder, std::string name, const Case& content, RunFacts facts);
   /// Lists the frames of a run that broke off.
   ~RunWriter() override;
@@ -72,9 +74,11 @@ private:
   void note_unmet_tools(const process::Process& process, const process::IncrementReport& report);
   void write_frame(const process::Process& process);
   void write_list();
+  void synchronize_results() const;
   [[nodiscard]] bool frame_due(double time) const;
 
   std::filesystem::path folder_;
+  std::optional<FolderLock> lock_; ///< outlives what writes there
   std::string name_;
   const Case* content_;
   RunFacts facts_;

@@ -225,8 +225,12 @@ TEST_F(CommandLine, standard_streams_that_are_closed_or_full_do_no_harm) {
     for (const int stream : {0, 1, 2})
       ::close(stream);
   };
-  EXPECT_EQ(billet(Start{{"run", "tiny.toml", "-o", "a"}, folder_.path(), closed}).status, 0);
+  EXPECT_EQ(billet(Start{{"run", "tiny.toml", "-o", "a"}, folder_.path(), closed}).status, 6);
   expect_whole_results(folder_.path() / "a", "tiny");
+  const Outcome deaf =
+      billet(Start{{"check", "tiny.toml"}, folder_.path(), [] { ::close(STDOUT_FILENO); }});
+  EXPECT_EQ(deaf.status, 6);
+  EXPECT_TRUE(deaf.says("standard output cannot be written")) << deaf.err;
   const auto full = [](int stream) { ::dup2(::open("/dev/full", O_WRONLY), stream); };
   EXPECT_EQ(billet(Start{{"run", "tiny.toml", "-o", "b"}, folder_.path(), [&] { full(2); }}).status,
             0);

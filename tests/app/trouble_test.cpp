@@ -10,6 +10,11 @@
 #include <sys/mount.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
 
 namespace billet::test::trouble_test {
 
@@ -50,7 +55,7 @@ std::function<void()> files_up_to(::rlim_t bytes) {
   return [bytes] {
     const ::rlimit limit{bytes, bytes};
     ::setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_DFL); // the signal is no end of the program
   };
 }
 
@@ -149,7 +154,7 @@ TEST_F(Trouble, a_folder_that_may_not_be_written_is_refused) {
 }
 
 TEST_F(Trouble, signals_end_the_run_after_a_whole_increment) {
-  for (const auto& [number, status] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+  for (const auto& [number, status] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
     const std::string name = "out" + std::to_string(number);
     Program program(Start{{"run", "long.toml", "--quiet", "-o", name}, folder_.path()});
     const auto started = [&] {
@@ -157,6 +162,7 @@ TEST_F(Trouble, signals_end_the_run_after_a_whole_increment) {
     };
     ASSERT_TRUE(program.wait_until(started));
     program.signal(number);
+    program.signal(number); // as timeout(1) does: to the process, and to its group
     const Outcome outcome = program.end();
     EXPECT_FALSE(outcome.crashed);
     EXPECT_EQ(outcome.status, status) << outcome.err;
@@ -172,6 +178,98 @@ TEST_F(Trouble, signals_end_the_run_after_a_whole_increment) {
     EXPECT_LT(last, 1.0);
     EXPECT_EQ(frame_times(at(name) / "long.pvd").back(), last);
   }
+}
+
+/// Standard error is a pipe that nobody reads: the program waits once it is full.
+void into_a_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe(ends.data()) != 0 || ::fcntl(ends[1], F_SETPIPE_SZ, 4096) < 0 ||
+      ::dup2(ends[1], STDERR_FILENO) < 0)
+    ::_exit(126);
+}
+
+TEST_F(Trouble, a_second_signal_ends_the_program_at_once) {
+  for (const auto& [number, status] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    const std::string name = "out" + std::to_string(number);
+    Program program(Start{{"run", "long.toml", "-o", name}, folder_.path(), into_a_pipe});
+    std::string rows;
+    const auto waits = [&] { // for its words to be read
+      std::this_thread::sleep_for(std::chrono::milliseconds(250));
+      const std::string before = std::exchange(rows, whole_file(at(name) / "history.csv"));
+      return rows.size() > 2000 && rows == before;
+    };
+    ASSERT_TRUE(program.wait_until(waits));
+    for (int i = 0; i < 2; ++i) {
+      program.signal(SIGHUP); // which never ends it at once
+      std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    }
+    EXPECT_TRUE(program.wait_until([] { return true; }));
+    program.signal(number);
+    const Outcome outcome = program.end();
+    EXPECT_EQ(outcome.status, status);
+    EXPECT_FALSE(std::filesystem::exists(at(name) / "summary.json"));
+  }
+}
+
+TEST_F(Trouble, a_closed_terminal_does_not_end_a_run_under_nohup) {
+  const auto nohup = [] { std::signal(SIGHUP, SIG_IGN); };
+  Program program(Start{{"run", "long.toml", "--quiet", "-o", "out"}, folder_.path(), nohup});
+  const auto frame = [&](const std::string& number) {
+    return [this, number] {
+      return std::filesystem::exists(at("out") / ("frames/workpiece_" + number + ".vtu"));
+    };
+  };
+  ASSERT_TRUE(program.wait_until(frame("0001")));
+  program.signal(SIGHUP);
+  EXPECT_TRUE(program.wait_until(frame("0004")));
+}
+
+TEST_F(Trouble, a_folder_that_a_run_writes_to_is_not_for_another) {
+  Program first(Start{{"run", "long.toml", "--quiet", "-o", "out"}, folder_.path()});
+  const auto frame = [&](const std::string& number) {
+    return [this, number] {
+      return std::filesystem::exists(at("out") / ("frames/workpiece_" + number + ".vtu"));
+    };
+  };
+  ASSERT_TRUE(first.wait_until(frame("0001")));
+  const std::string lock = whole_file(at("out") / ".billet.lock");
+  const std::string process = lock.substr(0, lock.find('\n')); // "process 4711"
+  for (const char* folder : {"out", "./out/", "link"}) {
+    if (std::string(folder) == "link")
+      std::filesystem::create_symlink("out", at("link"));
+    const Outcome second = billet({"run", "tiny.toml", "--quiet", "-o", folder}, folder_.path());
+    EXPECT_EQ(second.status, 6) << folder;
+    EXPECT_TRUE(second.says("another run writes its results here: " + process + " on "))
+        << second.err;
+    EXPECT_TRUE(second.says(lock.substr(lock.find("since "), 25))) << second.err;
+    EXPECT_TRUE(second.says("choose another folder with -o")) << second.err;
+    EXPECT_FALSE(std::filesystem::exists(at("out") / "tiny.pvd"));
+  }
+  EXPECT_TRUE(first.wait_until(frame("0003"))); // the first goes on
+  first.signal(SIGKILL);
+  EXPECT_EQ(first.end().status, 128 + SIGKILL);
+  EXPECT_TRUE(std::filesystem::exists(at("out") / ".billet.lock")); // nobody's now
+  EXPECT_EQ(billet({"run", "tiny.toml", "--quiet", "-o", "out"}, folder_.path()).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(at("out") / ".billet.lock"));
+}
+
+TEST_F(Trouble, of_many_runs_into_one_folder_one_at_a_time_writes) {
+  std::vector<std::unique_ptr<Program>> runs;
+  for (int i = 0; i < 8; ++i)
+    runs.push_back(std::make_unique<Program>(
+        Start{{"run", "tiny.toml", "--quiet", "--threads", "1", "-o", "out", "--set",
+               "time.increments={ first = 0.002, max = 0.002 }"},
+              folder_.path()}));
+  int done = 0;
+  for (auto& run : runs) {
+    const Outcome outcome = run->end();
+    EXPECT_TRUE(outcome.status == 0 || outcome.status == 6) << outcome.err;
+    done += outcome.status == 0 ? 1 : 0;
+  }
+  EXPECT_GE(done, 1);
+  expect_whole_results(at("out"), "tiny");
+  const auto summary = nlohmann::json::parse(whole_file(at("out") / "summary.json"));
+  EXPECT_EQ(read_table(at("out") / "history.csv").rows.size(), summary.at("increments"));
 }
 
 TEST_F(Trouble, a_killed_run_leaves_whole_files) {
@@ -194,6 +292,8 @@ TEST_F(Trouble, an_increment_without_solution_ends_with_status_5_and_a_post_mort
               "time.increments={ first = 0.2, min = 0.1, max = 0.2 }"},
              folder_.path());
   EXPECT_EQ(outcome.status, 5) << outcome.err << outcome.out;
+  EXPECT_TRUE(outcome.says("billet: time 7")) << outcome.err; // quiet or not
+  EXPECT_TRUE(outcome.says("could not be reached")) << outcome.err;
   EXPECT_TRUE(outcome.prints("not-converged at time")) << outcome.out;
   EXPECT_TRUE(outcome.prints("what went wrong: out/failure/post_mortem.txt")) << outcome.out;
   const std::string post = whole_file(at("out") / "failure/post_mortem.txt");
@@ -241,6 +341,50 @@ TEST_F(Trouble, too_little_memory_ends_with_status_7) {
     EXPECT_EQ(outcome.status, 7) << cells << ": " << outcome.err;
     EXPECT_TRUE(outcome.says("not enough memory") || outcome.says("too large")) << outcome.err;
   }
+}
+
+/// A run in space: a matrix that takes OpenBLAS's buffer, with threads of TBB.
+const std::string ball_on_block = R"(analysis = "3d"
+[workpiece]
+element = "hex20"
+material = "m"
+mesh = { box = [[0, 0, 0], [4, 4, 3]], cells = [6, 6, 4] }
+[material.m]
+elastic = { young = "200 GPa", poisson = 0.3 }
+flow = { law = "voce", yield = 300, saturation = 500, rate = 5 }
+[[support]]
+where = "z = 0"
+fix = ["x", "y", "z"]
+[[tool]]
+name = "ball"
+surface = { sphere = { centre = [2, 2, 8], radius = 5 } }
+motion = { velocity = [0, 0, -1] }
+friction = { law = "tresca", m = 0.3 }
+[time]
+end = 0.004
+)";
+
+TEST_F(Trouble, address_space_of_any_size_is_enough_or_ends_the_run_with_status_7) {
+  write_text(at("ball.toml"), ball_on_block);
+  int too_small = 0;
+  for (::rlim_t kilobytes = 75000; kilobytes <= 250000; kilobytes += 25000) {
+    const auto little = [kilobytes] {
+      const ::rlimit limit{kilobytes << 10U, kilobytes << 10U};
+      ::setrlimit(RLIMIT_AS, &limit);
+    };
+    if (billet(Start{{"--version"}, {}, little}).status != 0)
+      continue; // the system cannot load the program
+    const Outcome outcome = billet(Start{
+        {"run", "ball.toml", "--quiet", "--threads", "2", "-o", "out"}, folder_.path(), little});
+    EXPECT_FALSE(outcome.crashed) << kilobytes << ": " << outcome.err;
+    if (outcome.status == 0)
+      continue;
+    ++too_small;
+    EXPECT_EQ(outcome.status, 7) << kilobytes << ": " << outcome.err;
+    EXPECT_TRUE(outcome.says("billet: not enough memory")) << kilobytes << ": " << outcome.err;
+  }
+  if (too_small == 0)
+    GTEST_SKIP() << "this build of the program does not start within so little";
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
+#include <iterator>
 
 namespace billet::io::atomic_file_test {
 namespace {
@@ -35,8 +35,8 @@ TEST(AtomicFile, writes_and_replaces_whole_files_and_leaves_nothing_else) {
   const auto path = folder.path() / "a.txt";
   write_file(path, "first");
   EXPECT_EQ(content_of(path), "first");
-  write_file(path, [](std::ostream& stream) { stream << "second " << 2; });
-  EXPECT_EQ(content_of(path), "second 2");
+  write_file(path, "second", Durable::yes);
+  EXPECT_EQ(content_of(path), "second");
   write_file(path, "");
   EXPECT_EQ(content_of(path), "");
   EXPECT_EQ(n_files(folder.path()), 1U);
@@ -57,20 +57,6 @@ TEST(AtomicFile, a_full_disk_leaves_the_earlier_file_and_no_temporary_one) {
   EXPECT_EQ(n_files(folder.path()), 1U);
 }
 
-TEST(AtomicFile, an_exception_of_the_caller_leaves_the_earlier_file) {
-  const TemporaryFolder folder;
-  const auto path = folder.file("a.txt", "earlier");
-  const auto interrupted = [&] {
-    write_file(path, [](std::ostream& stream) {
-      stream << "half";
-      throw std::runtime_error("stop");
-    });
-  };
-  EXPECT_THROW(interrupted(), std::runtime_error);
-  EXPECT_EQ(content_of(path), "earlier");
-  EXPECT_EQ(n_files(folder.path()), 1U);
-}
-
 TEST(AtomicFile, places_that_cannot_hold_files_are_refused_with_the_reason) {
   const TemporaryFolder folder;
   const auto file = folder.file("a.txt", "earlier");
@@ -82,14 +68,26 @@ TEST(AtomicFile, places_that_cannot_hold_files_are_refused_with_the_reason) {
   EXPECT_FALSE(complaint("/proc/billet.txt", "x").message.empty());
 }
 
+TEST(AtomicFile, files_and_folders_are_synchronized_and_those_that_are_gone_are_left_out) {
+  const TemporaryFolder folder;
+  synchronize(folder.file("a.txt", "x"));
+  synchronize(folder.path());
+  synchronize(folder.path() / "");
+  synchronize(folder.path() / "absent");
+  synchronize("/dev/null"); // knows no such thing
+  EXPECT_THROW(synchronize(folder.path() / "a.txt" / "b"), Error);
+}
+
 TEST(AtomicFile, folders_are_made_with_those_above_them) {
   const TemporaryFolder folder;
   make_folder(folder.path() / "a" / "b");
   make_folder(folder.path() / "a" / "b");
   EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "a" / "b"));
+  make_folder(folder.path() / "c" / "d" / "", Durable::yes);
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "c" / "d"));
   const auto file = folder.file("a.txt", "");
   EXPECT_THROW(make_folder(file), Error);
-  EXPECT_THROW(make_folder(file / "b"), Error);
+  EXPECT_THROW(make_folder(file / "b", Durable::yes), Error);
 }
 
 } // namespace
