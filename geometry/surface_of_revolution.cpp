@@ -116,8 +116,7 @@ std::vector<ToolCorner> corners_round(const Axis& axis, const std::vector<Meridi
     const bool within = axis.direction.z() == 0.0 && axis.origin.z() == 0.0;
     if (across ? circle.r != 0.0 : !within)
       continue; // the section is another one
-    const Vec3 centre =
-        axis.origin + circle.h * axis.direction + circle.r * axis.perpendicular;
+    const Vec3 centre = axis.origin + circle.h * axis.direction + circle.r * axis.perpendicular;
     for (int quarter = 0; quarter < 4; ++quarter) {
       const auto normal = [&](int eighths) {
         const double angle = 0.25 * std::numbers::pi * eighths;

@@ -128,9 +128,8 @@ public:
     const auto [low, high] = heights(axis_, search.window);
     for (const MeridianBall& ball :
          meridian_.narrow(low - search.width, high + search.width, search.width))
-      add_around(
-          {axis_.origin + ball.h * axis_.direction, axis_.direction, ball.r, ball.radius}, search,
-          balls);
+      add_around({axis_.origin + ball.h * axis_.direction, axis_.direction, ball.r, ball.radius},
+                 search, balls);
     return balls;
   }
 

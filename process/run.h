@@ -269,7 +269,7 @@ public:
     double share = 0.0;     ///< [-]
     double depth = 0.0;     ///< of the deepest point found [mm]
     double at_points = 0.0; ///< of the deepest contact point then [mm]
-    double time = 0.0;  ///< [s]
+    double time = 0.0;      ///< [s]
     std::size_t tool = 0;
     Vec3 place = Vec3::Zero(); ///< in space [mm]
   };
@@ -599,8 +599,8 @@ private:
   contact::Penetration penetration_; ///< of the last increment, or of the last solution tried
   DeepestTool deepest_tool_;
   double narrow_radius_ = -1.0; ///< of the tool where it is the deepest; < 0: it is not narrow [mm]
-  bool refused_as_too_deep_ = false; ///< the last try
-  bool refused_inside_out_ = false;  ///< likewise
+  bool refused_as_too_deep_ = false;                     ///< the last try
+  bool refused_inside_out_ = false;                      ///< likewise
   std::vector<contact::ContactTerm::Restless> restless_; ///< of the last try that had any
   int turned_inside_out_ = 0; ///< increments refused for that on the present mesh
   contact::ProcessWindow window_;
