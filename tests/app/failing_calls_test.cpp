@@ -168,6 +168,16 @@ TEST_F(FailingCalls, memory_that_ends_anywhere_ends_the_run_with_status_7) {
   EXPECT_GT(failed, 20);
 }
 
+TEST_F(FailingCalls, an_order_of_the_unknowns_without_memory_is_no_tangent_without_solution) {
+  bool of_metis = false;
+  for (int i = 400; !of_metis && i < 6000; i += 30) { // METIS takes some ninety blocks
+    const Outcome outcome = run_failing("malloc:" + std::to_string(i));
+    EXPECT_EQ(outcome.status, 7) << i << ": " << outcome.err;
+    of_metis = outcome.says("Memory allocation failed");
+  }
+  EXPECT_TRUE(of_metis);
+}
+
 TEST_F(FailingCalls, a_folder_on_a_file_system_without_locks_is_kept_by_what_its_lock_says) {
   ASSERT_EQ(run_failing("flock:1+").status, 0);
   EXPECT_FALSE(std::filesystem::exists(out() / ".billet.lock"));

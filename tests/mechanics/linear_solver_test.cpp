@@ -5,16 +5,20 @@
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace billet::mechanics::linear_solver_test {
@@ -127,6 +131,25 @@ TEST(LinearSolver, every_backend_agrees_with_the_dense_solution) {
       problem.scale(7, 1.5);
     }
   }
+}
+
+volatile std::sig_atomic_t signals = 0;
+
+TEST(LinearSolver, a_signal_while_the_unknowns_are_ordered_reaches_the_program_and_spoils_nothing) {
+  const BlockPattern pattern =
+      block_pattern(box_mesh({.kind = ElementKind::hex8, .cells = {30, 30, 30}}));
+  const auto before = std::signal(SIGTERM, [](int) { signals = signals + 1; });
+  std::thread sender([here = ::pthread_self()] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // METIS takes some hundred
+    ::pthread_kill(here, SIGTERM);
+  });
+  std::vector<Index> order = fill_reducing_order(pattern);
+  sender.join();
+  std::signal(SIGTERM, before);
+  EXPECT_EQ(signals, 1);
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    ASSERT_EQ(order[i], static_cast<Index>(i));
 }
 
 /// Unit springs between all unknowns of neighbouring nodes, and to the ground one of `ground`.

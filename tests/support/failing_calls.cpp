@@ -136,10 +136,10 @@ int close(int file) {
   return failed ? (errno = EIO, -1) : result;
 }
 
+/// The disk itself is not asked: a test has nothing to keep, and would wait for it long.
 int fsync(int file) {
-  static auto* const call = own<decltype(fsync)>("fsync");
   note("fsync", file);
-  return fails("fsync", EIO) ? -1 : call(file);
+  return fails("fsync", EIO) ? -1 : 0;
 }
 
 int flock(int file, int operation) noexcept {
