@@ -143,6 +143,9 @@ RunState Process::run_state() const {
   s.x = x_;
   s.states.assign(bulk_->states().begin(), bulk_->states().end());
   s.temperatures.assign(bulk_->temperatures().begin(), bulk_->temperatures().end());
+  s.velocity = velocity_;
+  s.last_step = last_step_;
+  s.last_dt = last_dt_;
   s.plastic_rate = plastic_rate_;
   if (contact_)
     s.contact = contact_->state();
@@ -208,7 +211,14 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
     to.x = positions_in(from);
     mechanics::Mesh mesh = part.mesh;
     mesh.points = points_at(to.x, mesh);
-    to.x.insert(to.x.end(), from.x.begin() + static_cast<std::ptrdiff_t>(x0_.size()), from.x.end());
+    const auto n_nodal = static_cast<std::ptrdiff_t>(x0_.size());
+    to.x.insert(to.x.end(), from.x.begin() + n_nodal, from.x.end());
+    to.velocity = at_nodes(from.velocity);
+    if (!from.last_step.empty()) {
+      to.last_step = at_nodes(from.last_step);
+      to.last_step.insert(to.last_step.end(), from.last_step.begin() + n_nodal,
+                          from.last_step.end());
+    }
     const std::span<const double> nodes(from.x.data(), x0_.size());
     mechanics::TransferredState state = mechanics::transfer_state(
         {&scene_.mesh, nodes, from.states, from.temperatures, from.plastic_rate}, mesh,
@@ -227,14 +237,7 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
   for (const auto& from : remembered_)
     if (from->time < time_ && worst_quality(part.mesh, positions_in(*from)) > least)
       carried.begun.push_back(carry(*from));
-  if (!last_step_.empty()) {
-    carried.guess = at_nodes(last_step_);
-    carried.guess.insert(carried.guess.end(),
-                         last_step_.begin() + static_cast<std::ptrdiff_t>(x0_.size()),
-                         last_step_.end());
-  }
   carried.origins = at_nodes(x0_);
-  carried.velocity = at_nodes(velocity_);
   return carried;
 }
 
@@ -259,7 +262,7 @@ std::vector<contact::PointSource> Process::exchange_mesh(NewPart anew, const Car
   pattern_ = mechanics::block_pattern(scene_.mesh);
   x0_ = carried.origins;
   x_ = carried.now.state.x;
-  velocity_ = carried.velocity;
+  velocity_ = carried.now.state.velocity;
   const int dim = scene_.mesh.dimension();
   for (const Support& support : scene_.supports)
     for (const Index node : support.nodes) {
@@ -285,6 +288,9 @@ void Process::start_from(const CarriedState& at,
   if (report.laps.empty()) // what lay in a lap that has been welded is gone
     restore_volume(at.before.volume, to.contact, sources);
   trial_x_ = x_;
+  velocity_ = to.velocity;
+  last_step_ = to.last_step;
+  last_dt_ = to.last_dt;
   bulk_->adopt(x_, to.states, to.temperatures, to.plastic_work);
   bulk_->keep_volume(to.reference_volume);
   plastic_rate_ = to.plastic_rate;
@@ -341,7 +347,6 @@ double Process::jump_from(std::span<const double> before) const {
 void Process::settle(const CarriedOver& carried,
                      std::span<const double> forces,
                      RemeshReport& report) {
-  const double dt = last_dt_;
   // On a long way, by a small radius above all, the mesh may end far from how it was made. In space
   // qualities are halved by less than that, and the force changes more after a shorter way.
   const bool plane = scene_.mesh.dimension() == 2;
@@ -349,8 +354,8 @@ void Process::settle(const CarriedOver& carried,
   const double least =
       of_made * worst_quality(scene_.mesh, std::span(carried.now.state.x).first(x0_.size()));
   const auto goes_through = [&](const CarriedState& from) {
-    last_dt_ = dt;
     start_from(from, carried.sources, report);
+    last_dt_ = carried.now.state.last_dt; // the way ends at the pace that there is now
     report.again = restore_balance(report) ? solve_again(carried.now.state) : 0;
     return report.again > 0;
   };
@@ -376,8 +381,6 @@ void Process::settle(const CarriedOver& carried,
   if (report.balanced)
     return;
   start_from(carried.now, carried.sources, report);
-  last_step_ = carried.guess;
-  last_dt_ = dt;
   const bool at_rest = increment_ == 0; // nothing has acted on the part yet
   report.balanced = at_rest || restore_balance(report);
 }

@@ -56,6 +56,9 @@ struct RunState {
   std::vector<double> x; ///< of the nodes, then of driven tools
   std::vector<mechanics::PointState> states;
   std::vector<double> temperatures; ///< of the points; empty: isothermal [degC]
+  std::vector<double> velocity;     ///< of the nodes in the increment that ended there [mm/s]
+  std::vector<double> last_step;    ///< of x in it; empty: the next one begins from x [mm]
+  double last_dt = 0.0;             ///< its length [s]
   std::vector<double> plastic_rate; ///< of the points [1/s]
   contact::ContactState contact;
   double reference_volume = 0.0; ///< the part's without pressure [mm^3]
@@ -86,9 +89,7 @@ struct CarriedOver {
   /// Those where the new elements had a shape, the earliest first; may be empty.
   std::vector<CarriedState> begun;
   std::vector<contact::PointSource> sources; ///< of the new contact points
-  std::vector<double> guess;                 ///< step that the next increment may start with
   std::vector<double> origins;               ///< of the material at the nodes [mm]
-  std::vector<double> velocity;              ///< of the nodes [mm/s]
 };
 
 /// Scaled Jacobian of the worst element.

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace billet::process::solved_again_test {
 namespace {
@@ -99,6 +100,80 @@ TEST(SolvedAgain, BeginsAfterTheForcesOfAToolThatLeftHaveFaded) {
               without, height, height_without);
   EXPECT_NEAR(force, without, 0.01 * without);
   EXPECT_NEAR(height, height_without, 1e-3 * height_without);
+}
+
+/// A square block of 10 mm in plane strain, pressed from above faster and faster. A round nose
+/// comes from the right, so small that no mesh keeps it out between contact points for long.
+Scene block_met_by_a_nose(double radius) {
+  constexpr double end = 0.6;
+  Upsetting u;
+  u.analysis = Analysis::plane_strain;
+  u.mesh = mechanics::box_mesh(
+      {ElementKind::quad4, Vec3::Zero(), Vec3(10, 10, 0), {8, 16, 1}, {1, 1, 1}});
+  u.height = 10.0;
+  u.reduction = 0.1 * end;
+  Scene scene = upsetting_scene(std::move(u));
+  std::vector<std::pair<double, double>> falls{{0.0, 0.0}};
+  for (double t = 0.02; t < end; t += 0.02) {
+    falls.emplace_back(t, -(0.5 + t) * t);
+    scene.landing_times.push_back(t);
+  }
+  scene.tools[0].motion.velocity.reset();
+  scene.tools[0].motion.displacement =
+      std::array{TimeFunction(0.0), TimeFunction(std::move(falls)), TimeFunction(0.0)};
+  scene.tools.push_back(moving_tool(
+      "nose", geometry::make_circle({11.5 + radius, 5.0, 0.0}, radius, false), {-3.0, 0, 0}));
+  scene.touch = {0, 0};
+  scene.stages[0].tools = {1, 1};
+  scene.increments.max = 0.02;
+  scene.contact.max_penetration = 0.01;
+  scene.remesh = RemeshSettings{};
+  scene.remesh->size = scene.remesh->size_min = 2.5;
+  return scene;
+}
+
+/// Compares how fast the top of the part moves before its mesh is exchanged and after, where no way
+/// led to the new mesh.
+class SpeedOfTheTop final : public Observer {
+public:
+  void remeshing(const Process& process) override { before_ = speed(process); }
+  void remeshed(const Process& process, const RemeshReport& report) override {
+    if (report.again > 0)
+      return;
+    ++given_up;
+    EXPECT_TRUE(report.balanced);
+    EXPECT_LT(before_, -1.0);
+    EXPECT_NEAR(speed(process), before_, 0.1) << "at t = " << report.time;
+  }
+
+  int given_up = 0;
+
+private:
+  /// Average of the nodes at the die [mm/s].
+  static double speed(const Process& process) {
+    constexpr double near = 0.01;
+    double top = 0.0;
+    for (std::size_t i = 1; i < process.positions().size(); i += 2)
+      top = std::max(top, process.positions()[i]);
+    double sum = 0.0, number = 0.0;
+    for (std::size_t i = 1; i < process.positions().size(); i += 2)
+      if (process.positions()[i] > top - near) {
+        sum += process.velocity()[i];
+        number += 1.0;
+      }
+    return sum / number;
+  }
+
+  double before_ = 0.0;
+};
+
+TEST(SolvedAgain, AWayThatCannotBeGoneLeavesTheVelocitiesOfItsEnd) {
+  SpeedOfTheTop top;
+  for (const double radius : {0.2, 0.3, 0.4}) {
+    Process process(block_met_by_a_nose(radius));
+    EXPECT_NE(process.run({&top}), RunStatus::stopped);
+  }
+  EXPECT_GT(top.given_up, 0) << "this shows nothing";
 }
 
 } // namespace
