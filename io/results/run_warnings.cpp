@@ -1,5 +1,6 @@
 // What a run says of itself at its end: figures that are off, and what mends them.
 
+#include "io/results/full_cavity.h"
 #include "io/results/run_writer.h"
 #include "process/remeshing.h"
 #include "process/tool_meetings.h"
@@ -164,15 +165,13 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
               "edges of tools do that: a smaller remesh.size.min may help"
             : "no new mesh could be made in time: the log says why"));
   if (squeezed_at_) {
-    const double share = last_->volume / process.bulk().reference_volume();
-    const double pressure = -process.bulk().material().elasticity.bulk() * std::log(share);
-    lines.push_back(fmt::format("warning: from t = {:.6g} {} on the metal is squeezed by more than "
-                                "2 % of its volume, at the "
-                                "end by {:.2g} %, under {:.3g} {} in the mean, more than most "
-                                "tools bear: the cavity is full, "
-                                "or leaves too little way out",
-                                *squeezed_at_, content_->units.time, 100.0 * (1.0 - share),
-                                pressure, content_->units.stress));
+    const Squeeze now = squeeze_of(process, last_->volume);
+    lines.push_back(fmt::format(
+        "warning: from t = {:.6g} {} on the metal is squeezed by more than 2 % of its volume, at "
+        "the end by {:.2g} %, under {:.3g} {} on average, {:.2g} times its flow stress: the cavity "
+        "is full, or leaves too little way out",
+        *squeezed_at_, content_->units.time, 100.0 * now.volume_lost, now.pressure,
+        content_->units.stress, now.pressure / now.flow_stress));
   }
   if (last_) {
     const mechanics::Material& material = process.bulk().material();

@@ -4,6 +4,7 @@
 #include "geometry/base/stopwatch.h"
 #include "io/case/read_case.h"
 #include "io/results/atomic_file.h"
+#include "io/results/full_cavity.h"
 #include "process/part_boundary.h"
 
 #include <fmt/format.h>
@@ -391,9 +392,8 @@ void RunWriter::incremented(const process::Process& process,
   constexpr double bad = 0.1; // below it elements hardly deform as they should
   if (!worn_ && report.min_quality < bad)
     worn_ = report;
-  constexpr double squeezed = 0.98; // of its volume: under pressures that tools bear it keeps more
   if (!squeezed_at_ && report.max_plastic_strain > 0.0 &&
-      report.volume < squeezed * process.bulk().reference_volume())
+      squeeze_of(process, report.volume).is_full())
     squeezed_at_ = report.time;
   const double missed = report.energy.missing() - (last_ ? last_->energy.missing() : 0.0);
   if (std::abs(missed) > std::abs(most_missed_)) {

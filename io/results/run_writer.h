@@ -96,7 +96,7 @@ private:
   double most_missed_at_ = 0.0; ///< end of that increment [s]
   std::optional<process::IncrementReport>
       worn_;                          ///< the first with a bad mesh that nothing replaces
-  std::optional<double> squeezed_at_; ///< time at which the metal had first lost 2 % of its volume
+  std::optional<double> squeezed_at_; ///< time at which the metal had first no way out
 };
 
 } // namespace billet::io

@@ -241,6 +241,25 @@ TEST_F(Results, metal_that_has_no_way_out_is_told) {
   EXPECT_EQ(warning_of("free", upsetting), "");
 }
 
+TEST_F(Results, soft_elasticity_alone_does_not_fill_a_cavity) {
+  // E is forty times the yield stress: two of these take 5 % of the volume.
+  const std::string plate = edited(
+      upsetting,
+      {{"[5, 7.5]], cells = [2, 3]", "[10, 1]], cells = [20, 2]"},
+       {"\"swift\", K = 740, eps0 = 0.01, n = 0.2", "\"linear\", yield = 5250, hardening = 0"},
+       {"point = [0, 7.5]", "point = [0, 1]"},
+       {"\"tresca\", m = 0.08", "\"sticking\""},
+       {"increments = { first = 0.02, max = 0.02 }", ""},
+       {"velocity = [0, -1]", "velocity = [0, -2]"}});
+  const auto open = summary_of(run("plate", plate));
+  EXPECT_LT(open.at("volume"), 0.96 * 314.159);
+  EXPECT_EQ(warning_with(open, "the cavity is full"), "");
+  const std::string closed =
+      edited(plate, {{"[[tool]]", "[[support]]\nwhere = \"x = 10\"\nfix = [\"x\"]\n\n[[tool]]"}});
+  const std::string warning = warning_with(summary_of(run("closed", closed)), "the cavity is full");
+  EXPECT_NE(warning.find("times its flow stress"), std::string::npos) << warning;
+}
+
 TEST_F(Results, metal_that_loses_most_of_its_strength_is_told) {
   const auto warning_of = [&](const std::string& out, const std::string& points) {
     const std::size_t flow = upsetting.find("flow");
