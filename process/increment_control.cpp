@@ -21,7 +21,25 @@ constexpr double rise_of_ceiling = 1.1;
 
 double step_towards(double left, double dt) { return dt >= left ? left : std::min(dt, 0.5 * left); }
 
+double part_towards(double left, double part) {
+  constexpr double rounding = 1e-9;
+  return part > (1.0 - rounding) * left ? left : part;
+}
+
+void IncrementControl::split(double step, double share, int iterations) {
+  if (in_parts())
+    parts_.pop_back();
+  else
+    accepted(step, iterations);
+  parts_.push_back((1.0 - share) * step);
+  parts_.push_back(share * step);
+}
+
 void IncrementControl::accepted(double step, int iterations, double missed) {
+  if (in_parts()) {
+    parts_.pop_back();
+    return;
+  }
   const double wanted = next_;
   const bool whole = step >= wanted; // else it tells little about the length wanted
   if (iterations <= easy_iterations) {
@@ -51,6 +69,7 @@ void IncrementControl::accepted(double step, int iterations, double missed) {
 }
 
 void IncrementControl::failed(double step) {
+  parts_.clear();
   next_ = 0.5 * step;
   ceiling_ = below_failure * step;
   last_step_ = 0.0;

@@ -5,17 +5,24 @@
 // past takes its iterations whatever the length, and shrinking would only add increments. So what
 // counts is the cost, iterations per time: an increment that laboured is shortened only as long as
 // that saves iterations, and one between the two grows as long as it is far shorter than it may be.
-// An easy one may be too long for the trapezoids of its work: the balance of energy tells.
+// An easy one may be too long for the trapezoids of its work: the balance of energy tells. One in
+// which the load curve bends is gone in parts, and says of the length of others what it said whole.
 //
 // Theory: docs/theory/process.md (P.1).
 
 #pragma once
+
+#include <vector>
 
 namespace billet::process {
 
 /// The step to take when `left` is left to a landing: two equal ones rather than a long and a tiny
 /// one.
 [[nodiscard]] double step_towards(double left, double dt);
+
+/// The step to take for a part of an increment: the part, or all that is left if no more than
+/// rounding is between them.
+[[nodiscard]] double part_towards(double left, double part);
 
 class IncrementControl {
 public:
@@ -29,7 +36,7 @@ public:
   explicit IncrementControl(const Limits& limits) : limits_(limits), next_(limits.first) {}
 
   /// Wanted length of the next increment [s].
-  [[nodiscard]] double next() const { return next_; }
+  [[nodiscard]] double next() const { return in_parts() ? parts_.back() : next_; }
   /// Whether an increment of that length is too short to be tried.
   [[nodiscard]] bool exhausted() const { return next_ < limits_.min; }
 
@@ -43,8 +50,19 @@ public:
   /// An increment of this length has failed.
   void failed(double step);
 
+  /// An increment of this length has been solved, but is to be gone in two parts, or its part is.
+  ///
+  /// @param share       the first one's
+  /// @param iterations  that the increment took: for the length of the one after it
+  void split(double step, double share, int iterations);
+  /// Whether the next one is such a part.
+  [[nodiscard]] bool in_parts() const { return !parts_.empty(); }
+
   /// The next one has this length, whatever has been before [s].
-  void set_next(double length) { next_ = length; }
+  void set_next(double length) {
+    parts_.clear();
+    next_ = length;
+  }
 
   /// Iterations up to which an increment counts as easy.
   static constexpr int easy_iterations = 5;
@@ -52,9 +70,10 @@ public:
 private:
   Limits limits_;
   double next_;
-  double ceiling_ = 0.0;    ///< not beyond it for now: a longer one has failed; 0: none [s]
-  double last_step_ = 0.0;  ///< of the increment before [s]; 0: none
-  int last_iterations_ = 0; ///< of it
+  std::vector<double> parts_; ///< to be gone before that, the next one last [s]
+  double ceiling_ = 0.0;      ///< not beyond it for now: a longer one has failed; 0: none [s]
+  double last_step_ = 0.0;    ///< of the increment before [s]; 0: none
+  int last_iterations_ = 0;   ///< of it
 };
 
 } // namespace billet::process

@@ -2,6 +2,7 @@
 
 #include "geometry/base/stopwatch.h"
 #include "mechanics/mesh_check.h"
+#include "process/bent_increment.h"
 #include "process/increment_control.h"
 #include "process/passage_guard.h"
 #include "process/remeshing.h"
@@ -117,8 +118,8 @@ bool Process::touched() const {
 }
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
-  trial_x_ = x_;
   systems_before_try_ = solver_work().systems;
+  trial_x_ = x_;
   if (!last_step_.empty() && approach != mechanics::Approach::gently) {
     const double factor = dt / last_dt_;
     for (std::size_t i = 0; i < x_.size(); ++i)
@@ -428,8 +429,10 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     }
     const double landing = next_landing(stage.end);
     const double whole =
-        step_towards(landing - time_, std::min(control.next(), longest_for_blows()));
-    const bool ends_before_touches = failures == 0 && wary > 0;
+        control.in_parts()
+            ? part_towards(landing - time_, control.next())
+            : step_towards(landing - time_, std::min(control.next(), longest_for_blows()));
+    const bool ends_before_touches = failures == 0 && wary > 0 && !control.in_parts();
     const double step =
         ends_before_touches ? std::max(up_to_touch(whole), std::min(whole, *limit.min)) : whole;
     const bool lands = step == landing - time_;
@@ -451,7 +454,8 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         control.set_next(share_that_lets_go * step);
         continue;
       }
-      if (const std::string missed = misses_too_much(step, length);
+      const std::optional<Bend> bend = bend_within(step, length, *limit.min);
+      if (const std::string missed = bend ? std::string() : misses_too_much(step, length);
           !missed.empty() && 0.5 * step >= *limit.min) {
         wasted_iterations_ += last_iterations_;
         ++cutbacks_;
@@ -464,6 +468,13 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
         unmeshed = remesh(touch.cause, observers, touch.sizes);
         if (!unmeshed.empty())
           refusal_event_ = fmt::format("  no new mesh ({}): {}", touch.cause, unmeshed);
+        continue;
+      }
+      if (bend) {
+        wasted_iterations_ += last_iterations_;
+        ++cutbacks_;
+        tried.push_back(fmt::format("dt = {:.4g}: {}", step, bend->why));
+        control.split(step, bend->share, last_iterations_);
         continue;
       }
       const EnergyBalance before = energy_;

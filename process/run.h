@@ -33,6 +33,7 @@ struct SolidSizes;
 
 namespace billet::process {
 
+struct Bend;
 struct NewPart;
 struct RemeshedPart;
 struct RunState;
@@ -281,9 +282,9 @@ public:
   [[nodiscard]] int cutbacks() const { return cutbacks_; }
   /// Iterations that went into tries that failed.
   [[nodiscard]] int wasted_iterations() const { return wasted_iterations_; }
-  /// Plastic work done while forces of tools that had left faded and no tool touched [N mm].
   /// Iterations on new meshes before time went on: for equilibrium, and what was solved again.
   [[nodiscard]] int remeshing_iterations() const { return remeshing_iterations_; }
+  /// Plastic work done while forces of tools that had left faded and no tool touched [N mm].
   [[nodiscard]] double flow_in_fading() const { return flow_in_fading_; }
   /// Rigid motions held by grounding alone.
   [[nodiscard]] int grounded_motions() const { return grounded_; }
@@ -335,6 +336,12 @@ private:
   ///
   /// @param length  of the stage [s]
   [[nodiscard]] std::string misses_too_much(double dt, double length) const;
+  /// Where the load curve bends so within an early increment just tried that its work is missed.
+  /// (P.24a)
+  ///
+  /// @param length    of the stage [s]
+  /// @param shortest  that a part may be [s]
+  [[nodiscard]] std::optional<Bend> bend_within(double dt, double length, double shortest) const;
   /// By way of softer contact, after an increment has failed. (N.10)
   ///
   /// @param patiently  with as many iterations as it takes, in the end
@@ -594,11 +601,11 @@ private:
   int iterations_ = 0;
   int cutbacks_ = 0;
   int wasted_iterations_ = 0;
+  int remeshing_iterations_ = 0;
+  long systems_before_try_ = 0;
   int grounded_ = 0;
   int last_iterations_ = 0;
   double last_residual_ = 0.0;
 };
 
 } // namespace billet::process
-  int remeshing_iterations_ = 0;
-  long systems_before_try_ = 0;

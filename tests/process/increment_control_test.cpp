@@ -127,5 +127,40 @@ TEST(IncrementControl, EndsAtTheShortest) {
   EXPECT_EQ(17, tries); // 0.01 / 2^17 < 1e-7
 }
 
+TEST(IncrementControl, PartsOfAnIncrementLeaveTheLengthOfTheNextAsItWas) {
+  IncrementControl whole(limits), parts(limits);
+  whole.accepted(limits.first, 3);
+  parts.split(limits.first, 0.3, 3);
+  ASSERT_TRUE(parts.in_parts());
+  EXPECT_DOUBLE_EQ(parts.next(), 0.3 * limits.first);
+  parts.accepted(parts.next(), 12);
+  EXPECT_DOUBLE_EQ(parts.next(), 0.7 * limits.first);
+  parts.split(parts.next(), 0.5, 9); // again
+  EXPECT_DOUBLE_EQ(parts.next(), 0.35 * limits.first);
+  parts.accepted(parts.next(), 5);
+  EXPECT_DOUBLE_EQ(parts.next(), 0.35 * limits.first);
+  parts.accepted(parts.next(), 1);
+  EXPECT_FALSE(parts.in_parts());
+  EXPECT_EQ(parts.next(), whole.next());
+}
+
+TEST(IncrementControl, APartThatFailsIsCutBackLikeAnyIncrement) {
+  IncrementControl control(limits);
+  control.split(limits.first, 0.4, 3);
+  control.failed(control.next());
+  EXPECT_FALSE(control.in_parts());
+  EXPECT_DOUBLE_EQ(control.next(), 0.2 * limits.first);
+  control.split(limits.first, 0.4, 3);
+  control.set_next(0.5);
+  EXPECT_FALSE(control.in_parts());
+  EXPECT_EQ(control.next(), 0.5);
+}
+
+TEST(IncrementControl, APartEndsAtTheLandingThatItsIncrementHad) {
+  EXPECT_EQ(part_towards(1.0, 0.7), 0.7) << "no two halves for the sake of the landing";
+  EXPECT_EQ(part_towards(0.7, 0.7 - 1e-12), 0.7);
+  EXPECT_EQ(part_towards(0.7, 0.7 + 1e-12), 0.7);
+}
+
 } // namespace
 } // namespace billet::process::increment_control_test
