@@ -10,6 +10,21 @@
 
 namespace billet::process {
 
+namespace {
+
+/// Mises stress over strength at the end of the trial, on average over the part: 1 where all of it
+/// flows [-].
+double average_effort(const mechanics::Bulk& bulk) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < bulk.volumes().size(); ++k) {
+    const mechanics::MisesStress now = bulk.trial_stress(k);
+    sum += bulk.volumes()[k] * now.stress / now.strength;
+  }
+  return sum / bulk.reference_volume();
+}
+
+} // namespace
+
 double bend_from_nothing(double trapezoid, double work) {
   constexpr double least = 0.125, most = 0.875; // both parts are worth an increment
   constexpr double steps = 64.0; // rounding, in other units or of another machine, is lost in them
@@ -22,14 +37,16 @@ std::optional<Bend> Process::bend_within(double dt, double length, double shorte
   constexpr double early = 0.1;       // of the run: later ones are compared with its work so far
   constexpr double short_share = 0.1; // of the longest by default: no shorter for that
   constexpr double most = 1e-3;       // of the work of a stage that goes on like this
-  constexpr double nothing = 0.01;    // of the work of the increment: what was done before
+  constexpr double much = 0.25;    // of the strength: the force of contact that grows is little yet
+  constexpr double nothing = 0.01; // of the work of the increment: what was done before
   if (time_ >= early * scene_.stages.back().end || dt <= short_share * default_longest(length))
     return std::nullopt;
   const EnergyBalance after = energy_after(dt);
   const double missed = after.missing() - energy_.missing();
   const double work = after.largest_since(energy_);
   const double expected = std::max(most_energy_, work * length / dt);
-  if (std::abs(missed) <= std::max(most * expected, work_of_rounding()))
+  if (std::abs(missed) <= std::max(most * expected, work_of_rounding()) ||
+      average_effort(*bulk_) < much)
     return std::nullopt;
   constexpr double half = 0.5;
   const double trapezoid = after.external - energy_.external;

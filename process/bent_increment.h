@@ -3,7 +3,9 @@
 // The work of forces is summed by trapezoids, and in the first increment of a run, from nothing to
 // metal that flows, a trapezoid sees half of the force. Such an increment is solved again in two
 // parts, up to the bend and on from there, and those after it are as long as if it had not been.
-// Later bends count less, and what is done about them stands with (P.24).
+// Only where the part as a whole is stressed: where contact begins at a place, as between rolls or
+// beneath a wedge, there is far more work to come. What is done about bends that come later stands
+// with (P.24).
 //
 // Theory: docs/theory/process.md.
 

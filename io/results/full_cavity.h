@@ -1,8 +1,9 @@
 // Whether metal is squeezed because it has no way out.
 //
 // Under the pressures of forming metal gives up little of its volume, and more of it the softer its
-// elasticity is beside its strength: a loss of volume alone says nothing. In an open die the mean
-// pressure is some flow stresses, by friction; where the cavity is full it rises without limit.
+// elasticity is beside its strength: a loss of volume alone says nothing. In an open die the
+// average pressure is some flow stresses, by friction; where the cavity is full it rises without
+// limit.
 
 #pragma once
 
@@ -13,8 +14,8 @@ namespace billet::io {
 /// What the metal is under as a whole.
 struct Squeeze {
   double volume_lost = 0.0; ///< share of its volume without pressure [-]
-  double pressure = 0.0;    ///< that takes, the mean of the part [MPa]
-  double flow_stress = 0.0; ///< mean of the part [MPa]
+  double pressure = 0.0;    ///< that takes, on average over the part [MPa]
+  double flow_stress = 0.0; ///< likewise [MPa]
 
   /// Whether the metal has no way out, or too little.
   [[nodiscard]] bool is_full() const;

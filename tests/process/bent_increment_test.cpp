@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace billet::process::bent_increment_test {
@@ -34,7 +35,10 @@ TEST(BentIncrement, DoesNotFollowRounding) {
   EXPECT_EQ(bend_from_nothing(0.5, 0.833), 21.0 / 64.0);
 }
 
-/// Upsetting by 30 %, hardening as a low-carbon steel does.
+/// Hardens as a low-carbon steel does.
+const mechanics::Material steel{{210e3, 0.3}, mechanics::Swift{740.0, 0.01, 0.2}};
+
+/// Upsetting of it by 30 %.
 ///
 /// @param increments  that it is to take; none: the program's own
 Scene upset(ElementKind kind,
@@ -46,7 +50,7 @@ Scene upset(ElementKind kind,
   u.analysis = analysis;
   u.height = 7.5;
   u.friction = friction;
-  u.material = {{210e3, 0.3}, mechanics::Swift{740.0, 0.01, 0.2}};
+  u.material = steel;
   u.reduction = 0.3;
   Scene scene = upsetting_scene(std::move(u));
   if (increments)
@@ -74,6 +78,34 @@ TEST(BentIncrement, TheWorkOfARunIsRightWhateverItsFirstIncrement) {
                   upset(ElementKind::quad4, Analysis::axisymmetric, contact::Frictionless{}, 25));
   expect_all_work("plane strain, sticking",
                   upset(ElementKind::quad4, Analysis::plane_strain, contact::Sticking{}, 25));
+}
+
+TEST(BentIncrement, SoIsThatOfADieThatComesToTouchWithinIt) {
+  for (const double share : {0.2, 0.5, 0.8}) {
+    Scene scene = upset(ElementKind::quad4, Analysis::axisymmetric, contact::Tresca{0.3, {}}, 50);
+    const double way = share * *scene.increments.first;
+    scene.touch = {0};
+    scene.tools[0].surface = geometry::make_plane({0, 7.5 + way, 0}, {0, -1, 0});
+    expect_all_work(std::to_string(share) + " through air", std::move(scene));
+  }
+}
+
+TEST(BentIncrement, WhereContactOnlyBeginsIncrementsStayWhole) {
+  // A cylinder is pressed into a wide block: its force grows all the way.
+  Upsetting u;
+  u.mesh = mechanics::box_mesh(
+      {ElementKind::quad4, Vec3::Zero(), Vec3(40, 20, 0), {16, 8, 1}, {1, 1, 1}});
+  u.analysis = Analysis::plane_strain;
+  u.height = 20.0;
+  u.reduction = 0.05;
+  u.material = steel;
+  Scene scene = upsetting_scene(std::move(u));
+  scene.tools[0].surface = geometry::make_circle({0, 25.0, 0}, 5.0, false);
+  const FinishedRun done = run(std::move(scene));
+  EXPECT_EQ(done.status, RunStatus::done);
+  for (const Entry& entry : done.recorder.entries)
+    for (const std::string& event : entry.report.events)
+      EXPECT_EQ(event.find("in two parts"), std::string::npos) << event;
 }
 
 TEST(BentIncrement, TheIncrementsAfterItAreAsLongAsWithoutIt) {

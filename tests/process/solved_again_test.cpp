@@ -149,7 +149,7 @@ public:
   int given_up = 0;
 
 private:
-  /// Mean of the nodes at the die [mm/s].
+  /// Average of the nodes at the die [mm/s].
   static double speed(const Process& process) {
     constexpr double near = 0.01;
     double top = 0.0;
