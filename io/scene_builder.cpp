@@ -78,7 +78,7 @@ struct MeshMaker {
     return mechanics::cylinder_mesh({kind, c.radius, c.height, c.cells[0], c.cells[1], c.sector});
   }
   Mesh operator()(const FileMesh& file) const {
-    MeshFile read = read_mesh(file.file.path);
+    MeshFile read = read_mesh(file.file.path, 1.0, {file.folder, file.allow_outside});
     for (const std::string& note : read.notes)
       notes.push_back(of_file(file.file.given, note));
     if (read.mesh.kind != kind)

@@ -8,6 +8,7 @@
 #include "io/case/case_common.h"
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,9 +37,11 @@ struct CylinderMesh {
   bool operator==(const CylinderMesh&) const = default;
 };
 
-/// A mesh file: Gmsh .msh, .vtu or Abaqus/CalculiX .inp.
+/// A mesh file of Gmsh, VTK (.vtu), Abaqus or CalculiX.
 struct FileMesh {
   InputFile file;
+  std::filesystem::path folder; ///< of the case: what the file includes may lie in it as well
+  bool allow_outside = false;   ///< what the file includes may lie anywhere
 
   bool operator==(const FileMesh&) const = default;
 };

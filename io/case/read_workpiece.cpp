@@ -105,7 +105,9 @@ std::optional<MeshSource> read_cylinder_mesh(TableReader& table, const At& at) {
 
 std::optional<MeshSource> read_mesh_file(TableReader& /*table*/, const At& at) {
   const std::optional<InputFile> file = as_input_file(at);
-  return file ? std::optional<MeshSource>(FileMesh{*file}) : std::nullopt;
+  if (!file)
+    return std::nullopt;
+  return FileMesh{*file, at.context.directory, at.context.allow_outside};
 }
 
 std::optional<MeshSource> read_outline_mesh(TableReader& table, const At& at) {
