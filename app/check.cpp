@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -198,7 +200,10 @@ void print_cost(const process::Scene& scene) {
 int check_case(const Arguments& arguments) {
   const io::Case content =
       io::read_case(arguments.file, arguments.overrides, {arguments.allow_outside});
-  const ReadyProcess ready = make_process(content, arguments.file);
+  const ReadyProcess ready = make_process(content, arguments.file, 1, [](const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout); // what takes a while follows
+  });
   const process::Process& process = *ready.process;
   const process::Scene& scene = process.scene();
   fmt::print("{}: {}\n", arguments.file, content.title);

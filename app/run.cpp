@@ -123,7 +123,8 @@ int run_case(const Arguments& arguments) {
   const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
                                             static_cast<std::size_t>(threads));
   Progress progress(arguments.quiet);
-  const ReadyProcess ready = make_process(content, arguments.file, threads);
+  const ReadyProcess ready = make_process(content, arguments.file, threads,
+                                          [&](const std::string& line) { progress.say(line); });
   process::Process& process = *ready.process;
   progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
                            mechanics::blas_core()));
