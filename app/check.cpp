@@ -16,6 +16,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -182,7 +183,10 @@ void print_cost(const CostEstimate& cost) {
 int check_case(const Arguments& arguments) {
   const io::Case content =
       io::read_case(arguments.file, arguments.overrides, {arguments.allow_outside});
-  const ReadyProcess ready = make_process(content, arguments.file);
+  const ReadyProcess ready = make_process(content, arguments.file, 1, [](const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout); // what takes a while follows
+  });
   const process::Process& process = *ready.process;
   const process::Scene& scene = process.scene();
   fmt::print("{}: {}\n", arguments.file, content.title);

@@ -34,7 +34,11 @@ constexpr Option render_options[] = {
     {"--title", "TEXT", "above the picture"},
 };
 
-constexpr Option unit_option = {"--unit", "UNIT", "the unit of an STL's numbers: shown in mm"};
+/// Of `info`.
+constexpr Option info_options[] = {
+    {"--unit", "UNIT", "the unit of an STL's numbers: shown in mm"},
+    {"--allow-outside", "", "the file may include files outside its folder"},
+};
 
 /// Of commands that read a case.
 constexpr Option case_options[] = {
@@ -73,7 +77,7 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.quiet = true;
   else if (option == "--profile")
     arguments.profile = true;
-  else if (option == unit_option.name)
+  else if (option == "--unit")
     arguments.unit = value;
   else if (option == "--allow-outside")
     arguments.allow_outside = true;
@@ -94,7 +98,7 @@ const Option& find_option(const std::string& word, const Command& command) {
     }
   };
   if (command.name == "info") {
-    look_in(std::span(&unit_option, 1));
+    look_in(info_options);
   } else {
     look_in(case_options);
     look_in(run_options);
@@ -111,7 +115,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"run", "CASE.toml [options]", "run a case to the end and write its results", &run_case},
       {"check", "CASE.toml [options]", "read and validate a case without solving it", &check_case},
-      {"info", "FILE [--unit UNIT]",
+      {"info", "FILE [--unit UNIT] [--allow-outside]",
        "what an STL, mesh or result contains, and what is wrong with it", &show_info},
       {"render", "RESULTS [--field F] [--time T] [--curve] [-o FILE.png]",
        "a picture of a run, or of its forces, without a display", &render_results},
@@ -187,7 +191,7 @@ std::string help(const Command& command) {
       text += line(option);
   };
   if (command.name == "info") {
-    text += line(unit_option);
+    add(info_options);
   } else if (command.name == "render") {
     add(render_options);
   } else {

@@ -45,8 +45,8 @@ int info_stl(const std::filesystem::path& path, const std::optional<std::string>
   return info_facets(io::read_stl(path), *factor, unit ? "mm" : "the file's own unit");
 }
 
-int info_mesh(const std::filesystem::path& path) {
-  const io::MeshFile file = io::read_mesh(path);
+int info_mesh(const std::filesystem::path& path, bool allow_outside) {
+  const io::MeshFile file = io::read_mesh(path, 1.0, {{}, allow_outside});
   const mechanics::Mesh& mesh = file.mesh;
   const Box box = box_of(mesh.points);
   fmt::print("{}: {} {} elements, {} nodes\n", path.string(), mesh.n_elements(),
@@ -93,7 +93,7 @@ int show_info(const Arguments& arguments) {
     throw Error(Fault::usage, "", "--unit is for STL files: a STEP file knows its unit");
   if (is_step)
     return info_facets(io::read_step(path), 1.0, "mm");
-  return info_mesh(path);
+  return info_mesh(path, arguments.allow_outside);
 }
 
 } // namespace billet::app

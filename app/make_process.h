@@ -4,6 +4,7 @@
 
 #include "app/cost.h"
 #include "io/case/case.h"
+#include "io/solid_meshing.h"
 #include "process/run.h"
 
 #include <memory>
@@ -20,8 +21,11 @@ struct ReadyProcess {
 };
 
 /// @param file  of the case: the place of complaints that have none of their own
+/// @param say   is told what takes a while, before it begins; may be empty
 /// @throws Error
-[[nodiscard]] ReadyProcess
-make_process(const io::Case& content, const std::string& file, int threads = 1);
+[[nodiscard]] ReadyProcess make_process(const io::Case& content,
+                                        const std::string& file,
+                                        int threads = 1,
+                                        const io::Say& say = {});
 
 } // namespace billet::app

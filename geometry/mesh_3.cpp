@@ -4,13 +4,9 @@
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/perturb_mesh_3.h>
 
+#include <limits>
+
 namespace billet::geometry::mesh_3 {
-
-namespace {
-
-constexpr double sliver = 14.0; ///< dihedral angle to be reached [degrees]
-
-} // namespace
 
 Refined refined(const Domain& domain, const Criteria& criteria, std::size_t most) {
   namespace with = CGAL::parameters;
@@ -25,8 +21,23 @@ Refined refined(const Domain& domain, const Criteria& criteria, std::size_t most
   return result;
 }
 
-void remove_slivers(Complex& complex, const Domain& domain) {
-  CGAL::perturb_mesh_3(complex, domain, CGAL::parameters::sliver_bound = sliver);
+void remove_slivers(Complex& complex, const Domain& domain, double angle) {
+  CGAL::perturb_mesh_3(complex, domain, CGAL::parameters::sliver_bound = angle);
+}
+
+Vec3 middle_of_shortest_edge(const Triangulation& triangulation) {
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 middle = Vec3::Zero();
+  for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
+       ++edge) {
+    const Vec3 a = from_cgal(edge->first->vertex(edge->second)),
+               b = from_cgal(edge->first->vertex(edge->third));
+    if ((b - a).squaredNorm() < least) {
+      least = (b - a).squaredNorm();
+      middle = 0.5 * (a + b);
+    }
+  }
+  return middle;
 }
 
 } // namespace billet::geometry::mesh_3

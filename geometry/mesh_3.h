@@ -33,6 +33,7 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Vertex = Triangulation::Vertex_handle;
 
 inline constexpr double facet_angle = 25.0;     ///< smallest on the surface; above 30 may not end
+inline constexpr double sliver = 14.0;          ///< dihedral angle to be reached
 inline constexpr double radius_over_edge = 2.0; ///< of a tetrahedron; below 2 may not end
 
 inline Kernel::Point_3 to_cgal(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
@@ -72,8 +73,11 @@ struct Refined {
 };
 [[nodiscard]] Refined refined(const Domain& domain, const Criteria& criteria, std::size_t most);
 
-/// Moves vertices until few tetrahedra are flat. Exudation besides does not end on some bodies and
-/// makes others no better.
-void remove_slivers(Complex& complex, const Domain& domain);
+/// Where refinement does not end edges get ever shorter. [mm]
+[[nodiscard]] Vec3 middle_of_shortest_edge(const Triangulation& triangulation);
+
+/// Moves vertices until few tetrahedra have a dihedral angle below that. Exudation besides does not
+/// end on some bodies and makes others no better.
+void remove_slivers(Complex& complex, const Domain& domain, double angle = sliver);
 
 } // namespace billet::geometry::mesh_3

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "geometry/base/vector.h"
-#include "geometry/mesh_health.h"
+#include "geometry/solid_estimate.h"
 #include "geometry/triangle_mesh.h"
 
 #include <array>
@@ -27,15 +27,21 @@ struct SolidMesh {
 };
 
 /// Tetrahedra of about `size` in a closed surface; smaller ones where it is strongly curved or
-/// features lie close together.
+/// features lie close together. solid_estimate.h says before how many.
 ///
-/// @param surface        closed, turned outwards, without the flaws that `complaints` finds
-/// @param size           longest side on features, radius of spheres around tetrahedra [mm], > 0
-/// @param feature_angle  edges whose normals differ by more are kept [degrees]
-/// @throws Error(Fault::geometry) if the surface is not closed or is inside out or nothing could be
-///         meshed, Error(Fault::limit) if it would take more than five million tetrahedra
-[[nodiscard]] SolidMesh
-mesh_solid(const TriangleMesh& surface, double size, double feature_angle = default_feature_angle);
+/// Shapes smaller than `details` are not followed: sharp edges that lie closer together are not
+/// kept, and the surface is met within half of it. (G.58)
+///
+/// @param surface   closed, turned outwards, without the flaws that `complaints` finds
+/// @param estimate  of this surface and this refinement
+/// @throws Error(Fault::geometry) if the surface is not closed or is inside out, if nothing could
+/// be
+///         meshed or a tenth of the volume were missing; Error(Fault::limit) if the estimate is too
+///         high (`require_meshable`), or was far too low
+[[nodiscard]] SolidMesh mesh_solid(const TriangleMesh& surface,
+                                   const SolidRefinement& wanted,
+                                   const SolidEstimate& estimate);
+[[nodiscard]] SolidMesh mesh_solid(const TriangleMesh& surface, const SolidRefinement& wanted);
 
 /// Smallest angle between two faces of a tetrahedron [degrees].
 [[nodiscard]] double smallest_dihedral(const SolidMesh& mesh);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -156,22 +155,6 @@ private:
   std::unordered_map<Vertex, std::int32_t, Address> number_;
 };
 
-/// Where refinement does not end edges get ever shorter.
-Vec3 middle_of_shortest_edge(const mesh_3::Triangulation& triangulation) {
-  double least = std::numeric_limits<double>::infinity();
-  Vec3 middle = Vec3::Zero();
-  for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
-       ++edge) {
-    const Vec3 a = mesh_3::from_cgal(edge->first->vertex(edge->second)),
-               b = mesh_3::from_cgal(edge->first->vertex(edge->third));
-    if ((b - a).squaredNorm() < least) {
-      least = (b - a).squaredNorm();
-      middle = 0.5 * (a + b);
-    }
-  }
-  return middle;
-}
-
 } // namespace
 
 PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, double most) {
@@ -188,7 +171,7 @@ PatchedSolid mesh_patches(const PatchedSurface& surface, const SpaceSize& size, 
   mesh_3::Refined refined =
       mesh_3::refined(domain, criteria, static_cast<std::size_t>(most / tetrahedra_a_vertex));
   if (refined.too_many) {
-    const Vec3 x = middle_of_shortest_edge(refined.complex.triangulation());
+    const Vec3 x = mesh_3::middle_of_shortest_edge(refined.complex.triangulation());
     throw Error(Fault::geometry, "",
                 fmt::format("a mesh of those sizes would have more than {:.3g} tetrahedra, the "
                             "smallest near ({:.6g}, {:.6g}, {:.6g})",

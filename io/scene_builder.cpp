@@ -3,15 +3,12 @@
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/mesher_2d.h"
-#include "geometry/mesher_3d.h"
 #include "io/material_builder.h"
 #include "io/mesh/read_mesh.h"
 #include "io/profile.h"
 #include "io/selector.h"
 #include "io/step.h"
 #include "io/stl.h"
-#include "io/stl_report.h"
-#include "io/stl_tool.h"
 #include "io/tool_builder.h"
 #include "mechanics/domain_meshes.h"
 #include "mechanics/loads.h"
@@ -58,7 +55,6 @@ template <class Make> auto at_file(const InputFile& file, const Make& make) {
   }
 }
 
-/// Makes or reads the mesh of each kind of source.
 /// A note about a file; warnings stay such.
 std::string of_file(const std::string& file, std::string_view note) {
   constexpr std::string_view warning = "warning: ";
@@ -67,9 +63,11 @@ std::string of_file(const std::string& file, std::string_view note) {
                      note.substr(warns ? warning.size() : 0));
 }
 
+/// Makes or reads the mesh of each kind of source.
 struct MeshMaker {
   ElementKind kind;
   std::vector<std::string>& notes;
+  const Say& say;
 
   Mesh operator()(const BoxMesh& box) const {
     return mechanics::box_mesh({kind, box.low, box.high, box.cells, box.grading});
@@ -78,7 +76,7 @@ struct MeshMaker {
     return mechanics::cylinder_mesh({kind, c.radius, c.height, c.cells[0], c.cells[1], c.sector});
   }
   Mesh operator()(const FileMesh& file) const {
-    MeshFile read = read_mesh(file.file.path);
+    MeshFile read = read_mesh(file.file.path, 1.0, {file.folder, file.allow_outside});
     for (const std::string& note : read.notes)
       notes.push_back(of_file(file.file.given, note));
     if (read.mesh.kind != kind)
@@ -111,23 +109,15 @@ struct MeshMaker {
 
 private:
   template <class Body>
-  [[nodiscard]] Mesh meshed(const FacetFile& file, double scale, const Body& source) const {
-    const StlTool body = tool_mesh(file, {scale, false, source.feature_angle});
-    notes.push_back(fmt::format("workpiece: {}", report(file, body)));
-    const geometry::SolidMesh domain = at_file(source.file, [&] {
-      return geometry::mesh_solid(body.mesh, source.size, source.feature_angle);
+  [[nodiscard]] Mesh meshed(const FacetFile& facets, double scale, const Body& source) const {
+    return at_file(source.file, [&] {
+      return solid_mesh({source.file, facets, scale},
+                        {source.size, source.feature_angle, source.details.value_or(0.0)}, say,
+                        notes);
     });
-    const double volume = geometry::volume(domain);
-    notes.push_back(fmt::format(
-        "{}: meshed with {} tetrahedra of size {:.6g}, smallest dihedral angle {:.1f} degrees; "
-        "volume {:.6g}, {:+.2g} % of that of the surface",
-        source.file.given, domain.tetrahedra.size(), source.size,
-        geometry::smallest_dihedral(domain), volume, 100.0 * (volume / body.health.volume - 1.0)));
-    return mechanics::tetrahedron_mesh(domain);
   }
 };
 
-/// The law of each kind of flow.
 /// The axis of an axisymmetric part is no surface.
 bool lies_on_axis(const Mesh& mesh, const Face& face) {
   return std::all_of(face.nodes.begin(), face.nodes.end(),
@@ -509,14 +499,14 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
 
 } // namespace
 
-BuiltScene build_scene(const Case& content, const std::string& place) {
+BuiltScene build_scene(const Case& content, const std::string& place, const Say& say) {
   BuiltScene built;
   process::Scene& scene = built.scene;
   scene.title = content.title;
   note_keys_without_effect(content, built.notes);
   scene.analysis = static_cast<mechanics::Analysis>(content.analysis);
   const ElementKind kind = element_kind(content.workpiece.element);
-  scene.mesh = std::visit(MeshMaker{kind, built.notes}, content.workpiece.mesh);
+  scene.mesh = std::visit(MeshMaker{kind, built.notes, say}, content.workpiece.mesh);
   const geometry::Pose pose = pose_of(content.workpiece.place);
   for (Vec3& p : scene.mesh.points)
     p = pose.to_space(p);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/case/case.h"
+#include "io/solid_meshing.h"
 #include "process/scene.h"
 
 #include <string>
@@ -19,8 +20,10 @@ struct BuiltScene {
 /// Builds the scene of a case.
 ///
 /// @param place  what complaints about the case's contents begin with (the case file)
+/// @param say    is told what takes a while, before it begins; may be empty
 /// @throws Error with Fault::geometry for a mesh or surface that cannot be used, Fault::case_file
 ///         for a name or place that finds nothing
-[[nodiscard]] BuiltScene build_scene(const Case& content, const std::string& place);
+[[nodiscard]] BuiltScene
+build_scene(const Case& content, const std::string& place, const Say& say = {});
 
 } // namespace billet::io

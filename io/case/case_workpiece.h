@@ -8,6 +8,7 @@
 #include "io/case/case_common.h"
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,9 +37,11 @@ struct CylinderMesh {
   bool operator==(const CylinderMesh&) const = default;
 };
 
-/// A mesh file: Gmsh .msh, .vtu or Abaqus/CalculiX .inp.
+/// A mesh file of Gmsh, VTK (.vtu), Abaqus or CalculiX.
 struct FileMesh {
   InputFile file;
+  std::filesystem::path folder; ///< of the case: what the file includes may lie in it as well
+  bool allow_outside = false;   ///< what the file includes may lie anywhere
 
   bool operator==(const FileMesh&) const = default;
 };
@@ -55,10 +58,11 @@ struct OutlineMesh {
 /// A closed triangulated surface, the body in which is to be meshed with tet10.
 struct StlMesh {
   InputFile file;
-  double size = 0.0;           ///< of the tetrahedra [mm]
-  std::string unit;            ///< of the file's numbers, as given; empty: that of the case
-  double unit_factor = 1.0;    ///< from the file's numbers to the case's lengths [mm]
-  double feature_angle = 30.0; ///< edges sharper than this are kept [degrees]
+  double size = 0.0;             ///< of the tetrahedra [mm]
+  std::string unit;              ///< of the file's numbers, as given; empty: that of the case
+  double unit_factor = 1.0;      ///< from the file's numbers to the case's lengths [mm]
+  double feature_angle = 30.0;   ///< edges sharper than this are kept [degrees]
+  std::optional<double> details; ///< shapes smaller than this are passed over; none: all count [mm]
 
   bool operator==(const StlMesh&) const = default;
 };
@@ -70,6 +74,7 @@ struct StepMesh {
   double unit_factor = 1.0;          ///< from mm to the case's lengths
   std::optional<double> chord_error; ///< of its triangles; none: a hundredth of `size` [mm]
   double feature_angle = 30.0;       ///< edges sharper than this are kept [degrees]
+  std::optional<double> details;     ///< shapes smaller than this are passed over [mm]
 
   bool operator==(const StepMesh&) const = default;
 };

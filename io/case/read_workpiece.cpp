@@ -105,7 +105,9 @@ std::optional<MeshSource> read_cylinder_mesh(TableReader& table, const At& at) {
 
 std::optional<MeshSource> read_mesh_file(TableReader& /*table*/, const At& at) {
   const std::optional<InputFile> file = as_input_file(at);
-  return file ? std::optional<MeshSource>(FileMesh{*file}) : std::nullopt;
+  if (!file)
+    return std::nullopt;
+  return FileMesh{*file, at.context.directory, at.context.allow_outside};
 }
 
 std::optional<MeshSource> read_outline_mesh(TableReader& table, const At& at) {
@@ -117,14 +119,25 @@ std::optional<MeshSource> read_outline_mesh(TableReader& table, const At& at) {
   return file ? std::optional<MeshSource>(mesh) : std::nullopt;
 }
 
+/// Edges kept, and what is passed over.
+template <class Body> void read_shapes(TableReader& table, Body& mesh) {
+  table.optional("feature_angle", mesh.feature_angle, as_number,
+                 Number{quantity::angle, {0.0, 180.0}});
+  table.optional("details", mesh.details, as_number, positive_length);
+  if (mesh.details && mesh.size > 0.0 && *mesh.details > mesh.size)
+    table.at().complain(fmt::format("details = {} is more than size = {}: tetrahedra cannot follow "
+                                    "shapes smaller than they are in any case",
+                                    *mesh.details, mesh.size),
+                        "give details a value below size");
+}
+
 std::optional<MeshSource> read_stl_mesh(TableReader& table, const At& at) {
   StlMesh mesh;
   const std::optional<InputFile> file = as_input_file(at);
   LengthUnit unit;
   table.required("size", mesh.size, as_number, positive_length);
   table.optional("unit", unit, as_length_unit);
-  table.optional("feature_angle", mesh.feature_angle, as_number,
-                 Number{quantity::angle, {0.0, 180.0}});
+  read_shapes(table, mesh);
   mesh.unit = unit.name;
   mesh.unit_factor = unit.factor;
   if (file)
@@ -137,8 +150,7 @@ std::optional<MeshSource> read_step_mesh(TableReader& table, const At& at) {
   const std::optional<InputFile> file = as_input_file(at);
   table.required("size", mesh.size, as_number, positive_length);
   table.optional("chord_error", mesh.chord_error, as_number, positive_length);
-  table.optional("feature_angle", mesh.feature_angle, as_number,
-                 Number{quantity::angle, {0.0, 180.0}});
+  read_shapes(table, mesh);
   mesh.unit_factor = *length_factor("mm", at.context.units);
   if (file)
     mesh.file = *file;

@@ -1,6 +1,7 @@
 // Values of the case file that are more than numbers: files, selectors, shear strengths.
 
 #include "io/case/values.h"
+#include "io/paths.h"
 #include "io/text.h"
 
 #include <fmt/format.h>
@@ -14,17 +15,6 @@ namespace billet::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Whether `path` lies in `folder` or below, links followed.
-bool is_inside(const fs::path& path, const fs::path& folder) {
-  std::error_code error;
-  const fs::path real_folder = fs::weakly_canonical(fs::absolute(folder, error), error);
-  const fs::path real_path = fs::weakly_canonical(fs::absolute(path, error), error);
-  if (error)
-    return false;
-  const fs::path relative = real_path.lexically_relative(real_folder);
-  return !relative.empty() && *relative.begin() != "..";
-}
 
 /// A plane "x = 7.5"; none when the text has not that form or the value is bad (complained).
 std::optional<OnPlane> as_plane(const At& at, std::string_view text) {

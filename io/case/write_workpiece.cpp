@@ -48,7 +48,10 @@ std::string mesh_text(const StlMesh& mesh, int /*size*/) {
   table.add("stl", toml_text(mesh.file)).add("size", toml_text(mesh.size));
   if (!mesh.unit.empty())
     table.add("unit", toml_text(std::string_view(mesh.unit)));
-  return table.add("feature_angle", toml_text(mesh.feature_angle)).on_one_line();
+  table.add("feature_angle", toml_text(mesh.feature_angle));
+  if (mesh.details)
+    table.add("details", toml_text(*mesh.details));
+  return table.on_one_line();
 }
 
 std::string mesh_text(const StepMesh& mesh, int /*size*/) {
@@ -56,7 +59,10 @@ std::string mesh_text(const StepMesh& mesh, int /*size*/) {
   table.add("step", toml_text(mesh.file)).add("size", toml_text(mesh.size));
   if (mesh.chord_error)
     table.add("chord_error", toml_text(*mesh.chord_error));
-  return table.add("feature_angle", toml_text(mesh.feature_angle)).on_one_line();
+  table.add("feature_angle", toml_text(mesh.feature_angle));
+  if (mesh.details)
+    table.add("details", toml_text(*mesh.details));
+  return table.on_one_line();
 }
 
 template <class AnyLaw> std::string law_text(const AnyLaw& any) {

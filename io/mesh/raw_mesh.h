@@ -7,6 +7,7 @@
 #pragma once
 
 #include "geometry/base/vector.h"
+#include "io/mesh/included_lines.h"
 #include "mechanics/mesh.h"
 
 #include <cstddef>
@@ -57,6 +58,6 @@ private:
 /// @throws Error  (Fault::geometry), whatever the file holds
 [[nodiscard]] RawMesh read_gmsh(const std::filesystem::path& path);
 [[nodiscard]] RawMesh read_vtu(const std::filesystem::path& path);
-[[nodiscard]] RawMesh read_abaqus(const std::filesystem::path& path);
+[[nodiscard]] RawMesh read_abaqus(const std::filesystem::path& path, const IncludeBounds& bounds);
 
 } // namespace billet::io

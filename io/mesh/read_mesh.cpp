@@ -2,6 +2,7 @@
 
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/raw_mesh.h"
 #include "mechanics/mesh_check.h"
 #include "mechanics/mesh_connections.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cctype>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -27,24 +27,16 @@ using mechanics::ElementKind;
 using mechanics::Index;
 using mechanics::Mesh;
 
-struct Format {
-  std::string_view suffix;
-  RawMesh (*read)(const std::filesystem::path&);
-};
-
-constexpr std::array formats{Format{".msh", read_gmsh}, Format{".vtu", read_vtu},
-                             Format{".inp", read_abaqus}};
-
-RawMesh read_raw(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const Format& format : formats)
-    if (format.suffix == suffix)
-      return format.read(path);
-  throw Error(Fault::geometry, path.string(),
-              fmt::format("meshes with the suffix \"{}\" are not read", suffix),
-              "known are .msh (Gmsh), .vtu (VTK) and .inp (Abaqus, CalculiX)");
+RawMesh read_raw(const std::filesystem::path& path, const IncludeBounds& bounds) {
+  switch (mesh_format(path)) {
+  case MeshFormat::gmsh:
+    return read_gmsh(path);
+  case MeshFormat::vtu:
+    return read_vtu(path);
+  case MeshFormat::abaqus:
+    break;
+  }
+  return read_abaqus(path, bounds);
 }
 
 // --- choice of the body --------------------------------------------------------------------------
@@ -202,10 +194,11 @@ void tidy_sets(MeshFile& result) {
 
 } // namespace
 
-MeshFile read_mesh(const std::filesystem::path& path, double length_factor) {
+MeshFile
+read_mesh(const std::filesystem::path& path, double length_factor, const IncludeBounds& bounds) {
   assert(length_factor > 0.0 && std::isfinite(length_factor));
   const std::string file = path.string();
-  RawMesh raw = read_raw(path);
+  RawMesh raw = read_raw(path, bounds);
   CellBlock block = body(raw, file);
   MeshFile result{.mesh = {.kind = *block.kind,
                            .points = std::move(raw.points),

@@ -1,5 +1,5 @@
 // A workpiece mesh from a file: Gmsh .msh (2.2 and 4.1, text and binary), VTK .vtu, Abaqus and
-// CalculiX .inp.
+// CalculiX .inp with what it includes.
 //
 // The cells of the highest dimension in the file are the body and must be of one kind; others only
 // serve to name sets of nodes. Sets: Gmsh's physical groups, Abaqus' *NSET and *ELSET (the nodes of
@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include "io/mesh/included_lines.h"
 #include "mechanics/mesh.h"
 
 #include <filesystem>
@@ -22,13 +23,16 @@ struct MeshFile {
   std::vector<std::string> notes; ///< e.g. "3 nodes that no element uses were left out"
 };
 
-/// Reads a mesh; the format follows from the suffix (.msh, .vtu, .inp).
+/// Reads a mesh; the format follows from how the file begins (mesh_format.h).
 ///
 /// Cells whose nodes all turn the wrong way round are mirrored (and noted); a mixture is an error.
 /// Soundness beyond that is `mechanics::check_mesh`'s business.
 ///
 /// @param length_factor  multiplies the coordinates (unit of the file / unit of the case)
+/// @param bounds         where files that it includes may lie
 /// @throws Error  place "file:line" or "file"
-[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path, double length_factor = 1.0);
+[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path,
+                                 double length_factor = 1.0,
+                                 const IncludeBounds& bounds = {});
 
 } // namespace billet::io

@@ -34,13 +34,17 @@ template <class Number> bool parse_whole(std::string_view text, Number& value) {
 
 } // namespace
 
-std::string read_content(const std::filesystem::path& path) {
+void require_readable(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     throw Error(Fault::geometry, path.string(), "the mesh file does not exist");
   if (!std::filesystem::is_regular_file(status))
     throw Error(Fault::geometry, path.string(), "the mesh is not a file but a folder or device");
+}
+
+std::string read_content(const std::filesystem::path& path) {
+  require_readable(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::string content(std::istreambuf_iterator<char>(stream), {});

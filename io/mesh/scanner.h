@@ -13,6 +13,9 @@
 
 namespace billet::io {
 
+/// @throws Error  (Fault::geometry) if there is no such file, or if it is none that can be read
+void require_readable(const std::filesystem::path& path);
+
 /// The whole content of a regular file.
 /// @throws Error  (Fault::geometry) if it cannot be read
 [[nodiscard]] std::string read_content(const std::filesystem::path& path);
@@ -48,6 +51,7 @@ public:
     return value;
   }
 
+  [[nodiscard]] const std::string& file() const { return file_; }
   /// Number of the line at which the last word or line began, from 1.
   [[nodiscard]] std::size_t line_number() const { return line_; }
   [[noreturn]] void fail(const std::string& message, const std::string& remedy = {}) const;

@@ -2,6 +2,7 @@
 // the program from an outline and from an STL.
 
 #include "tests/app/tables.h"
+#include "tests/geometry/studded_block.h"
 #include "tests/support/case_texts.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -75,6 +76,30 @@ std::string block_stl() {
   return text + "endsolid block\n";
 }
 
+/// A surface as ASCII STL, moved.
+std::string stl_text(const geometry::TriangleMesh& mesh, const Vec3& by = Vec3::Zero()) {
+  std::string text = "solid part\n";
+  for (const auto& triangle : mesh.triangles) {
+    text += " facet normal 0 0 0\n  outer loop\n";
+    for (const std::int32_t corner : triangle) {
+      const Vec3 x = mesh.points[static_cast<std::size_t>(corner)] + by;
+      text += "   vertex " + std::to_string(x[0]) + " " + std::to_string(x[1]) + " " +
+              std::to_string(x[2]) + "\n";
+    }
+    text += "  endloop\n endfacet\n";
+  }
+  return text + "endsolid part\n";
+}
+
+/// Upsetting of an STL body.
+std::string with_body(const std::string& keys) {
+  return edited(
+      upsetting_3d,
+      {{"\"hex8\"", "\"tet10\""},
+       {"mesh     = { cylinder = { radius = 5, height = 15 }, cells = [2, 3], sector = 90 }",
+        "mesh     = { stl = \"body.stl\", unit = \"mm\", " + keys + " }"}});
+}
+
 class MeshedDomains : public testing::Test {
 protected:
   void SetUp() override {
@@ -143,6 +168,47 @@ TEST_F(MeshedDomains, ABodyIsMeshedTheSameInEveryRun) {
   EXPECT_EQ(run(text, {"--quiet", "-o", "first"}).status, 0);
   EXPECT_EQ(run(text, {"--quiet", "-o", "second"}).status, 0);
   EXPECT_EQ(first_frame("first"), first_frame("second"));
+}
+
+TEST_F(MeshedDomains, MeshingInSpaceIsForetoldWithTheReason) {
+  write_text(folder_.path() / "body.stl", stl_text(geometry::studded_block(1, 0.3)));
+  const Outcome looked = check(with_body("size = 5"));
+  EXPECT_EQ(looked.status, 0) << looked.err;
+  EXPECT_TRUE(looked.prints("body.stl: meshing in space, about ")) << looked.out;
+  EXPECT_TRUE(looked.prints("for the volume alone; ")) << looked.out;
+  EXPECT_TRUE(looked.prints("sharp edges that are only 0.3 apart, the closest at (")) << looked.out;
+  const Outcome coarse = check(with_body("size = 5, details = 0.5"));
+  EXPECT_EQ(coarse.status, 0) << coarse.err;
+  EXPECT_TRUE(coarse.prints("details below 0.5 passed over")) << coarse.out;
+  const Outcome ran =
+      run(with_body("size = 5, details = 0.5"), {"-o", "out", "--set", "time.end=0.05"});
+  EXPECT_TRUE(ran.says("body.stl: meshing in space, about ")) << ran.err;
+  EXPECT_NE(whole_file(folder_.path() / "out" / "case.resolved.toml").find("details = 0.5"),
+            std::string::npos);
+}
+
+TEST_F(MeshedDomains, BodiesThatCannotBeMeshedInTimeAreRefusedAtOnce) {
+  write_text(folder_.path() / "body.stl", stl_text(geometry::studded_block(32, 0.2)));
+  const Outcome fine = check(with_body("size = 5"));
+  EXPECT_EQ(fine.status, 7); // a limit
+  EXPECT_TRUE(fine.prints("body.stl: meshing in space, about ")) << fine.out;
+  EXPECT_TRUE(fine.says("body.stl: tetrahedra of size 5 would be about ")) << fine.err;
+  EXPECT_TRUE(fine.says("pass over small shapes with details")) << fine.err;
+
+  const Outcome wrong = check(with_body("size = 5, details = 6"));
+  EXPECT_EQ(wrong.status, 3); // the case file
+  EXPECT_TRUE(wrong.says("details = 6 is more than size = 5")) << wrong.err;
+}
+
+TEST_F(MeshedDomains, SeveralBodiesInOneFileAreRefusedWithTheirBoxes) {
+  write_text(folder_.path() / "body.stl",
+             stl_text(geometry::studded_block(1, 0.3)) +
+                 stl_text(geometry::studded_block(1, 0.3), Vec3(30, 0, 0)));
+  const Outcome looked = check(with_body("size = 5"));
+  EXPECT_EQ(looked.status, 4); // geometry
+  EXPECT_TRUE(looked.says("body.stl: the file holds 2 bodies, in the boxes (0, 0, 0) to "
+                          "(20, 20, 6.3); (30, 0, 0) to (50, 20, 6.3)"))
+      << looked.err;
 }
 
 TEST_F(MeshedDomains, WhatCannotBeMeshedIsSaidWithFileAndRemedy) {

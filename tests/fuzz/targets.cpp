@@ -128,6 +128,12 @@ void mesh(const char* name, std::string_view bytes) {
   (void)mechanics::check_mesh(file.mesh, name, false);
 }
 
+/// With a file that it may include; its own name is part.inp.
+void deck(std::string_view bytes) {
+  (void)scratch().file("nodes.inc", "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*INCLUDE,INPUT=part.inp\n");
+  mesh("part.inp", bytes);
+}
+
 // --- case files ----------------------------------------------------------------------------------
 
 void case_file(std::string_view bytes) {
@@ -156,7 +162,7 @@ constexpr std::array all{
     Target{"smooth", "stl", tolerant<smooth>},
     Target{"msh", "msh", tolerant<[](std::string_view bytes) { mesh("part.msh", bytes); }>},
     Target{"vtu", "vtu", tolerant<[](std::string_view bytes) { mesh("part.vtu", bytes); }>},
-    Target{"inp", "inp", tolerant<[](std::string_view bytes) { mesh("part.inp", bytes); }>},
+    Target{"inp", "inp", tolerant<deck>},
     Target{"case", "case", tolerant<case_file>},
 };
 

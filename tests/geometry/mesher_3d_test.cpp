@@ -4,9 +4,11 @@
 #include "geometry/mesher_3d.h"
 #include "tests/geometry/round_meshes.h"
 #include "tests/geometry/sample_meshes.h"
+#include "tests/geometry/studded_block.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -50,7 +52,7 @@ std::vector<Named> bodies() {
 
 TEST(SolidMesh, FillsTheBodyWithGoodTetrahedra) {
   for (const Named& body : bodies()) {
-    const SolidMesh mesh = mesh_solid(body.surface, body.size);
+    const SolidMesh mesh = mesh_solid(body.surface, {body.size});
     const double exact = health(body.surface).volume;
     std::printf("%-8s %5zu tetrahedra, smallest dihedral angle %.1f deg, volume %+.1e\n",
                 body.name.c_str(), mesh.tetrahedra.size(), smallest_dihedral(mesh),
@@ -68,7 +70,7 @@ TEST(SolidMesh, FillsTheBodyWithGoodTetrahedra) {
 
 TEST(SolidMesh, IsOneBodyWithoutGaps) {
   for (const Named& body : bodies()) {
-    const SolidMesh mesh = mesh_solid(body.surface, body.size);
+    const SolidMesh mesh = mesh_solid(body.surface, {body.size});
     std::map<std::set<std::int32_t>, int> faces;
     for (const auto& [a, b, c, d] : mesh.tetrahedra)
       for (const auto& face : {std::set{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}})
@@ -90,20 +92,36 @@ TEST(SolidMesh, IsOneBodyWithoutGaps) {
 
 TEST(SolidMesh, RepeatsToTheBit) {
   for (const Named& body : bodies()) {
-    const SolidMesh mesh = mesh_solid(body.surface, body.size);
-    const SolidMesh again = mesh_solid(body.surface, body.size);
+    const SolidMesh mesh = mesh_solid(body.surface, {body.size});
+    const SolidMesh again = mesh_solid(body.surface, {body.size});
     EXPECT_EQ(mesh.points, again.points) << body.name;
     EXPECT_EQ(mesh.tetrahedra, again.tetrahedra) << body.name;
   }
 }
 
+TEST(SolidMesh, PassesOverDetails) {
+  const TriangleMesh block = studded_block(1, 0.3);
+  const double exact = health(block).volume;
+  const SolidMesh fine = mesh_solid(block, {4.0});
+  const SolidMesh coarse = mesh_solid(block, {.size = 4.0, .details = 0.5});
+  std::printf("studs: %zu tetrahedra, %zu without, volume %+.1e, angle %.1f deg\n",
+              fine.tetrahedra.size(), coarse.tetrahedra.size(), volume(coarse) / exact - 1.0,
+              smallest_dihedral(coarse));
+  EXPECT_LT(3 * coarse.tetrahedra.size(), 2 * fine.tetrahedra.size());
+  EXPECT_NEAR(volume(coarse), exact, 5e-3 * exact);
+  EXPECT_GE(smallest_dihedral(coarse), 5.0);
+  for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(20, 0, 6), Vec3(20, 20, 6)}) // edges are kept
+    EXPECT_TRUE(std::any_of(coarse.points.begin(), coarse.points.end(),
+                            [&](const Vec3& p) { return (p - corner).norm() < 1e-9; }));
+}
+
 TEST(SolidMesh, RefusesWhatIsNoBody) {
   TriangleMesh open = cube();
   open.triangles.pop_back();
-  EXPECT_THROW((void)mesh_solid(open, 0.3), Error);
-  EXPECT_THROW((void)mesh_solid(flipped(cube()), 0.3), Error);
-  EXPECT_THROW((void)mesh_solid(cube(), 0.0), Error);
-  EXPECT_THROW((void)mesh_solid(cube(), 1e-4), Error);
+  EXPECT_THROW((void)mesh_solid(open, {0.3}), Error);
+  EXPECT_THROW((void)mesh_solid(flipped(cube()), {0.3}), Error);
+  EXPECT_THROW((void)mesh_solid(cube(), {0.0}), Error);
+  EXPECT_THROW((void)mesh_solid(cube(), {1e-4}), Error);
 }
 
 } // namespace

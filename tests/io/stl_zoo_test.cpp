@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "geometry/triangle_surface.h"
+#include "io/stl.h"
 #include "io/stl_report.h"
 #include "tests/io/stl_zoo.h"
 #include "tests/support/temporary_folder.h"

@@ -48,7 +48,7 @@ TEST(DomainMeshes, SegmentsAreNodeSets) {
 }
 
 TEST(DomainMeshes, TetrahedraFillTheBody) {
-  const Mesh mesh = tetrahedron_mesh(geometry::mesh_solid(geometry::cube(), 0.4));
+  const Mesh mesh = tetrahedron_mesh(geometry::mesh_solid(geometry::cube(), {0.4}));
   EXPECT_TRUE(check_mesh(mesh, "", false).empty());
   EXPECT_NEAR(support::total_measure(mesh), 1.0, 1e-12);
 }

@@ -120,6 +120,17 @@ TEST(AbaqusReader, shells_and_trusses_beside_a_solid_mesh_only_name_sets) {
   EXPECT_EQ(file.mesh.node_sets.at("skin").size(), 4U);
 }
 
+TEST(AbaqusReader, springs_masses_and_couplings_beside_a_body_are_passed_over) {
+  const MeshFile file =
+      read_text(std::string(square) + quad +
+                "*ELEMENT,TYPE=SPRINGA,ELSET=E1\n7,1,3\n*ELEMENT,TYPE=springa\n8,2,4\n"
+                "*ELEMENT, TYPE=DCOUP3D, ELSET=E2\n9,1\n*ELSET,ELSET=all\n1,7,9\n");
+  EXPECT_EQ(file.mesh.n_elements(), 1);
+  EXPECT_EQ(file.mesh.node_sets.at("all").size(), 4U);
+  ASSERT_EQ(file.notes.size(), 2U);
+  EXPECT_EQ(file.notes[0], "warning: line 8: elements of type SPRINGA are passed over");
+}
+
 TEST(AbaqusReader, a_single_part_with_an_instance_in_place_is_read) {
   EXPECT_EQ(read_text(std::string("*PART,NAME=P\n") + square + quad +
                       "*END PART\n*ASSEMBLY,NAME=A\n*INSTANCE,NAME=P-1,PART=P\n*END INSTANCE\n"
@@ -155,8 +166,8 @@ std::vector<Broken> broken_files() {
       {"unknown type", nodes + "*ELEMENT,TYPE=DC2D4\n1,1,2,3,4\n", "\"DC2D4\""},
       {"linear tetrahedra", nodes + "*ELEMENT,TYPE=C3D4\n1,1,2,3,4\n", "second order"},
       {"shells", nodes + "*ELEMENT,TYPE=S4R\n1,1,2,3,4\n", "1 S4R"},
-      {"include", nodes + "*INCLUDE, INPUT=other.inp\n", "another file"},
-      {"input", "*NODE, INPUT=nodes.txt\n", "another file"},
+      {"nothing to include", nodes + "*INCLUDE\n", "part.inp:6: the name of the file"},
+      {"encrypted", nodes + "*INCLUDE, INPUT=a.inp, PASSWORD=b\n", "part.inp:6: an encrypted"},
       {"generated nodes", nodes + "*NGEN\n1,4,1\n", "*NGEN"},
       {"cylindrical nodes", "*NODE, SYSTEM=C\n1,0,0\n", "not rectangular"},
       {"system", "*SYSTEM\n1,2,3\n" + nodes, "*SYSTEM"},
