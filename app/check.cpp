@@ -1,19 +1,23 @@
 // billet check: everything about a case that can be known without solving it.
 
 #include "app/command_line.h"
+#include "app/cost.h"
 #include "app/make_process.h"
+#include "app/memory.h"
 #include "geometry/base/box.h"
 #include "io/case/material_library.h"
 #include "io/case/read_case.h"
 #include "io/case/toml_text.h"
-#include "mechanics/linear_solver.h"
 #include "mechanics/mesh_check.h"
 #include "process/remeshing.h"
 #include "process/run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -21,49 +25,6 @@
 namespace billet::app {
 
 namespace {
-
-using mechanics::Index;
-
-/// Entries and operations of a Cholesky factor, from its elimination tree's column counts.
-struct FactorCost {
-  double entries = 0.0;
-  double operations = 0.0;
-};
-
-/// Symbolic elimination on the node graph; costs are those of `dim` unknowns a node.
-FactorCost factor_cost(const mechanics::BlockPattern& pattern) {
-  const std::vector<Index> order = mechanics::fill_reducing_order(pattern);
-  const auto n = static_cast<std::size_t>(pattern.n_nodes());
-  const auto dim = static_cast<std::size_t>(pattern.dim);
-  std::vector<Index> position(n);
-  for (std::size_t k = 0; k < n; ++k)
-    position[static_cast<std::size_t>(order[k * dim]) / dim] = static_cast<Index>(k);
-  std::vector<std::vector<Index>> below(n);
-  for (std::size_t a = 0; a < n; ++a)
-    for (Index k = pattern.neighbour_start[a]; k < pattern.neighbour_start[a + 1]; ++k) {
-      const Index b =
-          position[static_cast<std::size_t>(pattern.neighbours[static_cast<std::size_t>(k)])];
-      if (b > position[a])
-        below[static_cast<std::size_t>(position[a])].push_back(b);
-    }
-  FactorCost cost;
-  for (std::size_t k = 0; k < n; ++k) {
-    auto& column = below[k];
-    std::sort(column.begin(), column.end());
-    column.erase(std::unique(column.begin(), column.end()), column.end());
-    const double width = static_cast<double>(dim);
-    const double height = width * static_cast<double>(column.size()) + 0.5 * width;
-    cost.entries += width * height;
-    cost.operations += width * height * height;
-    if (column.empty())
-      continue;
-    auto& parent = below[static_cast<std::size_t>(column.front())];
-    parent.insert(parent.end(), column.begin() + 1, column.end());
-    column.clear();
-    column.shrink_to_fit();
-  }
-  return cost;
-}
 
 std::string_view law_name(const mechanics::AnyFlowLaw& flow) {
   return std::visit([](const auto& law) { return law.name; }, flow);
@@ -148,6 +109,18 @@ void print_remeshing(const process::RemeshSettings& remesh,
              when, plane ? "sides" : "edges", sizes.min, sizes.max, units.length);
 }
 
+/// " (along x, about z)".
+std::string names_of(const process::FreeMotions& free) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (free.along[i])
+      names.push_back(fmt::format("along {}", "xyz"[i]));
+  for (std::size_t i = 0; i < 3; ++i)
+    if (free.about[i])
+      names.push_back(fmt::format("about {}", "xyz"[i]));
+  return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
+}
+
 void print_activity(const process::Scene& scene,
                     const process::Process& process,
                     const io::Case& content) {
@@ -174,23 +147,34 @@ void print_activity(const process::Scene& scene,
     fmt::print(
         "  on faces of linear elements contact.form \"mixed\" and \"compatible\" are the same\n");
   if (process.grounded_motions() > 0)
-    fmt::print("  {} rigid motion(s) are held by contact alone; a vanishing grounding stiffness "
-               "carries them until then\n",
-               process.grounded_motions());
+    fmt::print("  {} rigid motion(s) are held by contact alone{}; a vanishing grounding stiffness "
+               "carries them until then; a [[support]] on a plane of symmetry takes them away\n",
+               process.grounded_motions(), names_of(process::free_motions(scene)));
 }
 
-void print_cost(const process::Scene& scene) {
-  const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.mesh);
-  const FactorCost cost = factor_cost(pattern);
+/// Seconds as a user reads them: "40 s", "25 min", "7 h".
+std::string readable(double seconds) {
+  constexpr double minute = 60.0, hour = 3600.0;
+  if (seconds < 10.0)
+    return fmt::format("{:.2g} s", seconds);
+  if (seconds < 5.0 * minute)
+    return fmt::format("{:.0f} s", seconds);
+  return seconds < 2.0 * hour ? fmt::format("{:.0f} min", seconds / minute)
+                              : fmt::format("{:.0f} h", seconds / hour);
+}
+
+void print_cost(const CostEstimate& cost) {
   constexpr double megabyte = 1e6;
-  // Of an entry: value, column, the symmetric neighbour's value, and the copy that is permuted.
-  const double matrix = 30.0 * static_cast<double>(pattern.n_entries());
-  // Cholesky's factor, or an LU's two in single precision, and the working front besides.
-  const double factors = 8.0 * cost.entries * 1.5;
-  fmt::print("unknowns: {}, entries of the tangent {}, of its factors {:.3g}\n", pattern.n_dofs(),
-             pattern.n_entries(), cost.entries);
-  fmt::print("memory: about {:.0f} MB; one factorization about {:.3g} GFLOP\n",
-             (matrix + factors) / megabyte, cost.operations * 1e-9);
+  fmt::print("unknowns: {}, entries of the tangent {}, of its factors {:.3g}\n", cost.unknowns,
+             cost.entries, cost.factor_entries);
+  const std::optional<double> left = available_memory();
+  fmt::print("memory: about {:.0f} MB{}; one factorization about {:.3g} GFLOP\n",
+             cost.memory / megabyte,
+             left ? fmt::format(" of {:.0f} MB that are left", *left / megabyte) : "",
+             cost.operations * 1e-9);
+  fmt::print("time: about {} for {:.0f} increments of {:.0f} iterations, of one thread; a third of "
+             "it to ten times as much\n",
+             readable(cost.seconds), cost.increments, cost.iterations);
 }
 
 } // namespace
@@ -207,7 +191,10 @@ int check_case(const Arguments& arguments) {
   print_mesh(scene, content);
   print_material(content);
   print_activity(scene, process, content);
-  print_cost(scene);
+  const CostEstimate cost = ready.cost ? *ready.cost : cost_estimate(scene);
+  print_cost(cost);
+  if (const std::optional<std::string> warning = memory_warning(cost); warning && !ready.cost)
+    fmt::print("{}\n", *warning);
   fmt::print("the case is good\n");
   return 0;
 }

@@ -3,10 +3,13 @@
 #include "geometry/base/error.h"
 #include "io/results/frames.h"
 #include "io/scene_builder.h"
+#include "io/slips/slips.h"
 #include "process/tool_meetings.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,12 +41,21 @@ ReadyProcess make_process(const io::Case& content, const std::string& file, int 
   std::vector<std::string> notes;
   try {
     io::require_known_fields(content.output, file);
+    notes = io::number_slips(content);
     io::BuiltScene built = io::build_scene(content, file);
-    notes = std::move(built.notes);
+    std::move(built.notes.begin(), built.notes.end(), std::back_inserter(notes));
     built.scene.solver.threads = content.solver.reproducible ? 1 : threads;
     auto process = std::make_unique<process::Process>(std::move(built.scene));
     note_meetings(process->scene(), content.units, notes);
-    return {std::move(process), std::move(notes)};
+    for (std::string& slip : io::scene_slips(content, *process))
+      notes.push_back(std::move(slip));
+    std::optional<CostEstimate> cost;
+    if (std::ssize(process->positions()) > many_unknowns) {
+      cost = cost_estimate(process->scene());
+      if (const std::optional<std::string> warning = memory_warning(*cost))
+        notes.push_back(*warning);
+    }
+    return {std::move(process), std::move(notes), cost};
   } catch (const Error& error) {
     std::vector<Complaint> complaints = error.complaints();
     for (Complaint& complaint : complaints)

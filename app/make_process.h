@@ -2,10 +2,12 @@
 
 #pragma once
 
+#include "app/cost.h"
 #include "io/case/case.h"
 #include "process/run.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,8 @@ namespace billet::app {
 
 struct ReadyProcess {
   std::unique_ptr<process::Process> process;
-  std::vector<std::string> notes; ///< what the user should know about the inputs
+  std::vector<std::string> notes;                  ///< what the user should know about the inputs
+  std::optional<CostEstimate> cost = std::nullopt; ///< of large scenes
 };
 
 /// @param file  of the case: the place of complaints that have none of their own

@@ -148,10 +148,10 @@ std::vector<ReportRow> table(const FacetFile& file, const StlTool& tool) {
 }
 
 std::optional<std::string> size_warning(double die, double workpiece, std::string_view unit) {
-  // A die as large as the workpiece that is off by 1000 is a little more than a 1000th of it.
-  constexpr double suspiciously_large = 1000.0, suspiciously_small = 1.0 / 300.0;
+  // A die as large as the workpiece is off by 25.4 in inches; rolls are larger than what they roll.
+  constexpr double large = 20.0, small = 1.0 / 20.0, huge = 1000.0;
   const double ratio = die / workpiece;
-  if (ratio <= suspiciously_large && ratio >= suspiciously_small)
+  if (ratio <= large && ratio >= small)
     return std::nullopt;
   const UnitSystem system;
   std::string likely;
@@ -165,6 +165,8 @@ std::optional<std::string> size_warning(double die, double workpiece, std::strin
       likely = name;
     }
   }
+  if (likely.empty() && ratio > small && ratio < huge)
+    return std::nullopt;
   return fmt::format("the die is {:.3g} times {} than the workpiece{}",
                      ratio > 1.0 ? ratio : 1.0 / ratio, ratio > 1.0 ? "larger" : "smaller",
                      likely.empty()

@@ -27,8 +27,8 @@ struct ReportRow {
 /// effect, overlaps, needles, coarse coordinates, doubts about the file that proved unfounded.
 [[nodiscard]] std::vector<std::string> remarks(const FacetFile& file, const StlTool& tool);
 
-/// A warning if a die is a thousand times larger or smaller than the workpiece, with the unit that
-/// the file is likely to be in.
+/// A warning if a die is so much larger or smaller than the workpiece that its file is likely to be
+/// in another unit, and which; a thousand times larger in any case.
 ///
 /// @param die, workpiece  diagonals, same unit, > 0
 /// @param unit            what the file was taken to be in, such as "mm"; empty: it says so itself

@@ -31,13 +31,11 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> rigid_motions(mechanics::Analysis analy
   return modes;
 }
 
-} // namespace
-
-int free_rigid_motions(const Scene& scene) {
+/// Gram matrix of the motions at the supported unknowns: its rank is the number of motions held.
+Eigen::MatrixXd gram_of_supports(const Scene& scene) {
   const Box box = box_of(scene.mesh.points);
   const Vec3 centre = 0.5 * (box.low + box.high);
   const auto n = rigid_motions(scene.analysis, Vec3::Zero()).cols();
-  // Gram matrix of the motions at the supported unknowns: its rank is the number of motions held.
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
   for (const Support& support : scene.supports)
     for (const Index node : support.nodes) {
@@ -45,9 +43,53 @@ int free_rigid_motions(const Scene& scene) {
       const Eigen::RowVectorXd row = rigid_motions(scene.analysis, p).row(support.component);
       gram += row.transpose() * row;
     }
+  return gram;
+}
+
+/// The motions that are not held, one a column; shape (n_motions, n_free).
+Eigen::MatrixXd free_space(const Eigen::MatrixXd& gram) {
+  if (gram.isZero(0.0))
+    return Eigen::MatrixXd::Identity(gram.rows(), gram.cols());
   Eigen::FullPivLU<Eigen::MatrixXd> lu(gram);
   lu.setThreshold(1e-10);
-  return static_cast<int>(n - (gram.isZero(0.0) ? 0 : lu.rank()));
+  return lu.rank() == gram.cols() ? Eigen::MatrixXd(gram.rows(), 0) : Eigen::MatrixXd(lu.kernel());
+}
+
+/// Whether a vector is a sum of columns.
+bool in_span(const Eigen::MatrixXd& columns, const Eigen::VectorXd& vector) {
+  constexpr double rounding = 1e-6; // of a unit vector
+  if (columns.cols() == 0 || columns.rows() == 0)
+    return false;
+  const Eigen::VectorXd nearest = columns * columns.completeOrthogonalDecomposition().solve(vector);
+  return (nearest - vector).norm() < rounding;
+}
+
+} // namespace
+
+int free_rigid_motions(const Scene& scene) {
+  return static_cast<int>(free_space(gram_of_supports(scene)).cols());
+}
+
+FreeMotions free_motions(const Scene& scene) {
+  const Eigen::MatrixXd space = free_space(gram_of_supports(scene));
+  const auto n = space.rows();
+  FreeMotions free;
+  const auto shift = [&](Eigen::Index column) {
+    return in_span(space, Eigen::VectorXd::Unit(n, column));
+  };
+  if (scene.analysis == mechanics::Analysis::axisymmetric) {
+    free.along[1] = shift(0);
+    return free;
+  }
+  const Eigen::Index dim = scene.mesh.dimension();
+  for (Eigen::Index i = 0; i < dim; ++i)
+    free.along[static_cast<std::size_t>(i)] = shift(i);
+  // A turn about some line: the part of a free motion that turns, whatever shift goes with it.
+  const Eigen::MatrixXd turns = space.bottomRows(n - dim);
+  for (Eigen::Index i = 0; i < n - dim; ++i)
+    free.about[dim == 2 ? 2 : static_cast<std::size_t>(i)] =
+        in_span(turns, Eigen::VectorXd::Unit(n - dim, i));
+  return free;
 }
 
 double body_size(const mechanics::Mesh& mesh) {

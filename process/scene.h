@@ -11,6 +11,7 @@
 #include "mechanics/linear_solver.h"
 #include "mechanics/mesh.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -101,6 +102,14 @@ struct Scene {
 
 /// Rigid motions that the supports leave free (the contact may still stop them).
 [[nodiscard]] int free_rigid_motions(const Scene& scene);
+
+/// Which rigid motions the supports leave free, along and about the axes. In the plane z is left
+/// out and turns are about z.
+struct FreeMotions {
+  std::array<bool, 3> along = {false, false, false}; ///< shifts
+  std::array<bool, 3> about = {false, false, false}; ///< turns about some line of that direction
+};
+[[nodiscard]] FreeMotions free_motions(const Scene& scene);
 
 /// Diameter of the ball about the mean of the nodes that holds the part [mm]: a length that does
 /// not depend on how the part lies in space, as that of its box does.

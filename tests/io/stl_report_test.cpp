@@ -62,14 +62,21 @@ TEST_F(StlReport, TheFeatureAngleDecidesWhatIsAFeature) {
 
 TEST(SizeWarning, NamesTheUnitTheFileIsLikelyToBeIn) {
   EXPECT_FALSE(size_warning(100.0, 10.0, "mm").has_value());
-  EXPECT_FALSE(size_warning(1.0, 290.0, "mm").has_value());
-  EXPECT_FALSE(size_warning(900.0, 1.0, "mm").has_value());
+  EXPECT_FALSE(size_warning(100.0, 5.1, "mm").has_value());
+  EXPECT_FALSE(size_warning(1.0, 19.0, "mm").has_value());
+  EXPECT_FALSE(size_warning(900.0, 1.0, "mm").has_value())
+      << "a roll, and no larger unit is likely";
   EXPECT_NE(size_warning(0.016, 5.0, "mm").value_or("").find("is the file in m instead of mm?"),
             std::string::npos)
       << "a die as large as the workpiece, and a little more";
   const std::string metres = size_warning(0.09, 100.0, "mm").value_or("");
   EXPECT_NE(metres.find("1.11e+03 times smaller"), std::string::npos) << metres;
   EXPECT_NE(metres.find("is the file in m instead of mm?"), std::string::npos) << metres;
+  const std::string inches = size_warning(20.0 / 25.4, 20.0, "mm").value_or("");
+  EXPECT_NE(inches.find("25.4 times smaller"), std::string::npos) << inches;
+  EXPECT_NE(inches.find("is the file in in instead of mm?"), std::string::npos) << inches;
+  const std::string no_inches = size_warning(20.0 * 25.4, 20.0, "in").value_or("");
+  EXPECT_NE(no_inches.find("is the file in mm instead of in?"), std::string::npos) << no_inches;
   const std::string millimetres = size_warning(2e5, 100.0, "m").value_or("");
   EXPECT_NE(millimetres.find("is the file in mm instead of m?"), std::string::npos) << millimetres;
 }

@@ -1,0 +1,109 @@
+#include "app/cost.h"
+
+#include "app/memory.h"
+#include "mechanics/linear_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace billet::app {
+
+namespace {
+
+using mechanics::Index;
+
+/// Entries and operations of a Cholesky factor, from its elimination tree's column counts.
+struct Elimination {
+  double entries = 0.0;
+  double operations = 0.0;
+};
+
+/// Symbolic elimination on the node graph; costs are those of `dim` unknowns a node.
+Elimination elimination(const mechanics::BlockPattern& pattern) {
+  const std::vector<Index> order = mechanics::fill_reducing_order(pattern);
+  const auto n = static_cast<std::size_t>(pattern.n_nodes());
+  const auto dim = static_cast<std::size_t>(pattern.dim);
+  std::vector<Index> position(n);
+  for (std::size_t k = 0; k < n; ++k)
+    position[static_cast<std::size_t>(order[k * dim]) / dim] = static_cast<Index>(k);
+  std::vector<std::vector<Index>> below(n);
+  for (std::size_t a = 0; a < n; ++a)
+    for (Index k = pattern.neighbour_start[a]; k < pattern.neighbour_start[a + 1]; ++k) {
+      const Index b =
+          position[static_cast<std::size_t>(pattern.neighbours[static_cast<std::size_t>(k)])];
+      if (b > position[a])
+        below[static_cast<std::size_t>(position[a])].push_back(b);
+    }
+  Elimination cost;
+  for (std::size_t k = 0; k < n; ++k) {
+    auto& column = below[k];
+    std::sort(column.begin(), column.end());
+    column.erase(std::unique(column.begin(), column.end()), column.end());
+    const double width = static_cast<double>(dim);
+    const double height = width * static_cast<double>(column.size()) + 0.5 * width;
+    cost.entries += width * height;
+    cost.operations += width * height * height;
+    if (column.empty())
+      continue;
+    auto& parent = below[static_cast<std::size_t>(column.front())];
+    parent.insert(parent.end(), column.begin() + 1, column.end());
+    column.clear();
+    column.shrink_to_fit();
+  }
+  return cost;
+}
+
+/// Increments of a run none of which is cut back: as long as they may be, after the first few.
+double increments_of(const process::Scene& scene) {
+  constexpr double growth = 5.0; // from the first one to the longest
+  double increments = 0.0, start = 0.0;
+  for (const process::Stage& stage : scene.stages) {
+    const double length = stage.end - start;
+    const double longest = scene.increments.max.value_or(process::default_longest(length));
+    increments += std::ceil(length / std::min(longest, length)) + growth;
+    start = stage.end;
+  }
+  return increments;
+}
+
+} // namespace
+
+CostEstimate cost_estimate(const process::Scene& scene) {
+  const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.mesh);
+  const Elimination factor = elimination(pattern);
+  CostEstimate cost;
+  cost.unknowns = pattern.n_dofs();
+  cost.entries = static_cast<std::int64_t>(pattern.n_entries());
+  cost.factor_entries = factor.entries;
+  cost.operations = factor.operations;
+  // Of an entry: value, column, the symmetric neighbour's value, and the copy that is permuted.
+  const double matrix = 30.0 * static_cast<double>(pattern.n_entries());
+  // Cholesky's factor, or an LU's two in single precision, and the working front besides.
+  const double factors = 8.0 * factor.entries * 1.5;
+  cost.memory = matrix + factors;
+  // Measured with the cases that come along: elements, contact and substitutions go with the
+  // entries of the tangent, the factorization with its operations.
+  constexpr double per_entry = 1.3e-7, per_operation = 1e-10; // [s]
+  cost.increments = increments_of(scene);
+  cost.iterations = 4.0;
+  cost.seconds = cost.increments * cost.iterations *
+                 (per_entry * static_cast<double>(cost.entries) + per_operation * cost.operations);
+  return cost;
+}
+
+std::optional<std::string> memory_warning(const CostEstimate& cost) {
+  constexpr double most = 0.9; // of what is left
+  constexpr double megabyte = 1e6;
+  const std::optional<double> left = available_memory();
+  if (!left || cost.memory <= most * *left)
+    return std::nullopt;
+  return fmt::format(
+      "warning: the run takes about {:.0f} MB, and {:.0f} MB are left: it may end for "
+      "want of memory; larger elements, or a symmetric half of the part, take less",
+      cost.memory / megabyte, *left / megabyte);
+}
+
+} // namespace billet::app

@@ -1,0 +1,21 @@
+// The parts of `scene_slips`; a detail of io/slips.
+
+#pragma once
+
+#include "io/case/case.h"
+#include "process/run.h"
+
+#include <string>
+#include <vector>
+
+namespace billet::io {
+
+/// Tools that do not arrive, a part that nothing holds or strains.
+[[nodiscard]] std::vector<std::string> motion_slips(const Case& content,
+                                                    const process::Process& process);
+
+/// Elements that cannot show what is asked of them.
+[[nodiscard]] std::vector<std::string> mesh_slips(const Case& content,
+                                                  const process::Process& process);
+
+} // namespace billet::io
