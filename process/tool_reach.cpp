@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <variant>
@@ -53,17 +54,26 @@ struct Faces {
 
 Faces faces_of(const Scene& scene) {
   Faces faces;
-  for (const mechanics::Face& face : scene.contact_faces) {
-    const auto first = static_cast<std::int32_t>(faces.points.size());
-    for (const Index node : face.nodes)
+  std::vector<std::int32_t> number(scene.mesh.points.size(), -1);
+  const auto numbered = [&](Index node) {
+    std::int32_t& at = number[idx(node)];
+    if (at < 0) {
+      at = static_cast<std::int32_t>(faces.points.size());
       faces.points.push_back(scene.mesh.points[idx(node)]);
-    const bool quadrilateral = face.nodes.size() == 4 || face.nodes.size() == 8;
+    }
+    return at;
+  };
+  for (const mechanics::Face& face : scene.contact_faces) {
+    std::vector<std::int32_t> nodes;
+    for (const Index node : face.nodes)
+      nodes.push_back(numbered(node));
+    const bool quadrilateral = nodes.size() == 4 || nodes.size() == 8;
     if (scene.mesh.dimension() == 2)
-      faces.facets.lines.push_back({first, first + 1});
+      faces.facets.lines.push_back({nodes[0], nodes[1]});
     else
-      faces.facets.triangles.push_back({first, first + 1, first + 2});
+      faces.facets.triangles.push_back({nodes[0], nodes[1], nodes[2]});
     if (scene.mesh.dimension() == 3 && quadrilateral)
-      faces.facets.triangles.push_back({first, first + 2, first + 3});
+      faces.facets.triangles.push_back({nodes[0], nodes[2], nodes[3]});
   }
   faces.facets.points = faces.points;
   return faces;
@@ -109,6 +119,18 @@ public:
     return any;
   }
 
+  /// Whether a shift takes the tool away from all the nodes that are nearest to it.
+  [[nodiscard]] bool draws_back(double time, const Vec3& shift) const {
+    constexpr double near = 0.02; // of the part's size
+    constexpr double hardly = 1e-3;
+    const std::vector<geometry::Projection> all = feet(time);
+    const double least = gap(time);
+    return std::all_of(all.begin(), all.end(), [&](const geometry::Projection& foot) {
+      return !foot.found() || foot.gap > least + near * size_ ||
+             foot.normal.dot(shift) < -hardly * shift.norm();
+    });
+  }
+
   /// Distances of facets at these times: a narrow tool comes down between nodes.
   ///
   /// @param farthest_node  the least gap of the nodes [mm]
@@ -120,6 +142,8 @@ public:
         window.add(tool_.motion.pose(time).to_tool(p));
     window.low.array() -= farthest_node;
     window.high.array() += farthest_node;
+    if (!std::isfinite(window.size()))
+      return std::vector<double>(times.size(), std::numeric_limits<double>::infinity());
     const geometry::FacetBody tool(tool_.surface->display(window, planar_), window.size());
     const geometry::FacetBody workpiece(faces_.facets, window.size());
     std::vector<double> gaps;
@@ -216,6 +240,7 @@ std::optional<ToolReach> tool_reach(const Scene& scene, std::size_t number) {
   for (std::size_t k = 0; k < times.size() && reach.way > 0.0; ++k)
     if (reach.least.gap > -past.closed()) // else it is in the part, which is all there is to know
       take(reach, {times[k], past.gap(times[k])});
+  reach.draws_back = past.draws_back(times.front(), reach.shift);
   reach.has_all_behind = times.front() <= 0.0 && past.has_all_behind(times.front());
   if (reach.least.gap > past.closed()) {
     const std::vector<double> gaps = past.gaps_of_facets(times, reach.least.gap);

@@ -25,12 +25,15 @@ struct ToolGap {
 
 /// How near a tool comes while it acts.
 struct ToolReach {
-  ToolGap first;               ///< when it begins to act
-  ToolGap last;                ///< when it has acted
-  ToolGap least;               ///< of the times that were looked at
-  double way = 0.0;            ///< of any of its points between first and last, at most [mm]
-  Vec3 shift = Vec3::Zero();   ///< from first to last, without turns [mm]
-  bool touches = false;        ///< it comes to touch
+  ToolGap first;             ///< when it begins to act
+  ToolGap last;              ///< when it has acted
+  ToolGap least;             ///< of the times that were looked at
+  double way = 0.0;          ///< of any of its points between first and last, at most [mm]
+  Vec3 shift = Vec3::Zero(); ///< from first to last, without turns [mm]
+  bool touches = false;      ///< it comes to touch
+  /// At first it draws back from the nodes that are nearest: a narrow tool that goes in between
+  /// nodes is farther from them in the end as well, and does not.
+  bool draws_back = false;
   bool has_all_behind = false; ///< it acts from the start and has no node of the part before it
 };
 

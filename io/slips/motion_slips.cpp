@@ -78,7 +78,7 @@ Slip never_arrives(const MotionScene& m, std::size_t t) {
   const UnitSystem& units = m.content.units;
   const std::string& name = m.scene.tools[t].name;
   const double brought = brought_by_others(m, t);
-  const bool leaves = reach->last.gap > reach->first.gap + m.closed &&
+  const bool leaves = reach->draws_back && reach->last.gap > reach->first.gap + m.closed &&
                       reach->least.gap >= reach->first.gap - m.closed;
   const bool only_lifts = reach->touches && reach->least.gap > -m.closed; // not once in the part
   if (leaves && brought == 0.0 && (only_lifts || !reach->touches))

@@ -85,6 +85,13 @@ TEST(SceneSlips, a_tool_that_moves_away) {
               {"moves away from the workpiece: it is 0.5 mm off at t = 0 s and 0.6 mm"});
 }
 
+TEST(SceneSlips, a_needle_that_goes_in_between_nodes_does_not_move_away) {
+  expect_told(
+      edited(upsetting, {{punch_plane, "{ circle = { centre = [1.875, 7.6], radius = 0.1 } }"},
+                         {"end = 0.1", "end = 0.5"}}),
+      {"tool 'punch' is rounded with a radius of 0.1 mm"});
+}
+
 TEST(SceneSlips, a_tool_that_starts_far_off) {
   expect_told(
       edited(upsetting, {{"[0, 7.5], n", "[0, 107.5], n"}, {down, "velocity = [0, -1001]"}}),
