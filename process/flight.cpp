@@ -17,7 +17,7 @@ namespace billet::process {
 
 namespace {
 
-constexpr int looks_at_span = 16; // of a span: ways that are not straight are seen in so many
+constexpr int looks_at_span = 16;         // pieces of a span: ways need not be straight
 constexpr double rounding_of_way = 1e-12; // of a way
 constexpr int most_steps_in_air = 200;    // of one tool towards the part
 constexpr double same_motion = 1e-3;      // of an increment's way: the part goes with its pusher
