@@ -9,6 +9,9 @@ namespace billet::io {
 /// Space, tab and what ends lines, in any locale.
 [[nodiscard]] constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+/// What some editors begin a text in UTF-8 with.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// Text without blanks at its ends.
 [[nodiscard]] constexpr std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front()))

@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/paths.h"
+#include "io/text.h"
 
 #include <fmt/format.h>
 
@@ -19,10 +20,8 @@ constexpr std::size_t most_deep = 16;
 constexpr std::size_t most_included = 1000; ///< times that a file is read
 constexpr std::uintmax_t most_bytes = 2'000'000'000;
 
-/// What some editors begin a text with.
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-std::string shown(std::string_view name) {
+/// A file's name without unprintable characters, short enough for a message.
+std::string printable(std::string_view name) {
   std::string clean(name.substr(0, 100));
   std::replace_if(
       clean.begin(), clean.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
@@ -69,21 +68,21 @@ void IncludedLines::require_allowed(const fs::path& path, std::string_view name)
   const fs::path own = folder_.empty() ? fs::path(".") : folder_;
   if (!bounds_.anywhere && !is_inside(path, own) &&
       (bounds_.folder.empty() || !is_inside(path, bounds_.folder)))
-    fail(fmt::format("\"{}\" is to be included, which is outside the folder of {}", shown(name),
+    fail(fmt::format("\"{}\" is to be included, which is outside the folder of {}", printable(name),
                      bounds_.folder.empty() ? "this file" : "this file and that of the case"),
          "move the file into the folder, or use --allow-outside");
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status))
-    fail(fmt::format("\"{}\" is to be included, but there is no such file", shown(name)),
+    fail(fmt::format("\"{}\" is to be included, but there is no such file", printable(name)),
          fmt::format("names are relative to the folder of {}",
                      sources_.front().real.filename().string()));
   if (!fs::is_regular_file(status))
-    fail(fmt::format("\"{}\" is to be included, but it is a folder or device", shown(name)));
+    fail(fmt::format("\"{}\" is to be included, but it is a folder or device", printable(name)));
   const fs::path same = real(path);
   if (std::any_of(sources_.begin(), sources_.end(),
                   [&](const Source& source) { return source.real == same; }))
-    fail(fmt::format("\"{}\" includes itself, by way of others or at once", shown(name)));
+    fail(fmt::format("\"{}\" includes itself, by way of others or at once", printable(name)));
 }
 
 void IncludedLines::require_budget(const fs::path& path) {

@@ -37,7 +37,6 @@ constexpr std::array suffixes{Suffix{".msh", MeshFormat::gmsh}, Suffix{".vtu", M
 
 /// By the first characters that are not blank.
 std::optional<MeshFormat> format_of(std::string_view text) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark))
     text.remove_prefix(byte_order_mark.size());
   text = trimmed(text);
