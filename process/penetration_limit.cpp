@@ -39,19 +39,46 @@ void Process::note_deepest_tool() {
                      deep.tool,           deep.position};
 }
 
+double Process::radius_there() const {
+  if (narrow_radius_ >= 0.0)
+    return narrow_radius_;
+  const Vec3 at = contact_->pose(penetration_.tool, time_, trial_x_).to_tool(penetration_.position);
+  geometry::Projection foot;
+  scene_.tools[penetration_.tool].surface->project({&at, 1}, body_size(scene_.mesh), {&foot, 1});
+  const double curvature = foot.dnormal_dx.norm();
+  return foot.found() && curvature > 0.0 ? 1.0 / curvature : 0.0;
+}
+
+double Process::most_unfelt() const {
+  const contact::Penetration& deep = penetration_;
+  const double of_depth = deepest_unfelt * surface_->depth(deep.face);
+  const std::vector<Vec3> corners = surface_->samples(x_, deep.face, 1);
+  double length = 0.0; // of the face
+  for (const Vec3& corner : corners)
+    length = std::max(length, (corner - corners[0]).norm());
+  constexpr double narrow = 0.5, between_points = 0.58; // of the length
+  const double radius = radius_there();
+  if (radius < narrow * length)
+    return of_depth;
+  const double spacing = between_points * length;
+  return std::max(of_depth, 0.125 * spacing * spacing / radius);
+}
+
 bool Process::lies_in_unfelt(std::string& why) const {
   const contact::Penetration& deep = penetration_;
-  if (!(deep.share > deepest_unfelt) || deep.face < 0 || contact_->bears_near(deep.tool, deep.face))
+  if (deep.face < 0 || !(deep.sampled > most_unfelt()) ||
+      contact_->bears_near(deep.tool, deep.face))
     return false;
   why = fmt::format("tool '{}' lies {:.3g} deep in the workpiece near ({:.6g}, {:.6g}, {:.6g}), "
                     "{:.0f} % of the element there ({:.3g}), and no contact point meets it: it is "
                     "narrower than they are apart. ",
                     scene_.tools[deep.tool].name, deep.sampled, deep.position[0], deep.position[1],
                     deep.position[2], 100.0 * deep.share, surface_->depth(deep.face));
-  why += narrow_radius_ == 0.0
-             ? "Round its corner or edge, and take elements no longer than the radius there"
-             : fmt::format("Take elements of about {:.2g} there",
-                           narrow_radius_ > 0.0 ? narrow_radius_ : deep.sampled);
+  constexpr double resolves = 0.25; // an element, of a radius
+  if (const double radius = radius_there(); radius > 0.0)
+    why += fmt::format("Take elements of about {:.2g} there", resolves * radius);
+  else
+    why += "Round its corner or edge, and take elements of a quarter of the radius there";
   return true;
 }
 

@@ -408,6 +408,11 @@ private:
   /// Presses harder until the limit of penetration holds. (P.7)
   [[nodiscard]] bool limit_penetration(double dt, std::string& why);
   [[nodiscard]] bool too_deep() const;
+  /// Of the tool where it is the deepest in the part; 0: flat, or an edge [mm]
+  [[nodiscard]] double radius_there() const;
+  /// How deep a tool may lie in the part at the deepest place without bearing on it there: what is
+  /// not narrow meets contact points once it is as deep as it bulges between them. (P.40) [mm]
+  [[nodiscard]] double most_unfelt() const;
   /// Keeps where a tool has been the deepest.
   void note_deepest_tool();
   /// Whether a tool lies in the part where it does not bear on it. (P.40)

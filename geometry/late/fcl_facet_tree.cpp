@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <new>
 
 namespace billet::geometry {
 
@@ -34,9 +35,10 @@ public:
     std::vector<fcl::Triangle> facets;
     for (const Triangle& t : triangles)
       facets.emplace_back(t[0], t[1], t[2]);
-    model_.beginModel();
-    model_.addSubModel(corners, facets);
-    model_.endModel();
+    // FCL tells of memory that it has not got, and goes on.
+    if (model_.beginModel() != fcl::BVH_OK || model_.addSubModel(corners, facets) != fcl::BVH_OK ||
+        model_.endModel() != fcl::BVH_OK)
+      throw std::bad_alloc();
   }
 
   [[nodiscard]] double

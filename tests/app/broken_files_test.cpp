@@ -51,7 +51,7 @@ std::vector<Broken> meshes() {
   kind.text = edited(kind.text, {{"quad4", "quad8"}});
   Broken suffix = mesh("suffix_unknown", good_msh, {"part.dat", "suffix \".dat\"", ".msh"});
   suffix.text = edited(suffix.text, {{"part.msh", "part.dat"}});
-  suffix.files = {{"part.dat", good_msh}};
+  suffix.files = {{"part.dat", "1 2 3\n"}}; // nor does it begin as a mesh does
   Broken inp = mesh("inp_with_a_letter_in_a_number", "", {"part.inp:3", "1.x"});
   inp.text = edited(inp.text, {{"part.msh", "part.inp"}});
   inp.files = {{"part.inp", "*NODE\n1, 0, 0\n2, 1.x, 0\n*ELEMENT, TYPE=CAX4\n1, 1, 2, 3, 4\n"}};

@@ -58,12 +58,14 @@ protected:
   TemporaryFolder folder_;
 };
 
-/// The same lines, figures to a hundredth.
+/// The same lines, figures to a hundredth; the machine's memory is its own.
 void expect_same(const std::string& printed, const std::string& guide) {
   const std::vector<std::string> a = lines_of(printed), b = lines_of(guide);
   ASSERT_EQ(a.size(), b.size()) << printed;
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(words_of(a[i]), words_of(b[i]));
+    if (a[i].starts_with("memory: "))
+      continue;
     const std::vector<double> x = numbers_of(a[i]), y = numbers_of(b[i]);
     ASSERT_EQ(x.size(), y.size());
     for (std::size_t k = 0; k < x.size(); ++k)

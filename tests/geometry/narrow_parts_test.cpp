@@ -96,7 +96,7 @@ TEST(NarrowParts, ProfilesAndTurnedOnesHaveTheirCorners) {
   ASSERT_EQ(corners.size(), 3u);
   EXPECT_EQ(corners[1].centre, Vec3(0, -0.1, 0));
   // The same nail turned about y: its shoulder is a circle, its tip a point.
-  const Profile half = polygon(std::vector<Vec2>{{-0.1, 0.0}, {0.0, 0.1}, {1.0, 0.1}}, false);
+  const Profile half = polygon(std::vector<Vec2>{{1.0, 0.1}, {0.0, 0.1}, {-0.1, 0.0}}, false);
   const SurfacePtr turned = make_revolved_profile(Vec3::Zero(), Vec3::UnitY(), half);
   const auto found = turned->narrow_parts(around_origin(0.2));
   expect_inside(*turned, found);

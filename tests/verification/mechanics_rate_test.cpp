@@ -84,7 +84,7 @@ TEST(Rate, MAT_06b_a_bar_held_at_its_length_relaxes_as_backward_euler_does) {
     scene.stages.push_back({"load", loaded, {}, false});
     scene.stages.push_back({"hold", loaded + 100.0, {}, false});
     scene.increments.first = scene.increments.max = 1.0;
-    scene.increments.min = loaded;
+    scene.increments.min = 1.0; // none is gone in parts
     std::vector<double> stresses;
     support::Recorder recorder([&](const Process& process, const IncrementReport&) {
       stresses.push_back(stress(process));
