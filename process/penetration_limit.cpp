@@ -4,6 +4,7 @@
 #include "geometry/base/stopwatch.h"
 #include "process/run.h"
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,10 +43,16 @@ void Process::note_deepest_tool() {
 double Process::radius_there() const {
   if (narrow_radius_ >= 0.0)
     return narrow_radius_;
-  const Vec3 at = contact_->pose(penetration_.tool, time_, trial_x_).to_tool(penetration_.position);
+  const geometry::RigidSurface& surface = *scene_.tools[penetration_.tool].surface;
+  const double reach = body_size(scene_.mesh);
+  Vec3 at = contact_->pose(penetration_.tool, time_, trial_x_).to_tool(penetration_.position);
   geometry::Projection foot;
-  scene_.tools[penetration_.tool].surface->project({&at, 1}, body_size(scene_.mesh), {&foot, 1});
-  const double curvature = foot.dnormal_dx.norm();
+  surface.project({&at, 1}, reach, {&foot, 1});
+  if (!foot.found())
+    return 0.0;
+  at = foot.foot;
+  surface.project({&at, 1}, reach, {&foot, 1});
+  const double curvature = foot.dnormal_dx.selfadjointView<Eigen::Lower>().operatorNorm();
   return foot.found() && curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
 
@@ -58,7 +65,7 @@ double Process::most_unfelt() const {
     length = std::max(length, (corner - corners[0]).norm());
   constexpr double narrow = 0.5, between_points = 0.58; // of the length
   const double radius = radius_there();
-  if (radius < narrow * length)
+  if (radius < narrow * length) // or flat: it meets them at once
     return of_depth;
   const double spacing = between_points * length;
   return std::max(of_depth, 0.125 * spacing * spacing / radius);
