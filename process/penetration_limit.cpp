@@ -34,7 +34,9 @@ void Process::note_deepest_tool() {
   if (deep.face < 0)
     return;
   const std::vector<Vec3> corners = surface_->samples(x_, deep.face, 1);
-  const double size = std::max(surface_->depth(deep.face), (corners[1] - corners[0]).norm());
+  constexpr double slender = 0.7; // elements of another shape are as large as they are thick
+  const double size =
+      std::max(surface_->depth(deep.face), slender * (corners[1] - corners[0]).norm());
   if (deep.sampled > deepest_tool_.share * size)
     deepest_tool_ = {deep.sampled / size, deep.sampled, deep.at_points, time_,
                      deep.tool,           deep.position};
