@@ -43,7 +43,6 @@ struct Ray {
     }
     return box;
   }
-  [[nodiscard]] std::vector<MeridianBall> rounds() const { return {}; }
   [[nodiscard]] std::vector<MeridianBall> narrow(double low, double high, double width) const {
     std::vector<MeridianBall> balls;
     if (low <= 0.0 && high >= 0.0)

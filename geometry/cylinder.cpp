@@ -4,6 +4,10 @@
 #include "geometry/surface_of_revolution.h"
 
 #include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <vector>
 
 namespace billet::geometry {
 
@@ -12,7 +16,6 @@ namespace {
 // r = radius. (G.4)
 struct StraightLine {
   double radius;
-  bool flat = false; // of a scene in the plane: the box has no thickness
 
   [[nodiscard]] MeridianPoint at(Wide /*h*/, Wide r) const {
     const double hoop = r > 0.0 ? 1.0 / static_cast<double>(r) : 0.0;
@@ -22,21 +25,16 @@ struct StraightLine {
   [[nodiscard]] Box bounds(const Axis& axis) const {
     Vec3 half = radius * disk_extent(axis);
     for (int i = 0; i < 3; ++i)
-      if (axis.direction[i] != 0.0 && !flat)
+      if (axis.direction[i] != 0.0)
         half[i] = infinity;
     Box box;
     box.low = axis.origin - half;
     box.high = axis.origin + half;
     return box;
   }
-  [[nodiscard]] std::vector<MeridianBall> rounds() const {
-    return flat ? std::vector<MeridianBall>{{0.0, 0.0, radius}} : std::vector<MeridianBall>{};
-  }
   [[nodiscard]] std::vector<MeridianBall> narrow(double low, double high, double width) const {
     if (!(radius < width))
       return {};
-    if (flat)
-      return {{0.0, 0.0, radius}};
     const auto steps = static_cast<int>(std::ceil(4.0 * (high - low) / width));
     std::vector<MeridianBall> balls;
     for (int i = 0; i <= steps; ++i)
@@ -46,6 +44,49 @@ struct StraightLine {
   [[nodiscard]] std::vector<Vec2> line(double low, double high) const {
     return {{high, radius}, {low, radius}};
   }
+};
+
+// The section of a bar, which has no thickness.
+class Circle final : public RigidSurface {
+public:
+  Circle(const Vec3& centre, double radius, bool inside)
+      : bar_(make_axis(centre, Vec3::UnitZ()), StraightLine{radius}, inside), centre_(centre),
+        radius_(radius), inside_(inside) {}
+
+  [[nodiscard]] Box bounds() const override {
+    const Vec3 half(radius_, radius_, 0.0);
+    return {centre_ - half, centre_ + half};
+  }
+  [[nodiscard]] DisplayMesh display(const Box& window, bool planar) const override {
+    return bar_.display(window, planar);
+  }
+  // A quarter each. (G.56)
+  [[nodiscard]] std::vector<ToolCorner> corners(double /*angle*/) const override {
+    std::vector<ToolCorner> corners;
+    const auto normal = [](int eighths) {
+      const double angle = 0.25 * std::numbers::pi * eighths;
+      return Vec3(std::cos(angle), std::sin(angle), 0.0);
+    };
+    for (int eighths = 1; eighths < 8 && !inside_; eighths += 2)
+      corners.push_back({centre_, radius_, normal(eighths), normal(eighths + 2)});
+    return corners;
+  }
+  [[nodiscard]] std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const override {
+    if (inside_ || !(radius_ < search.width))
+      return {};
+    return {{centre_, radius_}};
+  }
+
+private:
+  void
+  do_project(std::span<const Vec3> points, double reach, std::span<Projection> out) const override {
+    bar_.project(points, reach, out);
+  }
+
+  RevolvedSurface<StraightLine> bar_;
+  Vec3 centre_;
+  double radius_;
+  bool inside_;
 };
 
 } // namespace
@@ -61,9 +102,7 @@ SurfacePtr make_cylinder(const Vec3& point, const Vec3& axis, double radius, boo
 SurfacePtr make_circle(const Vec3& centre, double radius, bool inside) {
   require_point(centre, "centre of the circle");
   require_between(radius, 0.0, infinity, "radius of the circle");
-  const Vec3 in_plane(centre.x(), centre.y(), 0.0);
-  return std::make_unique<const RevolvedSurface<StraightLine>>(make_axis(in_plane, Vec3::UnitZ()),
-                                                               StraightLine{radius, true}, inside);
+  return std::make_unique<const Circle>(Vec3(centre.x(), centre.y(), 0.0), radius, inside);
 }
 
 } // namespace billet::geometry

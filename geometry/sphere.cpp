@@ -30,7 +30,6 @@ struct HalfCircle {
     box.add(axis.origin + Vec3::Constant(radius));
     return box;
   }
-  [[nodiscard]] std::vector<MeridianBall> rounds() const { return {{0.0, 0.0, radius}}; }
   [[nodiscard]] std::vector<MeridianBall>
   narrow(double /*low*/, double /*high*/, double width) const {
     return radius < width ? std::vector<MeridianBall>{{0.0, 0.0, radius}}

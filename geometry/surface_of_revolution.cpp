@@ -109,28 +109,6 @@ std::pair<double, double> heights(const Axis& axis, const Box& window) {
   return {low, high};
 }
 
-std::vector<ToolCorner> corners_round(const Axis& axis, const std::vector<MeridianBall>& circles) {
-  std::vector<ToolCorner> corners;
-  for (const MeridianBall& circle : circles) {
-    const bool across = axis.direction.head<2>().isZero(0.0);
-    const bool within = axis.direction.z() == 0.0 && axis.origin.z() == 0.0;
-    if (across ? circle.r != 0.0 : !within)
-      continue; // the section is another one
-    const Vec3 centre = axis.origin + circle.h * axis.direction + circle.r * axis.perpendicular;
-    for (int quarter = 0; quarter < 4; ++quarter) {
-      const auto normal = [&](int eighths) {
-        const double angle = 0.25 * std::numbers::pi * eighths;
-        return Vec3(std::cos(angle), std::sin(angle), 0.0);
-      };
-      corners.push_back({{centre.x(), centre.y(), 0.0},
-                         circle.radius,
-                         normal(2 * quarter - 1),
-                         normal(2 * quarter + 1)});
-    }
-  }
-  return corners;
-}
-
 DisplayMesh
 revolved_display(const Axis& axis, const std::vector<Vec2>& line, bool planar, bool inside) {
   if (planar)

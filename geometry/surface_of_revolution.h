@@ -53,12 +53,10 @@ struct MeridianBall {
 ///
 /// `narrow(low, high, width)` gives balls on the inside of the meridian where it is narrower than
 /// `width`, of the part with low <= h <= high if it is endless, at steps of a quarter of it.
-/// `rounds()` gives the circles that it is made of, if it is of circles alone.
 /// `line(low, high)` gives points (h, r) along the meridian for drawing, metal on the right of the
 /// way, of the part with low <= h <= high if it is endless. shape (n)
 template <class M>
 concept Meridian = std::copyable<M> && requires(const M& m, double x, Wide y, const Axis& axis) {
-  { m.rounds() } -> std::same_as<std::vector<MeridianBall>>;
   { m.narrow(x, x, x) } -> std::same_as<std::vector<MeridianBall>>;
   { m.at(y, y) } -> std::same_as<MeridianPoint>;
   { m.size() } -> std::same_as<double>;
@@ -93,11 +91,6 @@ inline constexpr int pieces_round = 128;
 [[nodiscard]] DisplayMesh
 revolved_display(const Axis& axis, const std::vector<Vec2>& line, bool planar, bool inside);
 
-/// Circles of a meridian in the section z = 0, by quarters; none if the axis does not lie in it or
-/// along z. (G.56)
-[[nodiscard]] std::vector<ToolCorner> corners_round(const Axis& axis,
-                                                    const std::vector<MeridianBall>& circles);
-
 /// Half-extent of a disk normal to the axis, along each coordinate, per unit radius.
 [[nodiscard]] Vec3 disk_extent(const Axis& axis);
 
@@ -115,10 +108,6 @@ public:
     const auto [low, high] = heights(axis_, window);
     const double margin = window.size(); // also for a window without thickness
     return revolved_display(axis_, meridian_.line(low - margin, high + margin), planar, inside_);
-  }
-
-  [[nodiscard]] std::vector<ToolCorner> corners(double /*angle*/) const override {
-    return inside_ ? std::vector<ToolCorner>{} : corners_round(axis_, meridian_.rounds());
   }
 
   [[nodiscard]] std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const override {

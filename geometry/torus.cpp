@@ -34,9 +34,6 @@ struct Circle {
     box.add(axis.origin + half);
     return box;
   }
-  [[nodiscard]] std::vector<MeridianBall> rounds() const {
-    return {{0.0, major, minor}, {0.0, -major, minor}};
-  }
   [[nodiscard]] std::vector<MeridianBall>
   narrow(double /*low*/, double /*high*/, double width) const {
     return minor < width ? std::vector<MeridianBall>{{0.0, major, minor}}
