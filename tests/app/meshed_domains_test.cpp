@@ -170,7 +170,7 @@ TEST_F(MeshedDomains, ABodyIsMeshedTheSameInEveryRun) {
   EXPECT_EQ(first_frame("first"), first_frame("second"));
 }
 
-TEST_F(MeshedDomains, MeshingInSpaceIsForetoldWithTheReason) {
+TEST_F(MeshedDomains, MeshingInSpaceIsEstimatedWithTheReason) {
   write_text(folder_.path() / "body.stl", stl_text(geometry::studded_block(1, 0.3)));
   const Outcome looked = check(with_body("size = 5"));
   EXPECT_EQ(looked.status, 0) << looked.err;

@@ -1,8 +1,6 @@
 // Tools that are narrower than faces: no run passes them over.
 
-#include "tests/app/tables.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/app/case_run.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -67,18 +65,7 @@ end = 1
 )" + more;
 }
 
-class NarrowTool : public testing::Test {
-protected:
-  Outcome run(const std::string& text) const {
-    write_text(folder_.path() / "case.toml", text);
-    return billet({"run", "case.toml", "--quiet", "-o", "out", "--threads", "1"}, folder_.path());
-  }
-  [[nodiscard]] nlohmann::json summary() const {
-    return nlohmann::json::parse(whole_file(folder_.path() / "out/summary.json"));
-  }
-
-  TemporaryFolder folder_;
-};
+class NarrowTool : public CaseRun {};
 
 // They went in by up to a third of an element, or through it, with force 0 and status 0.
 TEST_F(NarrowTool, InSpaceEndsTheRunWhereItLiesInThePartUnfelt) {
@@ -124,8 +111,7 @@ TEST_F(NarrowTool, WithALimitOfPenetrationKeepsIt) {
 TEST_F(NarrowTool, InThePlaneAWireHasAForce) {
   for (const double radius : {0.0005, 0.05}) {
     const Outcome outcome = run(in_plane(radius));
-    const ResultTable table = read_table(folder_.path() / "out" / "history.csv");
-    const std::vector<double> force = table.values("needle.force_y");
+    const std::vector<double> force = history().values("needle.force_y");
     ASSERT_FALSE(force.empty());
     const double largest = *std::max_element(force.begin(), force.end());
     EXPECT_GT(largest, 100.0) << radius;
