@@ -38,8 +38,8 @@ void require_one_body(const geometry::MeshParts& parts, const std::string& place
                 "belong together in the CAD system");
 }
 
-std::string foretold(const geometry::SolidEstimate& estimate,
-                     const geometry::SolidRefinement& wanted) {
+std::string estimate_in_words(const geometry::SolidEstimate& estimate,
+                              const geometry::SolidRefinement& wanted) {
   std::string text =
       fmt::format("meshing in space, about {:.2g} tetrahedra of size {:.6g} and less",
                   estimate.tetrahedra(), wanted.size);
@@ -67,7 +67,7 @@ mechanics::Mesh solid_mesh(const BodyFile& body,
   require_one_body(tool.parts, body.file.given);
   const geometry::SolidEstimate estimate = geometry::solid_estimate(tool.mesh, wanted);
   if (say)
-    say(fmt::format("{}: {}", body.file.given, foretold(estimate, wanted)));
+    say(fmt::format("{}: {}", body.file.given, estimate_in_words(estimate, wanted)));
   const geometry::SolidMesh mesh = geometry::mesh_solid(tool.mesh, wanted, estimate);
   const double volume = geometry::volume(mesh);
   notes.push_back(fmt::format(

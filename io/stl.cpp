@@ -258,7 +258,6 @@ FacetFile read_stl(const std::filesystem::path& path) {
   FacetFile file;
   file.path = path;
   std::string bytes = contents(path);
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (bytes.starts_with(byte_order_mark))
     bytes.erase(0, byte_order_mark.size());
   if (is_ascii(bytes))

@@ -93,29 +93,29 @@ bool driven_by_load(const process::Process& process, const process::PostMortem& 
 }
 
 /// Contact points that go to and fro: between facets, or between stick and slip.
-void on_restless_points(const Case& content,
-                        const process::Process& process,
-                        const process::PostMortem& post,
-                        Lines& lines) {
+void on_chattering_points(const Case& content,
+                          const process::Process& process,
+                          const process::PostMortem& post,
+                          Lines& lines) {
   const process::Scene& scene = process.scene();
   const auto on_facets =
-      std::find_if(post.restless.begin(), post.restless.end(),
+      std::find_if(post.chattering.begin(), post.chattering.end(),
                    [&](const auto& point) { return is_faceted(content, scene, point.tool); });
-  if (on_facets != post.restless.end())
+  if (on_facets != post.chattering.end())
     lines.push_back(fmt::format(
         "contact points went to and fro between the facets of tool {}, which are off the curved "
         "shape that they stand for by up to {:.2g}: smooth = true in its surface curves them; "
         "facets smaller than the elements help less",
         scene.tools[on_facets->tool].name, scene.tools[on_facets->tool].chord_error));
-  if (post.restless.empty())
+  if (post.chattering.empty())
     return;
-  const std::string& name = scene.tools[post.restless.front().tool].name;
+  const std::string& name = scene.tools[post.chattering.front().tool].name;
   lines.push_back(fmt::format(
       "{} contact point(s) kept changing between open, stick and slip, most of them on tool {}: "
       "smaller elements there let fewer change at once{}",
-      post.restless.size(), name,
+      post.chattering.size(), name,
       std::holds_alternative<contact::Frictionless>(
-          scene.tools[post.restless.front().tool].friction.law)
+          scene.tools[post.chattering.front().tool].friction.law)
           ? ""
           : ", and so does less friction"));
 }
@@ -148,7 +148,7 @@ advice(const Case& content, const process::Process& process, const process::Post
   Lines lines;
   on_pressures(process, post, lines);
   on_elements(content, post, lines);
-  on_restless_points(content, process, post, lines);
+  on_chattering_points(content, process, post, lines);
   on_drives(process, post, lines);
   on_increments(process, post, lines);
   if (driven_by_load(process, post))

@@ -1,4 +1,4 @@
-// How many tetrahedra a body takes, foretold: the right number, the right reason, the limit.
+// How many tetrahedra a body takes, estimated: the right number, the right reason, the limit.
 
 #include "geometry/base/error.h"
 #include "geometry/mesher_3d.h"
@@ -37,11 +37,11 @@ TEST(SolidEstimate, IsNearWhatIsMade) {
       {"studs", studded_block(1, 0.4), {4.0}},
       {"studs passed over", studded_block(1, 0.4), {.size = 4.0, .details = 0.6}}};
   for (const Body& body : bodies) {
-    const double foretold = solid_estimate(body.surface, body.wanted).tetrahedra();
+    const double estimated = solid_estimate(body.surface, body.wanted).tetrahedra();
     const auto made = static_cast<double>(mesh_solid(body.surface, body.wanted).tetrahedra.size());
-    std::printf("%-18s foretold %6.0f, made %6.0f\n", body.name.c_str(), foretold, made);
-    EXPECT_LT(foretold, factor * made) << body.name;
-    EXPECT_GT(foretold, made / factor) << body.name;
+    std::printf("%-18s estimated %6.0f, made %6.0f\n", body.name.c_str(), estimated, made);
+    EXPECT_LT(estimated, factor * made) << body.name;
+    EXPECT_GT(estimated, made / factor) << body.name;
   }
 }
 

@@ -69,7 +69,7 @@ protected:
 
 TEST_F(Advice, FacetsBetweenWhichPointsGoToAndFroAreToBeSmoothed) {
   process::PostMortem post;
-  post.restless = {{0, Vec3::Zero(), 12}};
+  post.chattering = {{0, Vec3::Zero(), 12}};
   const std::string flat = all(post);
   EXPECT_TRUE(has(flat, "between the facets of tool punch")) << flat;
   EXPECT_TRUE(has(flat, "smooth = true")) << flat;
@@ -77,7 +77,7 @@ TEST_F(Advice, FacetsBetweenWhichPointsGoToAndFroAreToBeSmoothed) {
   const std::string smooth =
       all(post, {{R"(stl = "punch.stl",)", R"(stl = "punch.stl", smooth = true,)"}});
   EXPECT_FALSE(has(smooth, "smooth = true")) << smooth;
-  post.restless = {{1, Vec3::Zero(), 12}}; // a flat one
+  post.chattering = {{1, Vec3::Zero(), 12}}; // a flat one
   EXPECT_FALSE(has(all(post), "smooth = true"));
 }
 
