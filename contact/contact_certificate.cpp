@@ -47,9 +47,10 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit
         worst.sampled = depth;
         worst.position = positions_[k];
         worst.tool = t;
-        worst.face = face_of(k);
       }
       worst.share = std::max(worst.share, depth / beneath);
+      if (depth > worst.relative.share * beneath)
+        worst.relative = {depth / beneath, depth, positions_[k], t, face_of(k)};
       const double pressed = pressed_depth(states_[t], k);
       worst.at_points = std::max(worst.at_points, depth);
       worst.pressed = std::max(worst.pressed, pressed);
@@ -72,9 +73,14 @@ Penetration ContactTerm::penetration(const mechanics::Trial& trial, double limit
       worst.sampled = search.known_depth = found.deepest.depth;
       worst.position = pose.to_space(found.deepest.position);
       worst.tool = t;
-      worst.face = static_cast<Index>(found.deepest.face);
     }
-    search.known_relative = std::max(search.known_relative, found.deepest_relative.depth);
+    const geometry::DeepestSample& relative = found.deepest_relative;
+    search.known_relative = std::max(search.known_relative, relative.depth);
+    if (relative.depth > worst.relative.share) {
+      const auto face = static_cast<Index>(relative.face);
+      worst.relative = {relative.depth, relative.depth * surface_->depth(face),
+                        pose.to_space(relative.position), t, face};
+    }
   }
   return worst;
 }

@@ -57,8 +57,16 @@ struct Penetration {
   double share_pressed = 0.0;   ///< likewise, relative to the element beneath [-]
   Vec3 position = Vec3::Zero(); ///< of the deepest point found, in space [mm]
   std::size_t tool = 0;         ///< in which that point lies
-  Index face = -1;              ///< on which it lies; -1: none is in a tool
-  std::size_t queries = 0;      ///< of tools' surfaces, for the cost
+  /// The deepest point found relative to its parent element: another one on a graded mesh.
+  struct Place {
+    double share = 0.0;           ///< [-]
+    double depth = 0.0;           ///< [mm]
+    Vec3 position = Vec3::Zero(); ///< in space [mm]
+    std::size_t tool = 0;
+    Index face = -1; ///< -1: no face is in a tool
+  };
+  Place relative;
+  std::size_t queries = 0; ///< of tools' surfaces, for the cost
 };
 
 /// Energies and work of contact since the start.

@@ -4,6 +4,7 @@
 #include "geometry/base/limits.h"
 #include "geometry/facet_body.h"
 #include "process/drawing.h"
+#include "process/part_depth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,13 +101,7 @@ public:
   Relative(const Departure& now, std::size_t tool, const Carrier& carrier)
       : tool_(now.scene.tools[tool]), driven_(now.contact->driven(tool, now.x)), carrier_(carrier),
         start_(now.time) {
-    const int dim = now.scene.mesh.dimension();
-    Box box;
-    for (std::size_t i = 0; i < now.scene.mesh.points.size(); ++i) {
-      Vec3 point = Vec3::Zero();
-      std::copy_n(now.x.begin() + static_cast<std::ptrdiff_t>(i) * dim, dim, point.data());
-      box.add(point);
-    }
+    const Box box = box_of_nodes(now.scene.mesh, now.x);
     centre_ = 0.5 * (box.low + box.high);
     radius_ = 0.5 * box.size();
     if (tool_.motion.displacement)

@@ -16,7 +16,7 @@ namespace billet::process {
 
 namespace {
 
-/// What is less deep in the part, in depths of the element beneath, is no more than what chords of
+/// What is less deep in the part, in depths of the parent element, is no more than what chords of
 /// faces and softness of contact make.
 constexpr double noticed = 0.02;
 
@@ -25,7 +25,7 @@ constexpr double noticed = 0.02;
 /// 0.58 of a face apart, and without a face in it. (The edge of a block has room for 0.35.)
 constexpr double slender_depth = 0.5, slender_room = 0.325, slender_radius = 0.5;
 
-/// Steps of the way of a tool, in depths of the thinnest element beneath a face.
+/// Steps of the way of a tool, in depths of the thinnest parent element of a face.
 constexpr double step_of_way = 0.25;
 
 bool is_bounded(const Box& box) { return box.low.allFinite() && box.high.allFinite(); }
@@ -51,16 +51,16 @@ longest_chord(const contact::ContactSurface& surface, std::span<const double> x,
   return longest;
 }
 
-/// Whether the tool beneath places of its surface is slender: there is no room for a ball.
+/// Whether a tool is slender behind places of its surface: there is no room for a ball.
 std::vector<char>
-slender_beneath(const geometry::RigidSurface& tool, const std::vector<Vec3>& places, double width) {
+slender_behind(const geometry::RigidSurface& tool, const std::vector<Vec3>& places, double width) {
   std::vector<geometry::Projection> feet(places.size());
   tool.project(places, width, feet);
-  std::vector<Vec3> beneath(places);
+  std::vector<Vec3> behind(places);
   for (std::size_t i = 0; i < places.size(); ++i)
-    beneath[i] -= slender_depth * width * feet[i].normal;
+    behind[i] -= slender_depth * width * feet[i].normal;
   std::vector<geometry::Projection> there(places.size());
-  tool.project(beneath, width, there);
+  tool.project(behind, width, there);
   std::vector<char> slender(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) // an open surface may have nothing behind it
     slender[i] = feet[i].found() && there[i].found() && -there[i].gap < slender_room * width;
@@ -75,7 +75,8 @@ NarrowTools::NarrowTools(const Scene& scene,
     : scene_(&scene), surface_(&surface), thinnest_(infinity), endless_(scene.tools.size()),
       parts_(scene.tools.size()) {
   for (Index f = 0; f < surface.n_faces(); ++f) {
-    width_ = std::max(width_, longest_chord(surface, x, f));
+    lengths_.push_back(longest_chord(surface, x, f));
+    width_ = std::max(width_, lengths_.back());
     thinnest_ = std::min(thinnest_, surface.depth(f));
   }
   if (surface.n_faces() == 0)
@@ -92,15 +93,12 @@ std::vector<NarrowTools::Part> NarrowTools::parts_of(const geometry::RigidSurfac
                                                      const Box& window) const {
   std::vector<Part> parts;
   std::vector<Vec3> sharp;
-  const bool planar = scene_->mesh.dimension() == 2;
   for (const geometry::InnerBall& ball : tool.narrow_parts({window, width_})) {
-    if (planar && std::abs(ball.centre.z()) > epsilon * width_)
-      continue;
     parts.push_back({ball, ball.radius < slender_radius * width_});
     if (ball.radius == 0.0)
       sharp.push_back(ball.centre);
   }
-  const std::vector<char> slender = slender_beneath(tool, sharp, width_);
+  const std::vector<char> slender = slender_behind(tool, sharp, width_);
   std::size_t next = 0;
   for (Part& part : parts)
     if (part.ball.radius == 0.0)

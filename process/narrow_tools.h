@@ -21,13 +21,13 @@ namespace billet::process {
 
 class PartDepth;
 
-/// Share of the element beneath that a tool may lie in the part without bearing on it there.
+/// Share of the parent element that a tool may lie in the part without bearing on it there.
 inline constexpr double deepest_unfelt = 0.1;
 
 /// A narrow part of a tool that lies in the workpiece.
 struct DeepTool {
-  double depth = 0.0; ///< of its deepest point beneath the faces [mm]
-  double share = 0.0; ///< of the element beneath the nearest face [-]
+  double depth = 0.0; ///< of its deepest point below the faces [mm]
+  double share = 0.0; ///< of the parent element of the nearest face [-]
   std::size_t tool = 0;
   Vec3 place = Vec3::Zero(); ///< in space [mm]
   Index face = -1;           ///< the nearest candidate face
@@ -42,9 +42,9 @@ public:
               const contact::ContactSurface& surface,
               std::span<const double> x);
 
-  /// The deepest, relative to the elements beneath, at the end of a trial, of the tools that act.
+  /// The deepest, relative to the parent elements, at the end of a trial, of the tools that act.
   ///
-  /// @param faces  how deep faces lie in tools, relative to the element beneath: where they hardly
+  /// @param faces  how deep faces lie in tools, relative to the parent element: where they hardly
   ///               do only slender parts of tools can be deep in the part [-]
   [[nodiscard]] DeepTool
   deepest(const contact::ContactTerm& contact, const mechanics::Trial& trial, double faces) const;
@@ -53,6 +53,9 @@ public:
   /// not from the start; none.
   [[nodiscard]] std::optional<DeepTool> met_on_the_way(const contact::ContactTerm& contact,
                                                        const mechanics::Trial& trial) const;
+
+  /// Length of a face when the mesh was new, from corner to corner [mm].
+  [[nodiscard]] double length(Index face) const { return lengths_[static_cast<std::size_t>(face)]; }
 
 private:
   /// A narrow part of a tool.
@@ -77,9 +80,10 @@ private:
 
   const Scene* scene_;
   const contact::ContactSurface* surface_;
-  double width_ = 0.0;        ///< of the longest face [mm]
-  double thinnest_;           ///< least depth of an element beneath a face [mm]
-  std::vector<char> endless_; ///< tools that are looked at where the part is, one flag a tool
+  std::vector<double> lengths_; ///< of the faces when the mesh was new [mm]
+  double width_ = 0.0;          ///< of the longest [mm]
+  double thinnest_;             ///< least depth of a face's parent element [mm]
+  std::vector<char> endless_;   ///< tools that are looked at where the part is, one flag a tool
   std::vector<std::vector<Part>> parts_; ///< of the others
 };
 

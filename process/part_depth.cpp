@@ -51,12 +51,8 @@ Box box_of_facet(const geometry::DisplayMesh& mesh, std::size_t facet) {
 Box box_of_nodes(const mechanics::Mesh& mesh, std::span<const double> x) {
   Box box;
   const int dim = mesh.dimension();
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    Vec3 point = Vec3::Zero();
-    for (int d = 0; d < dim; ++d)
-      point[d] = x[i * static_cast<std::size_t>(dim) + static_cast<std::size_t>(d)];
-    box.add(point);
-  }
+  for (Index node = 0; node < mesh.n_points(); ++node)
+    box.add(mechanics::node_position(x, dim, node));
   return box;
 }
 

@@ -18,36 +18,37 @@ void Process::certify(double dt) {
   penetration_ = contact_->penetration(trial, scene_.contact.max_penetration.value_or(HUGE_VAL));
   narrow_radius_ = -1.0;
   const DeepTool deepest = narrow_->deepest(*contact_, trial, penetration_.share);
-  if (!(deepest.share > penetration_.share))
-    return;
-  penetration_.share = deepest.share;
   penetration_.bound = std::max(penetration_.bound, deepest.depth);
-  penetration_.sampled = deepest.depth;
-  penetration_.position = deepest.place;
-  penetration_.tool = deepest.tool;
-  penetration_.face = deepest.face;
+  if (deepest.depth > penetration_.sampled) {
+    penetration_.sampled = deepest.depth;
+    penetration_.position = deepest.place;
+    penetration_.tool = deepest.tool;
+  }
+  if (!(deepest.share > penetration_.relative.share))
+    return;
+  penetration_.share = std::max(penetration_.share, deepest.share);
+  penetration_.relative = {deepest.share, deepest.depth, deepest.place, deepest.tool, deepest.face};
   narrow_radius_ = deepest.radius;
 }
 
 void Process::note_deepest_tool() {
-  const contact::Penetration& deep = penetration_;
+  const contact::Penetration::Place& deep = penetration_.relative;
   if (deep.face < 0)
     return;
-  const std::vector<Vec3> corners = surface_->samples(x_, deep.face, 1);
   constexpr double slender = 0.7; // elements of another shape are as large as they are thick
-  const double size =
-      std::max(surface_->depth(deep.face), slender * (corners[1] - corners[0]).norm());
-  if (deep.sampled > deepest_tool_.share * size)
-    deepest_tool_ = {deep.sampled / size, deep.sampled, deep.at_points, time_,
-                     deep.tool,           deep.position};
+  const double size = std::max(surface_->depth(deep.face), slender * narrow_->length(deep.face));
+  if (deep.depth > deepest_tool_.share * size)
+    deepest_tool_ = {deep.depth / size, deep.depth,   penetration_.at_points, time_,
+                     deep.tool,         deep.position};
 }
 
 double Process::radius_there() const {
   if (narrow_radius_ >= 0.0)
     return narrow_radius_;
-  const geometry::RigidSurface& surface = *scene_.tools[penetration_.tool].surface;
+  const contact::Penetration::Place& deep = penetration_.relative;
+  const geometry::RigidSurface& surface = *scene_.tools[deep.tool].surface;
   const double reach = body_size(scene_.mesh);
-  Vec3 at = contact_->pose(penetration_.tool, time_, trial_x_).to_tool(penetration_.position);
+  Vec3 at = contact_->pose(deep.tool, time_, trial_x_).to_tool(deep.position);
   geometry::Projection foot;
   surface.project({&at, 1}, reach, {&foot, 1});
   if (!foot.found())
@@ -59,29 +60,24 @@ double Process::radius_there() const {
 }
 
 double Process::most_unfelt() const {
-  const contact::Penetration& deep = penetration_;
-  const double of_depth = deepest_unfelt * surface_->depth(deep.face);
-  const std::vector<Vec3> corners = surface_->samples(x_, deep.face, 1);
-  double length = 0.0; // of the face
-  for (const Vec3& corner : corners)
-    length = std::max(length, (corner - corners[0]).norm());
-  constexpr double narrow = 0.5, between_points = 0.58; // of the length
+  const Index face = penetration_.relative.face;
+  const double of_depth = deepest_unfelt * surface_->depth(face);
+  constexpr double narrow = 0.5, between_points = 0.58; // of the face's length
   const double radius = radius_there();
-  if (radius < narrow * length) // or flat: it meets them at once
+  if (radius < narrow * narrow_->length(face)) // or flat: it meets them at once
     return of_depth;
-  const double spacing = between_points * length;
+  const double spacing = between_points * narrow_->length(face);
   return std::max(of_depth, 0.125 * spacing * spacing / radius);
 }
 
 bool Process::lies_in_unfelt(std::string& why) const {
-  const contact::Penetration& deep = penetration_;
-  if (deep.face < 0 || !(deep.sampled > most_unfelt()) ||
-      contact_->bears_near(deep.tool, deep.face))
+  const contact::Penetration::Place& deep = penetration_.relative;
+  if (deep.face < 0 || !(deep.depth > most_unfelt()) || contact_->bears_near(deep.tool, deep.face))
     return false;
   why = fmt::format("tool '{}' lies {:.3g} deep in the workpiece near ({:.6g}, {:.6g}, {:.6g}), "
                     "{:.0f} % of the element there ({:.3g}), and no contact point meets it: it is "
                     "narrower than they are apart. ",
-                    scene_.tools[deep.tool].name, deep.sampled, deep.position[0], deep.position[1],
+                    scene_.tools[deep.tool].name, deep.depth, deep.position[0], deep.position[1],
                     deep.position[2], 100.0 * deep.share, surface_->depth(deep.face));
   constexpr double resolves = 0.25; // an element, of a radius
   if (const double radius = radius_there(); radius > 0.0)

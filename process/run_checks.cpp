@@ -69,7 +69,7 @@ std::optional<FailedCheck> tool_in_part(const Process& process) {
 /// In the plane: a tool that indents the part with corners and small roundings alone. What bends
 /// over a corner presses on it far less than what it is pushed into.
 std::optional<FailedCheck> contact_resolution(const Process& process) {
-  constexpr double most_of_corner = 0.9, indents = 3.0; // of the flow stress beneath
+  constexpr double most_of_corner = 0.9, indents = 3.0; // of the flow stress there
   const CornerLoad load = process.most_at_corner();
   if (!(load.share > most_of_corner))
     return std::nullopt;
@@ -77,8 +77,8 @@ std::optional<FailedCheck> contact_resolution(const Process& process) {
   const contact::ContactSurface& surface = *process.surface();
   for (const contact::CornerContact::Corner& corner : process.contact()->corners(load.tool))
     if (const auto& foot = corner.committed.foot) {
-      const std::size_t beneath = surface.beneath(contact::nearest_point(surface, *foot));
-      hardest = std::max(hardest, corner.history.pressure / process.bulk().trial_strength(beneath));
+      const std::size_t point = surface.beneath(contact::nearest_point(surface, *foot));
+      hardest = std::max(hardest, corner.history.pressure / process.bulk().trial_strength(point));
     }
   if (!(hardest > indents))
     return std::nullopt;
