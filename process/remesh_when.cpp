@@ -53,13 +53,6 @@ constexpr double most_of_corner = 0.3, bitten = 0.25;
 /// share of its length or area more than when the mesh was new.
 constexpr double most_of_wanted = 1.6, coarse_share = 0.25;
 
-std::vector<Vec3> as_points(std::span<const double> x, int dim) {
-  std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
-  for (std::size_t i = 0; i < x.size(); ++i)
-    points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
-  return points;
-}
-
 /// Of the worst element when all has gone on for `dt` more.
 ///
 /// @param x, velocity  of the nodes, shape (n_dofs)
@@ -84,6 +77,13 @@ double most_between_normals(std::span<const geometry::Projection> feet) {
 }
 
 } // namespace
+
+std::vector<Vec3> as_points(std::span<const double> x, int dim) {
+  std::vector<Vec3> points(x.size() / idx(dim), Vec3::Zero());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
+  return points;
+}
 
 double worst_quality(const mechanics::Mesh& mesh, std::span<const double> x) {
   const std::vector<double> all =

@@ -92,6 +92,11 @@ struct CarriedOver {
   std::vector<double> origins;               ///< of the material at the nodes [mm]
 };
 
+/// Positions of nodes as points in space [mm].
+///
+/// @param x  shape (n_points, dim) [mm]
+[[nodiscard]] std::vector<Vec3> as_points(std::span<const double> x, int dim);
+
 /// Scaled Jacobian of the worst element.
 ///
 /// @param x  positions of the nodes, shape (n_points, dim) [mm]

@@ -18,17 +18,6 @@ namespace billet::process {
 
 namespace {
 
-std::vector<Vec3> as_points(std::span<const double> x, int dim, std::size_t n_points) {
-  std::vector<Vec3> points(n_points, Vec3::Zero());
-  for (std::size_t i = 0; i < n_points * idx(dim); ++i)
-    points[i / idx(dim)][static_cast<Index>(i % idx(dim))] = x[i];
-  return points;
-}
-
-/// An increment with more plastic strain than this at a point is cut: the return map stays exact,
-/// but the path of strain is lost.
-constexpr double most_plastic_increment = 0.5;
-
 /// Of an increment in which a tool lets go of the part too fast for its work: what is tried next.
 constexpr double share_that_lets_go = 0.25;
 
@@ -136,7 +125,7 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
   if (outcome && grounding_)
     outcome = with_light_grounding(dt, *outcome);
   if (!outcome)
-    why = outcome.error().reason + restless_points();
+    why = outcome.error().reason + chattering_points();
   else
     last_residual_ = outcome->residual;
   bool solved = outcome && plausible(dt, outcome->force_scale, why) && !passes_through(dt, why) &&
@@ -189,80 +178,18 @@ bool Process::try_calmed(double dt, mechanics::Approach approach, std::string& w
   return false;
 }
 
-std::string Process::restless_points() {
+std::string Process::chattering_points() {
   if (!contact_)
     return {};
   const std::vector<contact::ContactTerm::Restless> points = contact_->restless();
   if (points.empty())
     return {};
-  restless_ = points;
+  chattering_ = points;
   const auto& worst = points.front();
   return fmt::format("; {} contact point(s) kept changing between open, stick and slip, most of "
                      "all one on tool '{}' at ({:.6g}, {:.6g}, {:.6g}): {} times",
                      points.size(), scene_.tools[worst.tool].name, worst.position[0],
                      worst.position[1], worst.position[2], worst.changes);
-}
-
-bool Process::plausible(double dt, double force_scale, std::string& why) const {
-  if (bulk_->largest_plastic_increment() > most_plastic_increment) {
-    why = fmt::format("plastic strain increment {:.3g} is too large",
-                      bulk_->largest_plastic_increment());
-    return false;
-  }
-  for (std::size_t i = x0_.size(); i < x_.size(); ++i)
-    if (std::abs(trial_x_[i] - x_[i]) > 0.5 * body_size(scene_.mesh)) {
-      why = "a driven tool moves away: nothing holds it against its load";
-      return false;
-    }
-  if (grounding_) {
-    // The grounding may carry rounding, never a load: in steps of a share of the body it may go
-    // with a tool that pushes it.
-    constexpr double most_share = 1e-3;
-    constexpr double floor = 1e-7;
-    const double scale = std::max(force_scale, floor * body_stiffness() * body_size(scene_.mesh));
-    if (grounding_->force_in({time_, time_ + dt, x_, trial_x_}) >
-        most_share * grounding_->share() * scale) {
-      why = "the workpiece moves away freely: neither supports nor contact hold it";
-      return false;
-    }
-  }
-  return true;
-}
-
-bool Process::turns_inside_out(std::string& why) {
-  constexpr double inside_out = -0.05; // quality; where sides fold onto a die it may come to zero
-  const auto qualities = mechanics::element_qualities(
-      scene_.mesh, as_points(trial_x_, scene_.mesh.dimension(), scene_.mesh.points.size()));
-  const auto worst = std::min_element(qualities.begin(), qualities.end());
-  trial_quality_ = *worst;
-  if (*worst > inside_out || *worst >= worst_quality(scene_.mesh, positions()))
-    return false;
-  const auto element = static_cast<Index>(worst - qualities.begin());
-  const auto nodes = scene_.mesh.cell(element);
-  const auto dim = idx(scene_.mesh.dimension());
-  Vec3 middle = Vec3::Zero();
-  for (const Index node : nodes)
-    for (std::size_t d = 0; d < dim; ++d)
-      middle[static_cast<Index>(d)] +=
-          trial_x_[idx(node) * dim + d] / static_cast<double>(nodes.size());
-  why = fmt::format("element {} near ({:.6g}, {:.6g}, {:.6g}) turns inside out (quality {:.2g})",
-                    element, middle[0], middle[1], middle[2], *worst);
-  if (!scene_.remesh)
-    why += ": one mesh cannot follow the metal any further, a [remesh] section goes on from there";
-  return true;
-}
-
-bool Process::passes_through(double dt, std::string& why) const {
-  if (contact_)
-    why = passage_complaint(scene_.tools, *surface_, *contact_, {time_, time_ + dt, x_, trial_x_});
-  if (!contact_ || !why.empty())
-    return contact_ != nullptr;
-  const auto met = narrow_->met_on_the_way(*contact_, {time_, time_ + dt, x_, trial_x_});
-  if (met)
-    why = fmt::format("tool '{}' goes into the workpiece on the way of the increment, at ({:.6g}, "
-                      "{:.6g}, {:.6g})",
-                      scene_.tools[met->tool].name, met->place[0], met->place[1], met->place[2]);
-  return met.has_value();
 }
 
 void Process::accept(double dt) {
@@ -271,7 +198,7 @@ void Process::accept(double dt) {
     note_forces();
   }
   const bool fades = time_ < fading_until_;
-  restless_.clear();
+  chattering_.clear();
   commit(dt);
   if (!refusal_event_.empty())
     events_.push_back(std::exchange(refusal_event_, {}));
@@ -366,14 +293,13 @@ Process::post_mortem(double dt, const std::string& why, std::vector<std::string>
                   .worst_position = penetration_.position,
                   .tried = std::move(tried),
                   .drives = drive_states(time_ + dt),
-                  .restless = restless_,
+                  .chattering = chattering_,
                   .inside_out = refused_inside_out_,
                   .too_deep = refused_as_too_deep_,
                   .records = newton_->records()};
   if (!refused_as_too_deep_) {
     post.worst_node = newton_->worst_unknown() / scene_.mesh.dimension();
-    post.worst_position =
-        as_points(x_, scene_.mesh.dimension(), scene_.mesh.points.size())[idx(post.worst_node)];
+    post.worst_position = mechanics::node_position(x_, scene_.mesh.dimension(), post.worst_node);
   }
   return post;
 }

@@ -16,10 +16,14 @@
 #include "mechanics/newton.h"
 #include "process/blows.h"
 #include "process/drives.h"
+#include "process/energy_balance.h"
 #include "process/flight.h"
 #include "process/lap.h"
 #include "process/narrow_tools.h"
+#include "process/observer.h"
 #include "process/part_boundary.h"
+#include "process/phase_times.h"
+#include "process/run_reports.h"
 #include "process/scene.h"
 
 #include <array>
@@ -47,151 +51,6 @@ struct OutgrownSide;
 struct CornerLoad;
 struct CarriedState;
 struct ToolMeeting;
-
-/// Energies of the run so far [N mm].
-struct EnergyBalance {
-  double external = 0.0;    ///< work of tools, supports and loads, and of enforcement (C.23)
-  double elastic = 0.0;     ///< stored in the workpiece
-  double plastic = 0.0;     ///< dissipated in it
-  double friction = 0.0;    ///< dissipated on its surface
-  double contact = 0.0;     ///< stored in the penalties
-  double grounding = 0.0;   ///< lost to the grounding of free motions
-  double remeshing = 0.0;   ///< lost where a state was carried to a new mesh
-  double enforcement = 0.0; ///< of external, what no tool's motion did (C.23)
-  double most = 0.0;        ///< that any of the first five has been: springback gives it all back
-  double nothing = 0.0;     ///< no more than rounding makes of a part at rest
-
-  /// external less the sum of the rest [N mm].
-  [[nodiscard]] double missing() const {
-    return external - (elastic + plastic + friction + contact + grounding + remeshing);
-  }
-  /// The largest of what has been done, stored and dissipated since `before` [N mm].
-  [[nodiscard]] double largest_since(const EnergyBalance& before) const;
-  /// The largest of the first five so far [N mm].
-  [[nodiscard]] double scale() const { return std::max(most, largest_since({})); }
-  /// |external - sum of the rest| over that [-].
-  [[nodiscard]] double error() const;
-  /// That of what has been done since `before` [-].
-  [[nodiscard]] double error_since(const EnergyBalance& before) const;
-};
-
-/// One accepted increment.
-struct IncrementReport {
-  int increment = 0; ///< from 1
-  double time = 0.0; ///< at its end [s]
-  double dt = 0.0;   ///< [s]
-  int iterations = 0;
-  double residual = 0.0;            ///< relative [-]
-  int cutbacks = 0;                 ///< tries that failed before it
-  double volume = 0.0;              ///< [mm^3]
-  double max_penetration = 0.0;     ///< no point of any face is deeper in a tool [mm]
-  double penetration_share = 0.0;   ///< nor deeper relative to the element beneath [-]
-  contact::Penetration penetration; ///< what these two were found with
-  double contact_area = 0.0;        ///< [mm^2]
-  double max_plastic_strain = 0.0;  ///< [-]
-  double min_quality = 0.0;         ///< scaled Jacobian [-]
-  double wall_time = 0.0;           ///< since the start of the run [s]
-  EnergyBalance energy;
-  std::vector<mechanics::IterationRecord> records;
-  std::vector<std::string> events; ///< what happened at its end, a line each
-};
-
-/// Why an increment could not be solved, for the post-mortem.
-struct PostMortem {
-  double time = 0.0; ///< that could not be reached [s]
-  double dt = 0.0;   ///< shortest increment tried [s]
-  std::string reason;
-  Index worst_node = -1;              ///< with the largest residual
-  Vec3 worst_position = Vec3::Zero(); ///< of that node; without one: of the deepest point [mm]
-  std::vector<std::string> tried;     ///< one line a try
-  std::vector<DriveState> drives;     ///< tools that loads drive there
-  /// Contact points that kept changing in the last tries, the most restless first.
-  std::vector<contact::ContactTerm::Restless> restless;
-  bool inside_out = false; ///< an element turned inside out in the last try
-  bool too_deep = false;   ///< a face lay deeper in a tool than a limit allows
-  std::vector<mechanics::IterationRecord> records; ///< of the last try
-};
-
-/// What a remeshing did: its page of the ledger.
-struct RemeshReport {
-  int number = 0;    ///< from 1
-  double time = 0.0; ///< [s]
-  int increment = 0; ///< after which it came
-  std::string cause;
-  /// Of the old mesh and of the new one.
-  struct Pair {
-    double before = 0.0;
-    double after = 0.0;
-
-    /// |after - before| over before [-]; 0 where both are.
-    [[nodiscard]] double change() const;
-  };
-  std::array<Index, 2> elements{}; ///< before and after
-  std::array<Index, 2> nodes{};    ///< likewise
-  Pair quality;                    ///< scaled Jacobian of the worst element [-]
-  int again = 0; ///< increments of the past that were solved again on the new mesh
-  // Of the state carried over: where these began, or now.
-  Pair volume;              ///< [mm^3]
-  Pair plastic_work;        ///< of the field of plastic strain [N mm]
-  double work_of_run = 0.0; ///< plastic, until now [N mm]
-  Pair mean_strain;         ///< plastic, over the volume [-]
-  Pair largest_strain;      ///< plastic [-]
-  std::vector<Pair> forces; ///< on each tool, now [N]
-  double energy = 0.0;      ///< lost by carrying the state over [N mm]
-  double residual = 0.0;    ///< of the state carried over, relative [-]
-  bool balanced = false;    ///< equilibrium was restored before time went on
-  int returned = 0;         ///< points put back onto the yield surface
-  double seconds = 0.0;     ///< it took [s]
-  std::vector<Lap> laps;    ///< that were welded
-
-  /// Change of the plastic work over itself, or a thousandth of the run's if that is more: a state
-  /// from the time of first touch has next to none [-].
-  [[nodiscard]] double work_change() const;
-  /// Largest change of a tool's force over the largest force [-].
-  [[nodiscard]] double force_jump() const;
-  /// What goes beyond the budget, one line each; empty: nothing.
-  [[nodiscard]] std::vector<std::string> complaints() const;
-};
-
-class Process;
-
-/// Looks at a run.
-class Observer {
-public:
-  virtual ~Observer() = default;
-  virtual void started(const Process&) {}
-  virtual void incremented(const Process&, const IncrementReport&) {}
-  virtual void failed(const Process&, const PostMortem&) {}
-  /// The mesh is about to be replaced.
-  virtual void remeshing(const Process&) {}
-  virtual void remeshed(const Process&, const RemeshReport&) {}
-  virtual void finished(const Process&) {}
-  /// True ends the run after this increment (a signal).
-  [[nodiscard]] virtual bool stop_requested() const { return false; }
-};
-
-enum class RunStatus { done, not_converged, stopped };
-
-/// Time spent by part of the program [s].
-struct PhaseTimes {
-  double total = 0.0;         ///< from the scene to the end
-  double elements = 0.0;      ///< forces and tangents of the workpiece's elements
-  double search = 0.0;        ///< contact search
-  double contact = 0.0;       ///< laws of the interface, contact elements
-  double assembly = 0.0;      ///< clearing the system, norms, other terms
-  double analysis = 0.0;      ///< order of the unknowns, symbolic factorization
-  double factorization = 0.0; ///< numerical
-  double solve = 0.0;         ///< substitutions, iterations around them, constraints
-  double certificate = 0.0;   ///< bound of penetration
-  double output = 0.0;        ///< observers
-  double remeshing = 0.0;     ///< new meshes and transfer, without the equilibrium on them
-
-  /// What is left: preparing the scene, guesses, commits [s].
-  [[nodiscard]] double rest() const {
-    return total - search - contact - elements - assembly - analysis - factorization - solve -
-           certificate - output - remeshing;
-  }
-};
 
 class Process {
 public:
@@ -419,7 +278,7 @@ private:
   [[nodiscard]] bool lies_in_unfelt(std::string& why) const;
   void press_harder(double gain);
   /// Which contact points kept changing in the last try, for the log; empty: none.
-  [[nodiscard]] std::string restless_points();
+  [[nodiscard]] std::string chattering_points();
   /// Tools that begin to act by `until`, in the midst of the run: those under a force come to
   /// touch, others that lie in the workpiece are noted.
   void meet_newcomers(const Stage& stage, double until);
@@ -604,9 +463,9 @@ private:
   contact::Penetration penetration_; ///< of the last increment, or of the last solution tried
   DeepestTool deepest_tool_;
   double narrow_radius_ = -1.0; ///< of the tool where it is the deepest; < 0: it is not narrow [mm]
-  bool refused_as_too_deep_ = false;                     ///< the last try
-  bool refused_inside_out_ = false;                      ///< likewise
-  std::vector<contact::ContactTerm::Restless> restless_; ///< of the last try that had any
+  bool refused_as_too_deep_ = false;                       ///< the last try
+  bool refused_inside_out_ = false;                        ///< likewise
+  std::vector<contact::ContactTerm::Restless> chattering_; ///< of the last try that had any
   int turned_inside_out_ = 0; ///< increments refused for that on the present mesh
   contact::ProcessWindow window_;
   std::unique_ptr<contact::Wear> wear_;
