@@ -138,7 +138,9 @@ class Scene:
                 f"to = [{x + r!r}, {y + r!r}]\nradius = {r!r}\n[[segment]]\nto = [{x + r!r}, {top!r}]\n",
                 encoding="utf-8")
         if self.kind.startswith("stl"):
-            triangles = (ball((x, y, z + self.radius), self.radius) if self.kind == "stl ball" else
+            # Facets that are off a large ball by less than a hundredth of an element.
+            halvings = 2 if self.radius < self.element else 4
+            triangles = (ball((x, y, z + self.radius), self.radius, halvings) if self.kind == "stl ball" else
                          spike((x, y, z), self.radius, self.radius / math.tan(math.radians(self.angle))))
             text = "solid tool\n"
             for t in triangles:
