@@ -33,8 +33,10 @@ public:
   using HeldAt = std::function<std::optional<HeldPlace>(double, const std::vector<double>&)>;
   using Borne = std::function<bool(const HeldPlace&)>;
 
-  PlaceSearch(HeldAt held_at, Borne borne, double size)
-      : held_at_(std::move(held_at)), borne_(std::move(borne)), size_(size) {}
+  /// @param way   of the unknowns per mm of the tool, as it has been; empty: not known
+  /// @param size  of the body [mm]
+  PlaceSearch(HeldAt held_at, Borne borne, std::vector<double> way, double size)
+      : held_at_(std::move(held_at)), borne_(std::move(borne)), way_(std::move(way)), size_(size) {}
 
   /// @param step  first one away from the start [mm]
   /// @return whether it is borne where the tool is held at last
@@ -56,7 +58,7 @@ private:
     double growth = 2.0;
     for (int place = 0; place < most_places && std::abs(near_.travel - start) < farthest * size_;
          ++place) {
-      std::optional<HeldPlace> next = held_at_(near_.travel + sense * step, near_.x);
+      std::optional<HeldPlace> next = held_at_(near_.travel + sense * step, ahead(sense * step));
       if (!next) {
         step *= 0.5;
         growth = after_failure;
@@ -70,6 +72,7 @@ private:
         far_ = std::move(next);
         return false;
       }
+      way_ = to(*next);
       near_ = std::move(*next);
       step = std::min(growth * step, longest * size_);
     }
@@ -78,18 +81,26 @@ private:
 
   /// Between the two, by the Illinois variant of the rule of false position.
   [[nodiscard]] bool close_in() {
-    constexpr int most_places = 40;
-    double weight_near = 1.0, weight_far = 1.0;
+    constexpr int most_places = 60;
+    constexpr double smallest_share = 1e-3;
+    double weight_near = 1.0, weight_far = 1.0, nearer = 1.0;
     for (int place = 0; place < most_places; ++place) {
       const double a = weight_near * near_.excess, b = weight_far * far_->excess;
-      const double share = a / (a - b);
+      const double share = nearer * a / (a - b);
       std::vector<double> guess = near_.x;
       for (std::size_t i = 0; i < guess.size(); ++i)
         guess[i] += share * (far_->x[i] - near_.x[i]);
       std::optional<HeldPlace> next =
           held_at_(near_.travel + share * (far_->travel - near_.travel), guess);
-      if (!next || borne_(*next))
-        return next.has_value();
+      if (!next) { // there is another one on the way, as a rule
+        nearer *= 0.5;
+        if (nearer < smallest_share)
+          return false;
+        continue;
+      }
+      if (borne_(*next))
+        return true;
+      nearer = 1.0;
       const bool is_near = same_side(*next);
       (is_near ? near_ : *far_) = std::move(*next);
       (is_near ? weight_near : weight_far) = 1.0;
@@ -98,13 +109,30 @@ private:
     return false;
   }
 
+  /// The part goes on with the tool as it did over the last step.
+  [[nodiscard]] std::vector<double> ahead(double travel) const {
+    std::vector<double> guess = near_.x;
+    for (std::size_t i = 0; i < way_.size(); ++i)
+      guess[i] += travel * way_[i];
+    return guess;
+  }
+
+  /// How the unknowns go from the nearest place to another, per mm of the tool.
+  [[nodiscard]] std::vector<double> to(const HeldPlace& other) const {
+    std::vector<double> way = other.x;
+    for (std::size_t i = 0; i < way.size(); ++i)
+      way[i] = (way[i] - near_.x[i]) / (other.travel - near_.travel);
+    return way;
+  }
+
   [[nodiscard]] bool same_side(const HeldPlace& place) const {
     return (place.excess < 0.0) == (near_.excess < 0.0);
   }
 
   HeldAt held_at_;
   Borne borne_;
-  double size_; ///< of the body [mm]
+  std::vector<double> way_; ///< of the unknowns per mm of the tool; empty: not known
+  double size_;             ///< of the body [mm]
   HeldPlace near_{};
   std::optional<HeldPlace> far_;
 };
@@ -148,10 +176,16 @@ bool Process::try_held_tool(double dt, std::string& why) {
   const double size = body_size(scene_.mesh);
   constexpr double first = 1e-4, shortest = 1e-9; // of the body
   const double usual = last_step_.empty() ? 0.0 : std::abs(last_step_[drive]) * dt / last_dt_;
+  std::vector<double> way = last_step_;
+  if (usual > 0.0)
+    for (double& u : way)
+      u /= last_step_[drive];
+  else
+    way.clear();
   PlaceSearch search(
       held_at,
       [&](const HeldPlace& place) { return std::abs(place.excess) <= scene_.tolerance * scale; },
-      size);
+      std::move(way), size);
   if (!start || !search.from(std::move(*start),
                              usual > 0.0 ? std::max(usual, shortest * size) : first * size))
     return false;

@@ -60,7 +60,7 @@ fix = ["z"]
 [[tool]]
 name = "die"
 surface = { stl = "dome.stl", unit = "mm" }
-motion = { force = { direction = [0, 0, -1], value = [[0, 0], [1, 16000]] } }
+motion = { force = { direction = [0, 0, -1], value = [[0, 0], [1, 25000]] } }
 touch = true
 friction = { law = "coulomb", mu = 0.1 }
 [time]
