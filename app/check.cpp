@@ -8,7 +8,7 @@
 #include "io/case/material_library.h"
 #include "io/case/read_case.h"
 #include "io/case/toml_text.h"
-#include "mechanics/mesh_check.h"
+#include "mechanics/elements/mesh_check.h"
 #include "process/remeshing.h"
 #include "process/run.h"
 

@@ -2,7 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
-#include "io/home_folder.h"
+#include "io/text/home_folder.h"
 
 #include <fmt/format.h>
 

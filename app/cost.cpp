@@ -1,7 +1,7 @@
 #include "app/cost.h"
 
 #include "app/memory.h"
-#include "mechanics/linear_solver.h"
+#include "mechanics/linear/linear_solver.h"
 
 #include <fmt/format.h>
 

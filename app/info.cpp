@@ -5,11 +5,11 @@
 #include "geometry/base/error.h"
 #include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
-#include "io/step.h"
-#include "io/stl.h"
-#include "io/stl_report.h"
-#include "io/stl_tool.h"
-#include "mechanics/mesh_check.h"
+#include "io/tools/step.h"
+#include "io/tools/stl.h"
+#include "io/tools/stl_report.h"
+#include "io/tools/stl_tool.h"
+#include "mechanics/elements/mesh_check.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "app/no_memory.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
-#include "mechanics/blas.h"
+#include "mechanics/linear/blas.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

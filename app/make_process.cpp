@@ -2,7 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/results/frames.h"
-#include "io/scene_builder.h"
+#include "io/scene/scene_builder.h"
 #include "io/slips/slips.h"
 #include "process/tool_meetings.h"
 

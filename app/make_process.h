@@ -4,7 +4,7 @@
 
 #include "app/cost.h"
 #include "io/case/case.h"
-#include "io/solid_meshing.h"
+#include "io/scene/solid_meshing.h"
 #include "process/run.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "app/progress_bar.h"
 
-#include "io/readable.h"
+#include "io/text/readable.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

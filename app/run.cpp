@@ -7,7 +7,7 @@
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
 #include "io/results/run_writer.h"
-#include "mechanics/blas.h"
+#include "mechanics/linear/blas.h"
 #include "process/run_checks.h"
 
 #include <fmt/format.h>

@@ -12,7 +12,7 @@
 
 #include "geometry/base/box.h"
 #include "geometry/base/vector.h"
-#include "geometry/narrow_parts.h"
+#include "geometry/inner_ball.h"
 
 #include <array>
 #include <cstdint>

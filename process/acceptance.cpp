@@ -1,6 +1,6 @@
 // Whether an increment that Newton's method has solved may be accepted. (P.3), (P.9), (P.41)
 
-#include "mechanics/mesh_check.h"
+#include "mechanics/elements/mesh_check.h"
 #include "process/passage_guard.h"
 #include "process/remeshing.h"
 #include "process/run.h"

@@ -1,6 +1,6 @@
 #include "process/blows.h"
 
-#include "geometry/first_contact.h"
+#include "geometry/collision/first_contact.h"
 #include "process/touch.h"
 
 #include <fmt/format.h>

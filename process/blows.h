@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "contact/ram_term.h"
+#include "contact/drives/ram_term.h"
 #include "process/scene.h"
 
 #include <optional>

@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "contact/contact_surface.h"
+#include "contact/surface/contact_surface.h"
 #include "geometry/base/box.h"
 #include "geometry/rigid_surface.h"
 

@@ -1,6 +1,6 @@
 #include "process/drives.h"
 
-#include "geometry/first_contact.h"
+#include "geometry/collision/first_contact.h"
 #include "process/run.h"
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "contact/contact_term.h"
+#include "contact/term/contact_term.h"
 #include "geometry/base/time_function.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "geometry/base/box.h"
 #include "geometry/base/limits.h"
-#include "geometry/facet_body.h"
+#include "geometry/collision/facet_body.h"
 #include "process/drawing.h"
 #include "process/part_depth.h"
 

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "contact/contact_term.h"
+#include "contact/term/contact_term.h"
 #include "process/scene.h"
 
 #include <array>

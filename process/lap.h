@@ -4,8 +4,8 @@
 
 #pragma once
 
-#include "geometry/closed_creases.h"
-#include "geometry/closed_folds.h"
+#include "geometry/mesh2d/closed_creases.h"
+#include "geometry/mesh2d/closed_folds.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "process/narrow_tools.h"
 
 #include "geometry/base/limits.h"
-#include "geometry/box_tree.h"
+#include "geometry/triangles/box_tree.h"
 #include "process/part_depth.h"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 
 #pragma once
 
-#include "contact/contact_term.h"
-#include "geometry/narrow_parts.h"
+#include "contact/term/contact_term.h"
+#include "geometry/inner_ball.h"
 #include "process/scene.h"
 
 #include <optional>

@@ -1,10 +1,10 @@
 // The part as it is meshed anew: its boundary, sizes, and tools that nodes lie on. (P.14)
 
 #include "geometry/base/error.h"
-#include "geometry/closed_creases.h"
-#include "geometry/solid_remesher.h"
-#include "mechanics/mesh_locator.h"
-#include "mechanics/rate_gradient.h"
+#include "geometry/mesh2d/closed_creases.h"
+#include "geometry/mesh3d/solid_remesher.h"
+#include "mechanics/elements/mesh_locator.h"
+#include "mechanics/transfer/rate_gradient.h"
 #include "process/part_boundary.h"
 #include "process/remeshing.h"
 #include "process/run.h"

@@ -1,7 +1,7 @@
 // Tools that begin to act in the midst of a run: under a load they come to touch, on a prescribed
 // way they may find the workpiece where they are.
 
-#include "geometry/first_contact.h"
+#include "geometry/collision/first_contact.h"
 #include "process/drives.h"
 #include "process/remeshing.h"
 #include "process/run.h"

@@ -1,6 +1,6 @@
 #include "process/part_boundary.h"
 
-#include "mechanics/domain_meshes.h"
+#include "mechanics/mesh/domain_meshes.h"
 
 #include <fmt/format.h>
 

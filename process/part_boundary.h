@@ -8,8 +8,8 @@
 
 #pragma once
 
-#include "geometry/closed_folds.h"
-#include "geometry/domain_remesher.h"
+#include "geometry/mesh2d/closed_folds.h"
+#include "geometry/mesh2d/domain_remesher.h"
 #include "process/attachments.h"
 #include "process/scene.h"
 

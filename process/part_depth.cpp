@@ -1,6 +1,6 @@
 #include "process/part_depth.h"
 
-#include "geometry/nearest_in_triangle.h"
+#include "geometry/triangles/nearest_in_triangle.h"
 
 #include <algorithm>
 #include <cmath>

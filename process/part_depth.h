@@ -4,9 +4,9 @@
 
 #pragma once
 
-#include "contact/contact_surface.h"
-#include "geometry/box_tree.h"
-#include "mechanics/mesh_locator.h"
+#include "contact/surface/contact_surface.h"
+#include "geometry/triangles/box_tree.h"
+#include "mechanics/elements/mesh_locator.h"
 #include "process/drawing.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "process/passage_guard.h"
 
-#include "geometry/box_tree.h"
-#include "geometry/passage.h"
+#include "geometry/collision/passage.h"
+#include "geometry/triangles/box_tree.h"
 
 #include <fmt/format.h>
 

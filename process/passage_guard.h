@@ -8,8 +8,8 @@
 
 #pragma once
 
-#include "contact/contact_term.h"
-#include "mechanics/force_term.h"
+#include "contact/term/contact_term.h"
+#include "mechanics/equilibrium/force_term.h"
 
 #include <span>
 #include <string>

@@ -2,9 +2,9 @@
 
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
+#include "mechanics/elements/mesh_locator.h"
 #include "mechanics/materials/j2_hencky.h"
-#include "mechanics/mesh_locator.h"
-#include "mechanics/state_transfer.h"
+#include "mechanics/transfer/state_transfer.h"
 #include "process/free_surface.h"
 #include "process/increment_control.h"
 #include "process/remeshing.h"

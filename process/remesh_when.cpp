@@ -1,8 +1,8 @@
 // When the part is meshed anew. (P.15)
 
-#include "geometry/closed_creases.h"
-#include "mechanics/mesh_check.h"
-#include "mechanics/mesh_edges.h"
+#include "geometry/mesh2d/closed_creases.h"
+#include "mechanics/elements/mesh_check.h"
+#include "mechanics/mesh/mesh_edges.h"
 #include "process/remeshing.h"
 #include "process/run.h"
 #include "process/solid_part.h"

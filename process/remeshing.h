@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "contact/contact_term.h"
-#include "mechanics/mesh.h"
+#include "contact/term/contact_term.h"
+#include "mechanics/mesh/mesh.h"
 #include "process/lap.h"
 #include "process/part_boundary.h"
 

@@ -1,7 +1,7 @@
 #include "process/run.h"
 
 #include "geometry/base/stopwatch.h"
-#include "mechanics/mesh_check.h"
+#include "mechanics/elements/mesh_check.h"
 #include "process/bent_increment.h"
 #include "process/increment_control.h"
 #include "process/passage_guard.h"

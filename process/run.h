@@ -6,14 +6,14 @@
 
 #pragma once
 
-#include "contact/contact_term.h"
-#include "contact/process_window.h"
-#include "contact/wear.h"
-#include "geometry/domain_remesher.h"
-#include "geometry/retreating_surface.h"
-#include "mechanics/grounding.h"
-#include "mechanics/loads.h"
-#include "mechanics/newton.h"
+#include "contact/term/contact_term.h"
+#include "contact/wear/process_window.h"
+#include "contact/wear/wear.h"
+#include "geometry/mesh2d/domain_remesher.h"
+#include "geometry/surfaces/retreating_surface.h"
+#include "mechanics/equilibrium/newton.h"
+#include "mechanics/loads/grounding.h"
+#include "mechanics/loads/loads.h"
 #include "process/blows.h"
 #include "process/drives.h"
 #include "process/energy_balance.h"

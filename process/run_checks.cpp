@@ -1,6 +1,6 @@
 #include "process/run_checks.h"
 
-#include "contact/corner_search.h"
+#include "contact/corners/corner_search.h"
 #include "process/narrow_tools.h"
 #include "process/remeshing.h"
 #include "process/run.h"

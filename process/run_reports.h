@@ -4,8 +4,8 @@
 
 #pragma once
 
-#include "contact/contact_term.h"
-#include "mechanics/newton.h"
+#include "contact/term/contact_term.h"
+#include "mechanics/equilibrium/newton.h"
 #include "process/drives.h"
 #include "process/energy_balance.h"
 #include "process/lap.h"

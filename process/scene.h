@@ -4,12 +4,12 @@
 
 #pragma once
 
-#include "contact/contact_surface.h"
-#include "contact/tool.h"
+#include "contact/surface/contact_surface.h"
+#include "contact/tools/tool.h"
 #include "geometry/base/time_function.h"
-#include "mechanics/bulk.h"
-#include "mechanics/linear_solver.h"
-#include "mechanics/mesh.h"
+#include "mechanics/bulk/bulk.h"
+#include "mechanics/linear/linear_solver.h"
+#include "mechanics/mesh/mesh.h"
 
 #include <array>
 #include <optional>

@@ -1,11 +1,11 @@
 #include "process/solid_part.h"
 
 #include "geometry/base/angle.h"
-#include "geometry/nearest_in_triangle.h"
-#include "mechanics/domain_meshes.h"
-#include "mechanics/elements/faces.h"
-#include "mechanics/mesh_check.h"
-#include "mechanics/mesh_edges.h"
+#include "geometry/triangles/nearest_in_triangle.h"
+#include "mechanics/elements/mesh_check.h"
+#include "mechanics/equilibrium/faces.h"
+#include "mechanics/mesh/domain_meshes.h"
+#include "mechanics/mesh/mesh_edges.h"
 
 #include <Eigen/Geometry>
 

@@ -9,8 +9,8 @@
 
 #pragma once
 
-#include "geometry/box_tree.h"
-#include "geometry/solid_remesher.h"
+#include "geometry/mesh3d/solid_remesher.h"
+#include "geometry/triangles/box_tree.h"
 #include "process/attachments.h"
 #include "process/part_boundary.h"
 #include "process/scene.h"

@@ -1,7 +1,7 @@
 #include "process/tool_meetings.h"
 
 #include "geometry/base/box.h"
-#include "geometry/facet_body.h"
+#include "geometry/collision/facet_body.h"
 
 #include <algorithm>
 #include <array>

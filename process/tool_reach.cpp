@@ -1,7 +1,7 @@
 #include "process/tool_reach.h"
 
 #include "geometry/base/box.h"
-#include "geometry/facet_body.h"
+#include "geometry/collision/facet_body.h"
 #include "process/touch.h"
 
 #include <algorithm>

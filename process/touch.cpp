@@ -2,8 +2,8 @@
 
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
-#include "geometry/facet_body.h"
-#include "geometry/first_contact.h"
+#include "geometry/collision/facet_body.h"
+#include "geometry/collision/first_contact.h"
 #include "process/drawing.h"
 
 #include <fmt/format.h>

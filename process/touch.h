@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "contact/contact_surface.h"
+#include "contact/surface/contact_surface.h"
 #include "process/scene.h"
 
 #include <span>

@@ -1,6 +1,6 @@
 // How tools leave: their surfaces draw back, or their forces fade. (P.5), (P.5a)
 
-#include "geometry/retreating_surface.h"
+#include "geometry/surfaces/retreating_surface.h"
 #include "process/remeshing.h"
 #include "process/run.h"
 

@@ -1,7 +1,7 @@
 #include "app/render/load_stroke.h"
 
 #include "geometry/base/error.h"
-#include "io/readable.h"
+#include "io/text/readable.h"
 
 #include <fmt/format.h>
 

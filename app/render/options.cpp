@@ -1,7 +1,7 @@
 #include "app/render/options.h"
 
 #include "geometry/base/error.h"
-#include "io/home_folder.h"
+#include "io/text/home_folder.h"
 
 #include <fmt/format.h>
 

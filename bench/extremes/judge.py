@@ -13,6 +13,7 @@ from matrix import INCREMENTS
 from scenes import SCENES, UNITS, case
 
 TYPED = range(2, 9)                # statuses that name a cause; 70 and signals are failures of the program
+FAILED_CHECKS = 8                  # the run has come to its end
 LATE = 0.6                         # forces are means over the run after this share of it
 AGREEMENT = 0.01                   # with the reference, increments of the same length
 OTHER_INCREMENTS = 0.05            # a run in one increment, or in a hundred times as many
@@ -42,6 +43,11 @@ class Run:
     def done(self):
         return self.cost.status == 0 and not self.flaw
 
+    @property
+    def converged(self):
+        """Has come to its end, be it with a result that its own checks refuse."""
+        return self.cost.status in (0, FAILED_CHECKS) and not self.flaw
+
 
 def run(setting, program, timeout, folder, again):
     """again: takes what an earlier run of the same case left there."""
@@ -68,7 +74,7 @@ def earlier(results):
 
 def message(log):
     lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
-    said = [line for line in lines if line.startswith("billet:")]
+    said = [line for line in lines if line.startswith(("billet:", "failed check"))]
     return said[0] if said else next((line for line in reversed(lines) if "not" in line), "")
 
 
@@ -165,6 +171,8 @@ def other_units(made, twin):
     allowed = AGREEMENT
     if made.setting.units == "x2^20":
         allowed = SAME_BITS
+    elif made.increments != twin.increments and made.setting.increments > 1.0:
+        allowed = OTHER_INCREMENTS
     elif not SCENES[made.setting.scene].passes and made.setting.increments <= 1.0:
         allowed = SAME_IN_UNITS
     off = deviation(made, twin)

@@ -17,7 +17,7 @@ def criteria(judged):
              and not math.isnan(r.deviation)]
     worst = max(stiff, key=lambda r: r.deviation, default=None)
     usual = [r for r in judged if usual_setting(r.setting)]
-    converged = sum(r.done for r in usual)
+    converged = sum(r.converged for r in usual)
     share = converged / max(1, len(usual))
     agreement = [(f"forces at the default penalty and above, largest deviation: {100 * worst.deviation:.2f} % "
                   f"({worst.setting})", worst.deviation <= 0.01)] if worst else []

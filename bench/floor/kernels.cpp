@@ -4,9 +4,9 @@
 // Theory  none; docs/speed.md reads these figures.
 
 #include "geometry/base/stopwatch.h"
-#include "mechanics/blas.h"
-#include "mechanics/bulk.h"
-#include "mechanics/mesh_generators.h"
+#include "mechanics/bulk/bulk.h"
+#include "mechanics/linear/blas.h"
+#include "mechanics/mesh/mesh_generators.h"
 
 #include <oneapi/tbb/global_control.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/base/vector.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/triangles/triangle_mesh.h"
 
 #include <memory>
 #include <span>

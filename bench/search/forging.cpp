@@ -1,8 +1,8 @@
 #include "bench/search/forging.h"
 
 #include "io/case/read_case.h"
-#include "io/scene_builder.h"
-#include "io/stl.h"
+#include "io/scene/scene_builder.h"
+#include "io/tools/stl.h"
 #include "process/run.h"
 
 #include <fmt/format.h>

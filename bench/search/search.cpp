@@ -4,10 +4,10 @@
 // bench-search [--markdown FILE] [--seconds S] [--largest TRIANGLES]; one thread, processor time.
 // Each rate is the best of several passes, every one at least S seconds long (0.2).
 
-#include "geometry/smooth_triangle_surface.h"
-#include "geometry/triangle_surface.h"
-#include "io/stl.h"
-#include "io/stl_tool.h"
+#include "geometry/surfaces/smooth_triangle_surface.h"
+#include "geometry/surfaces/triangle_surface.h"
+#include "io/tools/stl.h"
+#include "io/tools/stl_tool.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

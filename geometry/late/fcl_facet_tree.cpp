@@ -1,7 +1,7 @@
 // The one file that knows FCL.
 
 #include "geometry/base/index.h"
-#include "geometry/facet_tree.h"
+#include "geometry/collision/facet_tree.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>

@@ -2,7 +2,7 @@
 
 #include "io/case/document.h"
 #include "io/case/suggestion.h"
-#include "io/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "io/case/units.h"
 
 #include "geometry/base/angle.h"
-#include "io/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

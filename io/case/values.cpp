@@ -1,7 +1,7 @@
 #include "io/case/values.h"
 
 #include "io/case/suggestion.h"
-#include "io/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

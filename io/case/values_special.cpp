@@ -1,8 +1,8 @@
 // Values of the case file that are more than numbers: files, selectors, shear strengths.
 
 #include "io/case/values.h"
-#include "io/paths.h"
-#include "io/text.h"
+#include "io/text/paths.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

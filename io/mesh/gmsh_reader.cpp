@@ -3,7 +3,7 @@
 
 #include "io/mesh/raw_mesh.h"
 #include "io/mesh/scanner.h"
-#include "io/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "io/mesh/included_lines.h"
 
 #include "geometry/base/error.h"
-#include "io/paths.h"
-#include "io/text.h"
+#include "io/text/paths.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/mesh/scanner.h"
-#include "io/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 
 #include "geometry/base/vector.h"
 #include "io/mesh/included_lines.h"
-#include "mechanics/mesh.h"
+#include "mechanics/mesh/mesh.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -4,9 +4,9 @@
 #include "geometry/base/error.h"
 #include "io/mesh/mesh_format.h"
 #include "io/mesh/raw_mesh.h"
-#include "mechanics/mesh_check.h"
-#include "mechanics/mesh_connections.h"
-#include "mechanics/mesh_edges.h"
+#include "mechanics/elements/mesh_check.h"
+#include "mechanics/mesh/mesh_connections.h"
+#include "mechanics/mesh/mesh_edges.h"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "io/mesh/included_lines.h"
-#include "mechanics/mesh.h"
+#include "mechanics/mesh/mesh.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #include "io/mesh/scanner.h"
 
 #include "geometry/base/error.h"
-#include "io/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

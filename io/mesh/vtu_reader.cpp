@@ -5,7 +5,7 @@
 #include "io/mesh/scanner.h"
 #include "io/mesh/vtu_content.h"
 #include "io/mesh/vtu_guard.h"
-#include "io/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

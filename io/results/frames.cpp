@@ -5,8 +5,8 @@
 #include "io/case/suggestion.h"
 #include "io/results/wear_frame.h"
 #include "mechanics/elements/elements.h"
-#include "mechanics/mesh_check.h"
-#include "mechanics/mesh_edges.h"
+#include "mechanics/elements/mesh_check.h"
+#include "mechanics/mesh/mesh_edges.h"
 
 #include <algorithm>
 #include <cmath>

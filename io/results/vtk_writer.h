@@ -10,7 +10,7 @@
 #pragma once
 
 #include "geometry/base/vector.h"
-#include "mechanics/mesh.h"
+#include "mechanics/mesh/mesh.h"
 
 #include <array>
 #include <cstdint>

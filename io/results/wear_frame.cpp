@@ -1,6 +1,6 @@
 #include "io/results/wear_frame.h"
 
-#include "geometry/convex_polygon.h"
+#include "geometry/collision/convex_polygon.h"
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "contact/tool.h"
-#include "contact/wear_map.h"
+#include "contact/tools/tool.h"
+#include "contact/wear/wear_map.h"
 #include "io/results/vtk_writer.h"
 
 #include <string>

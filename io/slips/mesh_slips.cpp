@@ -1,11 +1,11 @@
 // Slips of size and mesh: elements that cannot show what is asked of them.
 
 #include "geometry/base/box.h"
-#include "geometry/facet_body.h"
+#include "geometry/collision/facet_body.h"
 #include "io/slips/scene_slips.h"
 #include "io/slips/slip.h"
 #include "io/slips/slips.h"
-#include "mechanics/mesh_edges.h"
+#include "mechanics/mesh/mesh_edges.h"
 #include "process/tool_reach.h"
 
 #include <fmt/format.h>

@@ -8,9 +8,9 @@
 
 #pragma once
 
-#include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shapes.h"
-#include "mechanics/mesh.h"
+#include "mechanics/mesh/mesh.h"
+#include "mechanics/numerics/quadrature.h"
 
 #include <stdexcept>
 

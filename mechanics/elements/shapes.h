@@ -2,8 +2,8 @@
 // tetrahedra on the simplex xi_i >= 0, sum xi_i <= 1.
 //
 // A shape is a value type: `dim`, `nodes`, the reference coordinates of the nodes, and
-// `values(xi)` and `gradients(xi)`. Node order is VTK's (mechanics/mesh.h); of a line3: both ends,
-// then the middle. Theory: docs/theory/mechanics.md (M.2), (M.30).
+// `values(xi)` and `gradients(xi)`. Node order is VTK's (mechanics/mesh/mesh.h); of a line3: both
+// ends, then the middle. Theory: docs/theory/mechanics.md (M.2), (M.30).
 
 #pragma once
 

@@ -1,8 +1,8 @@
 #include "mechanics/materials/j2_hencky.h"
 
 #include "geometry/base/index.h"
-#include "mechanics/elements/quadrature.h"
-#include "mechanics/lanes.h"
+#include "mechanics/numerics/lanes.h"
+#include "mechanics/numerics/quadrature.h"
 
 #include <algorithm>
 #include <array>

@@ -13,9 +13,9 @@
 #pragma once
 
 #include "geometry/base/vector.h"
-#include "mechanics/lanes.h"
 #include "mechanics/materials/any_flow_law.h"
-#include "mechanics/spectral.h"
+#include "mechanics/numerics/lanes.h"
+#include "mechanics/numerics/spectral.h"
 
 #include <array>
 #include <cstddef>

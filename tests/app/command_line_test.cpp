@@ -1,6 +1,6 @@
 // The command line as a user types it: help, mistakes, overrides, what `check` and `info` tell.
 
-#include "io/step.h"
+#include "io/tools/step.h"
 #include "tests/app/tables.h"
 #include "tests/support/case_texts.h"
 #include "tests/support/program.h"

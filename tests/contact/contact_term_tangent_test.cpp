@@ -1,6 +1,6 @@
 // The whole contact tangent against differences of the residual, column by column.
 
-#include "contact/contact_term.h"
+#include "contact/term/contact_term.h"
 #include "tests/support/contact_bench.h"
 #include "tests/support/contact_laws.h"
 #include "tests/support/sample_materials.h"

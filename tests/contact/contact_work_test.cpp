@@ -1,8 +1,8 @@
 // Objectivity and energies of contact: a rigid motion of everything changes nothing; sliding only
 // loses energy; the books balance.
 
-#include "contact/contact_term.h"
-#include "geometry/profile.h"
+#include "contact/term/contact_term.h"
+#include "geometry/surfaces/profile.h"
 #include "tests/support/contact_bench.h"
 #include "tests/support/contact_laws.h"
 

@@ -1,6 +1,6 @@
 // Rows and columns of driven tools against differences of the residual.
 
-#include "contact/contact_term.h"
+#include "contact/term/contact_term.h"
 #include "tests/support/contact_bench.h"
 #include "tests/support/contact_laws.h"
 

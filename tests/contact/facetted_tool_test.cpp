@@ -1,8 +1,8 @@
 // CON-06: what the facets of a tool do to a point that slides over them, and what smoothing gains.
 
-#include "contact/interface_law.h"
-#include "geometry/smooth_triangle_surface.h"
-#include "geometry/triangle_surface.h"
+#include "contact/law/interface_law.h"
+#include "geometry/surfaces/smooth_triangle_surface.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "tests/geometry/round_meshes.h"
 
 #include <Eigen/LU>

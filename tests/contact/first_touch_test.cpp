@@ -1,7 +1,7 @@
 // The share of an increment in which a point that comes down on a tool rubs. (C.42)
 
-#include "contact/contact_term.h"
-#include "contact/wear.h"
+#include "contact/term/contact_term.h"
+#include "contact/wear/wear.h"
 #include "tests/support/contact_bench.h"
 
 #include <gtest/gtest.h>

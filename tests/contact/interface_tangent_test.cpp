@@ -1,6 +1,6 @@
 // The interface law's derivative against central differences, on curved tools.
 
-#include "geometry/analytic_surfaces.h"
+#include "geometry/surfaces/analytic_surfaces.h"
 #include "tests/support/contact_laws.h"
 
 #include <gtest/gtest.h>

@@ -1,14 +1,14 @@
 #include "tests/fuzz/targets.h"
 
 #include "geometry/base/error.h"
-#include "geometry/smooth_triangle_surface.h"
-#include "geometry/triangle_surface.h"
+#include "geometry/surfaces/smooth_triangle_surface.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "io/case/read_case.h"
 #include "io/mesh/read_mesh.h"
-#include "io/stl.h"
-#include "io/stl_report.h"
-#include "io/stl_tool.h"
-#include "mechanics/mesh_check.h"
+#include "io/tools/stl.h"
+#include "io/tools/stl_report.h"
+#include "io/tools/stl_tool.h"
+#include "mechanics/elements/mesh_check.h"
 
 #include <unistd.h>
 

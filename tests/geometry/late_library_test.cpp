@@ -1,6 +1,6 @@
 #include "geometry/base/error.h"
 #include "geometry/base/late_library.h"
-#include "geometry/facet_tree.h"
+#include "geometry/collision/facet_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // The reference shares no code with the surface: its distance to a triangle goes by barycentric
 // regions, its side by the winding number. Prints what the queries met and how well they agree.
 
-#include "geometry/triangle_surface.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "tests/geometry/round_meshes.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/geometry/surface_checks.h"

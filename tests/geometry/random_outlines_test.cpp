@@ -2,7 +2,7 @@
 
 #include "geometry/base/angle.h"
 #include "geometry/base/error.h"
-#include "geometry/domain_remesher.h"
+#include "geometry/mesh2d/domain_remesher.h"
 #include "tests/support/random_outline.h"
 #include "tests/support/sound_domain.h"
 

@@ -3,8 +3,8 @@
 #include "geometry/base/angle.h"
 #include "geometry/base/error.h"
 #include "geometry/base/index.h"
-#include "geometry/mesh_health.h"
-#include "geometry/solid_remesher.h"
+#include "geometry/mesh3d/solid_remesher.h"
+#include "geometry/repair/mesh_health.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/sound_solid.h"
 

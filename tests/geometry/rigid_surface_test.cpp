@@ -1,5 +1,5 @@
-#include "geometry/analytic_surfaces.h"
 #include "geometry/rigid_surface.h"
+#include "geometry/surfaces/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "geometry/base/vector.h"
-#include "geometry/mesh_health.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/repair/mesh_health.h"
+#include "geometry/triangles/triangle_mesh.h"
 
 #include <Eigen/Geometry>
 

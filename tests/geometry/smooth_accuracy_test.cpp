@@ -1,7 +1,7 @@
 // How much smoothing gains on shapes whose answer is known: gap and normal, before and after.
 
-#include "geometry/smooth_triangle_surface.h"
-#include "geometry/triangle_surface.h"
+#include "geometry/surfaces/smooth_triangle_surface.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "tests/geometry/round_meshes.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/geometry/surface_checks.h"

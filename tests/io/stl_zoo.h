@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "geometry/triangle_mesh.h"
+#include "geometry/triangles/triangle_mesh.h"
 
 #include <functional>
 #include <optional>

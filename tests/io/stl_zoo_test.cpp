@@ -1,9 +1,9 @@
 // Every file of the zoo gets the verdict it should, whatever its random numbers.
 
 #include "geometry/base/error.h"
-#include "geometry/triangle_surface.h"
-#include "io/stl.h"
-#include "io/stl_report.h"
+#include "geometry/surfaces/triangle_surface.h"
+#include "io/tools/stl.h"
+#include "io/tools/stl_report.h"
 #include "tests/io/stl_zoo.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // The tangent of every element with every flow law on a random plastic state: VALIDATION ELT-07.
 
-#include "mechanics/element_kernel.h"
+#include "mechanics/bulk/element_kernel.h"
 #include "tests/support/differences.h"
 #include "tests/support/element_probe.h"
 #include "tests/support/figures.h"

@@ -1,6 +1,6 @@
 // Elements that share a batch of points give what each gives alone.
 
-#include "mechanics/element_kernel.h"
+#include "mechanics/bulk/element_kernel.h"
 #include "tests/support/element_probe.h"
 #include "tests/support/sample_materials.h"
 

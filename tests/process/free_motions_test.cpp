@@ -1,6 +1,6 @@
 // Which rigid motions supports leave free, by name.
 
-#include "mechanics/mesh_generators.h"
+#include "mechanics/mesh/mesh_generators.h"
 #include "process/scene.h"
 
 #include <gtest/gtest.h>

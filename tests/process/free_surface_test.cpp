@@ -1,6 +1,6 @@
 // The free surface, moved to give a part its volume. (P.21)
 
-#include "mechanics/mesh_locator.h"
+#include "mechanics/elements/mesh_locator.h"
 #include "process/free_surface.h"
 #include "tests/support/contact_scenes.h"
 

@@ -2,8 +2,8 @@
 
 #include "geometry/base/angle.h"
 #include "geometry/base/error.h"
-#include "mechanics/bulk.h"
-#include "mechanics/mesh_locator.h"
+#include "mechanics/bulk/bulk.h"
+#include "mechanics/elements/mesh_locator.h"
 #include "process/part_boundary.h"
 #include "tests/support/contact_scenes.h"
 

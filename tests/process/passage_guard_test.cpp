@@ -1,5 +1,5 @@
-#include "geometry/profile.h"
-#include "geometry/triangle_surface.h"
+#include "geometry/surfaces/profile.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "process/passage_guard.h"
 #include "process/run.h"
 #include "tests/geometry/sample_meshes.h"

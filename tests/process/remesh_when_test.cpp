@@ -1,7 +1,7 @@
 // When the part is meshed anew, and what becomes of a run where it cannot be.
 
-#include "geometry/analytic_surfaces.h"
-#include "geometry/profile.h"
+#include "geometry/surfaces/analytic_surfaces.h"
+#include "geometry/surfaces/profile.h"
 #include "process/part_boundary.h"
 #include "process/remeshing.h"
 #include "process/run.h"

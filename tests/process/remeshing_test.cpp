@@ -1,7 +1,7 @@
 // The part meshed anew in the midst of a run: what the run keeps, and what it says of it.
 
-#include "geometry/analytic_surfaces.h"
-#include "mechanics/mesh_locator.h"
+#include "geometry/surfaces/analytic_surfaces.h"
+#include "mechanics/elements/mesh_locator.h"
 #include "process/run.h"
 #include "tests/support/remeshed_billet.h"
 

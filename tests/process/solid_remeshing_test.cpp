@@ -1,7 +1,7 @@
 // A part in space meshed anew in the midst of a run, beside the same run without.
 
-#include "mechanics/mesh_check.h"
-#include "mechanics/mesh_locator.h"
+#include "mechanics/elements/mesh_check.h"
+#include "mechanics/elements/mesh_locator.h"
 #include "process/run.h"
 #include "process/solid_part.h"
 #include "tests/support/contact_scenes.h"

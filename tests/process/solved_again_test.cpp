@@ -1,6 +1,6 @@
 // The last part of the way solved again on a new mesh. (P.19), (P.20)
 
-#include "geometry/analytic_surfaces.h"
+#include "geometry/surfaces/analytic_surfaces.h"
 #include "process/run.h"
 #include "tests/support/remeshed_billet.h"
 

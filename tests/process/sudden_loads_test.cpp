@@ -1,6 +1,6 @@
 // Loads that are there at once. (P.26)
 
-#include "geometry/analytic_surfaces.h"
+#include "geometry/surfaces/analytic_surfaces.h"
 #include "process/sudden_loads.h"
 #include "tests/support/contact_scenes.h"
 

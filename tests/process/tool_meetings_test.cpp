@@ -1,5 +1,5 @@
-#include "geometry/profile.h"
-#include "geometry/triangle_surface.h"
+#include "geometry/surfaces/profile.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "process/tool_meetings.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/support/contact_scenes.h"

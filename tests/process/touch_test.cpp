@@ -1,6 +1,6 @@
 #include "geometry/base/error.h"
-#include "geometry/profile.h"
-#include "geometry/triangle_surface.h"
+#include "geometry/surfaces/profile.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "process/run.h"
 #include "process/touch.h"
 #include "tests/geometry/sample_meshes.h"

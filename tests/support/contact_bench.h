@@ -4,13 +4,13 @@
 
 #pragma once
 
-#include "contact/contact_surface.h"
-#include "contact/contact_term.h"
-#include "geometry/analytic_surfaces.h"
-#include "mechanics/bulk.h"
-#include "mechanics/mesh.h"
-#include "mechanics/mesh_generators.h"
-#include "mechanics/sparse_matrix.h"
+#include "contact/surface/contact_surface.h"
+#include "contact/term/contact_term.h"
+#include "geometry/surfaces/analytic_surfaces.h"
+#include "mechanics/bulk/bulk.h"
+#include "mechanics/linear/sparse_matrix.h"
+#include "mechanics/mesh/mesh.h"
+#include "mechanics/mesh/mesh_generators.h"
 
 #include <Eigen/Core>
 

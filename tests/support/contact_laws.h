@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "contact/interface_law.h"
+#include "contact/law/interface_law.h"
 
 #include <gtest/gtest.h>
 

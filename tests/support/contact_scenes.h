@@ -4,9 +4,9 @@
 
 #pragma once
 
-#include "geometry/analytic_surfaces.h"
-#include "mechanics/mesh_edges.h"
-#include "mechanics/mesh_generators.h"
+#include "geometry/surfaces/analytic_surfaces.h"
+#include "mechanics/mesh/mesh_edges.h"
+#include "mechanics/mesh/mesh_generators.h"
 #include "process/run.h"
 
 #include <algorithm>

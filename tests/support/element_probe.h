@@ -2,9 +2,9 @@
 
 #pragma once
 
-#include "mechanics/element_kernel.h"
+#include "mechanics/bulk/element_kernel.h"
 #include "mechanics/elements/elements.h"
-#include "mechanics/mesh_edges.h"
+#include "mechanics/mesh/mesh_edges.h"
 #include "tests/support/tensors.h"
 
 #include <Eigen/Core>

@@ -5,11 +5,11 @@
 
 #pragma once
 
-#include "mechanics/bulk.h"
-#include "mechanics/mesh_edges.h"
-#include "mechanics/mesh_generators.h"
-#include "mechanics/newton.h"
-#include "mechanics/simplex_cells.h"
+#include "mechanics/bulk/bulk.h"
+#include "mechanics/equilibrium/newton.h"
+#include "mechanics/mesh/mesh_edges.h"
+#include "mechanics/mesh/mesh_generators.h"
+#include "mechanics/mesh/simplex_cells.h"
 #include "tests/support/element_probe.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mechanics/materials/j2_hencky.h"
-#include "mechanics/spectral.h"
+#include "mechanics/numerics/spectral.h"
 
 #include <algorithm>
 #include <cstddef>

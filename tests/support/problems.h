@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "geometry/analytic_surfaces.h"
-#include "mechanics/mesh_generators.h"
+#include "geometry/surfaces/analytic_surfaces.h"
+#include "mechanics/mesh/mesh_generators.h"
 #include "process/run.h"
 #include "tests/support/tensors.h"
 

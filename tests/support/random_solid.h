@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "geometry/solid_boundary.h"
+#include "geometry/curved/solid_boundary.h"
 #include "tests/support/random_outline.h"
 #include "tests/support/sound_solid.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/base/angle.h"
-#include "geometry/domain_remesher.h"
+#include "geometry/mesh2d/domain_remesher.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "geometry/solid_remesher.h"
+#include "geometry/mesh3d/solid_remesher.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "mechanics/mesh_check.h"
+#include "mechanics/elements/mesh_check.h"
 
 #include <cstddef>
 #include <vector>

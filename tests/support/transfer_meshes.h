@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "mechanics/mesh_generators.h"
-#include "mechanics/mesh_locator.h"
+#include "mechanics/elements/mesh_locator.h"
+#include "mechanics/mesh/mesh_generators.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 // A block 2 x 1 (x 1) with distorted interior nodes lies on a rigid plane, frictionless; pressure
 // 10 on its top. Pressure at every contact point is 10 (per current area), penetration uniform.
 
-#include "geometry/triangle_surface.h"
+#include "geometry/surfaces/triangle_surface.h"
 #include "tests/support/contact_scenes.h"
 
 #include <Eigen/Geometry>

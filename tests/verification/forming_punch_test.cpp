@@ -6,8 +6,8 @@
 // (frm07_prandtl_mesh_study.csv, quad8 of 2 x 2 points) and the limit with what they extrapolate
 // to.
 
-#include "contact/uneven_pressure.h"
-#include "geometry/profile.h"
+#include "contact/faces/uneven_pressure.h"
+#include "geometry/surfaces/profile.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/figures.h"
 #include "tests/support/problems.h"

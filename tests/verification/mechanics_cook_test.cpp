@@ -1,7 +1,7 @@
 // Cook's membrane at finite strain, compressible and nearly incompressible: VALIDATION ELT-06.
 
-#include "mechanics/loads.h"
-#include "mechanics/mesh_edges.h"
+#include "mechanics/loads/loads.h"
+#include "mechanics/mesh/mesh_edges.h"
 #include "tests/support/figures.h"
 #include "tests/support/problems.h"
 

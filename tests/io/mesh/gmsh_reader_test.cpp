@@ -1,8 +1,8 @@
 #include "geometry/base/error.h"
 #include "io/mesh/read_mesh.h"
-#include "mechanics/mesh_check.h"
-#include "mechanics/mesh_edges.h"
-#include "mechanics/mesh_generators.h"
+#include "mechanics/elements/mesh_check.h"
+#include "mechanics/mesh/mesh_edges.h"
+#include "mechanics/mesh/mesh_generators.h"
 #include "tests/support/temporary_folder.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "geometry/base/error.h"
 #include "io/mesh/read_mesh.h"
 #include "io/results/vtk_writer.h"
-#include "mechanics/mesh_generators.h"
+#include "mechanics/mesh/mesh_generators.h"
 #include "tests/support/temporary_folder.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "io/case/read_case.h"
 #include "io/results/advice.h"
-#include "io/scene_builder.h"
+#include "io/scene/scene_builder.h"
 #include "tests/support/case_texts.h"
 #include "tests/support/temporary_folder.h"
 

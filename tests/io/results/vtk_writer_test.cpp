@@ -1,6 +1,6 @@
 #include "geometry/base/error.h"
 #include "io/results/vtk_writer.h"
-#include "mechanics/mesh_generators.h"
+#include "mechanics/mesh/mesh_generators.h"
 #include "tests/io/full_disk.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // A tool's frame shows all of its wear, however far from the workpiece that lies by then.
 
-#include "geometry/analytic_surfaces.h"
+#include "geometry/surfaces/analytic_surfaces.h"
 #include "io/results/wear_frame.h"
 
 #include <gtest/gtest.h>

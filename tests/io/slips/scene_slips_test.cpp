@@ -1,4 +1,4 @@
-#include "io/scene_builder.h"
+#include "io/scene/scene_builder.h"
 #include "io/slips/slips.h"
 #include "tests/io/case/case_text.h"
 #include "tests/support/case_texts.h"

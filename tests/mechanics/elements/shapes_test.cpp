@@ -1,9 +1,9 @@
 // Shape functions, integration rules and faces.
 
 #include "mechanics/elements/elements.h"
-#include "mechanics/elements/faces.h"
 #include "mechanics/elements/shapes.h"
-#include "mechanics/mesh_generators.h"
+#include "mechanics/equilibrium/faces.h"
+#include "mechanics/mesh/mesh_generators.h"
 #include "tests/support/tensors.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,111 @@
+// Corners of tools in the plane, pressed on by the faces of the workpiece between their contact
+// points. (C.46)
+//
+// A contact point knows only what is beneath it. Between two points a face could let a tool's
+// corner in, and as the metal slides past the corner point after point would lose the tool with
+// all its pressure. So a corner presses on the boundary it is inside of, along the way to the
+// closest place, like a contact point that stands for half an element, with the same law of
+// friction. The place wanders along the faces as the metal slides past.
+
+#pragma once
+
+#include "contact/corners/corner_search.h"
+#include "contact/law/interface_law.h"
+#include "geometry/motion.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace billet::contact {
+
+/// What a corner does to the workpiece.
+struct CornerPress {
+  std::optional<CornerFoot> foot; ///< none: it does not press
+  Traction traction{};            ///< in the tool's frame
+  double depth = 0.0;             ///< of the element beneath [mm]
+  double area = 0.0;              ///< that it stands for: half of that [mm^2]
+  Vec3 place = Vec3::Zero();      ///< of the tool, in space [mm]
+  Vec3 force = Vec3::Zero();      ///< on the workpiece, in space [N]
+  double mean_pressure = 0.0;     ///< over the increment, set when it is committed [MPa]
+};
+
+/// How a place that moves with a tool does so for a unit rate of one of its free degrees of
+/// freedom.
+struct PlaceRate {
+  std::size_t drive; ///< number of the unknown
+  Vec3 velocity;     ///< [-]
+  Vec3 spin;         ///< [1/mm]
+};
+
+/// The corners of one tool.
+class CornerContact {
+public:
+  /// A corner's committed state. Its history's shear and normal are those of its place, which is
+  /// not one of the workpiece; its position says nothing.
+  struct Corner {
+    geometry::ToolCorner shape;
+    PointHistory history{};
+    double strength = 0.0;   ///< k of the material beneath [MPa]
+    double multiplier = 0.0; ///< of the trial [MPa]
+    CornerPress committed{};
+    CornerPress trial{};
+  };
+  /// The trial and the tool in it.
+  struct At {
+    const mechanics::Trial& trial;
+    const geometry::Pose& pose;
+    const geometry::Pose& pose_old; ///< at its beginning
+    double drawn_back;              ///< by its surface, along its normals [mm]
+    const Friction& friction;
+    Penalty penalty; ///< without softening
+    /// Free degrees of freedom of the tool, for a place.
+    const std::function<std::vector<PlaceRate>(const Vec3& place)>& rates;
+  };
+
+  CornerContact() = default;
+  CornerContact(const ContactSurface& surface, const geometry::RigidSurface& tool);
+
+  [[nodiscard]] bool empty() const { return corners_.empty(); }
+  [[nodiscard]] std::span<Corner> corners() { return corners_; }
+  [[nodiscard]] std::span<const Corner> corners() const { return corners_; }
+
+  /// Finds what the corners press on in a trial and adds forces and their exact derivatives.
+  ///
+  /// @return corners whose status is not that of the trial before
+  int add(const ContactSurface& surface,
+          const mechanics::BlockPattern& pattern,
+          const At& at,
+          mechanics::System& system);
+  /// Goes on where the corners of the same tool stood on another mesh; gaps are off by what the
+  /// meshes differ. (C.41)
+  ///
+  /// @param x        shape (n_dofs) [mm]
+  /// @param penalty  pressure per depth [MPa/mm]
+  void go_on_from(std::span<const Corner> before,
+                  const ContactSurface& surface,
+                  const geometry::Pose& pose,
+                  std::span<const double> x,
+                  double penalty);
+  /// Nothing is pressed in the trial.
+  void part();
+  /// Takes the committed forces away and adds them to those on the nodes, shape (n_dofs) [N].
+  void release(const ContactSurface& surface, std::span<double> forces);
+
+private:
+  template <class Shape>
+  void press(const ContactSurface& surface,
+             const mechanics::BlockPattern& pattern,
+             const At& at,
+             const PlacedCorner& place,
+             const CornerFoot& foot,
+             Corner& corner,
+             mechanics::System& system) const;
+
+  CornerSearch search_;
+  double largest_depth_ = 0.0; ///< of an element beneath [mm]
+  std::vector<Corner> corners_;
+};
+
+} // namespace billet::contact

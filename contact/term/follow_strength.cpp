@@ -1,0 +1,105 @@
+// What friction that follows the strength of the metal beneath adds to the tangent.
+//
+// The strength changes with the plastic strain at the integration point beneath a contact point,
+// and so with the displacements of all nodes of that element. Theory: docs/theory/friction.md
+// (F.20).
+
+#include "contact/term/contact_term.h"
+
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+namespace billet::contact {
+
+namespace {
+
+/// d k / d x of the nodes of the element beneath.
+class StrengthGradient {
+public:
+  StrengthGradient(const mechanics::Bulk& bulk, int dim) : bulk_(&bulk), dim_(dim) {}
+
+  /// False: the strength does not change.
+  bool evaluate(Strength strength, std::size_t beneath, std::span<const double> x) {
+    const mechanics::MisesStress stress = bulk_->trial_stress(beneath);
+    const double slope = strength == Strength::yield ? stress.d_strength : stress.d_stress;
+    if (slope == 0.0)
+      return false;
+    nodes_ = bulk_->nodes_around(beneath);
+    positions_.resize(nodes_.size() * idx(dim_));
+    values_.resize(positions_.size());
+    mechanics::gather(x, nodes_, dim_, positions_.data());
+    mechanics::strain_gradient(bulk_->kind(), bulk_->analysis(), positions_.data(),
+                               beneath % idx(bulk_->points()),
+                               slope / std::numbers::sqrt3 * stress.direction, values_);
+    return true;
+  }
+
+  [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
+  /// By component `j` of node `b` of the element [MPa/mm].
+  [[nodiscard]] double operator()(std::size_t b, int j) const {
+    return values_[b * idx(dim_) + idx(j)];
+  }
+
+private:
+  const mechanics::Bulk* bulk_;
+  int dim_;
+  std::span<const Index> nodes_;
+  std::vector<double> positions_;
+  std::vector<double> values_;
+};
+
+/// Adds the rows of a node whose force changes by `dforce` with the strength.
+void add_row(const mechanics::BlockPattern& pattern,
+             Index node,
+             const Vec3& dforce,
+             const StrengthGradient& gradient,
+             mechanics::System& system) {
+  const int dim = pattern.dim;
+  for (std::size_t b = 0; b < gradient.nodes().size(); ++b) {
+    const Index column = pattern.offset(node, gradient.nodes()[b]) * dim;
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) {
+        const Index row = node * dim + i;
+        const Index entry = pattern.row_start[idx(row)] + column + j;
+        const double value = dforce[i] * gradient(b, j);
+        system.tangent.values[idx(entry)] += value;
+        system.tangent.unsymmetric.push_back({row, entry, value});
+      }
+  }
+}
+
+/// Adds the row of a tool's free degree of freedom, whose load changes by `dload`.
+void add_row(int dim, double dload, const StrengthGradient& gradient, mechanics::Border& border) {
+  for (std::size_t b = 0; b < gradient.nodes().size(); ++b)
+    for (int j = 0; j < dim; ++j)
+      border.row[idx(gradient.nodes()[b] * dim + j)] += dload * gradient(b, j);
+}
+
+} // namespace
+
+void ContactTerm::add_strength(const mechanics::Trial& trial, mechanics::System& system) const {
+  StrengthGradient gradient(*bulk_, pattern_->dim);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (!tools_[t].friction.follows_material())
+      continue;
+    const ToolState& state = states_[t];
+    for (std::size_t k = 0; k < state.trial.size(); ++k) {
+      if (state.trial[k].dtraction_dk.isZero(0.0) ||
+          !gradient.evaluate(tools_[t].friction.strength, surface_->beneath(k), trial.x))
+        continue;
+      const Vec3 dT = state.rotation * state.trial[k].dtraction_dk;
+      const PointShares shares = surface_->shares(trial.x, k);
+      for (std::size_t a = 0; a < shares.nodes.size(); ++a)
+        add_row(*pattern_, shares.nodes[a], -shares.areas[a] * dT, gradient, system);
+      const double area = std::accumulate(shares.areas.begin(), shares.areas.end(), 0.0);
+      for (std::size_t d = 0; d < drives_.size(); ++d)
+        if (drives_[d].tool == t) {
+          const DriveRate rate = drive_rate(drives_[d], trial.time, trial.x, positions_[k]);
+          add_row(pattern_->dim, area * dT.dot(rate.velocity), gradient, system.borders[d]);
+        }
+    }
+  }
+}
+
+} // namespace billet::contact

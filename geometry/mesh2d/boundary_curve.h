@@ -1,0 +1,92 @@
+// A closed chain of quadratic sides read as a smooth curve. Internal to geometry/.
+//
+// Corners that are kept break the curve into spans. Within a span it passes through every corner
+// and middle with the tangent of the circle through a node and its neighbours, as one cubic from
+// node to node: straight where the nodes are, a circle (to sixth order) where they lie on one.
+// Places are arc lengths from the first kept corner. Theory: docs/theory/geometry.md (G.40),
+// (G.41).
+//
+// Units   mm.
+
+#pragma once
+
+#include "geometry/base/vector.h"
+#include "geometry/mesh2d/domain_remesher.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace billet::geometry {
+
+class BoundaryCurve {
+public:
+  /// @param corner_turn  as for `kept_corners` [rad]
+  /// @pre the side loop has been found sound: sizes agree, no two successive nodes coincide
+  BoundaryCurve(const SideLoop& loop, std::int32_t number, double corner_turn);
+
+  [[nodiscard]] double length() const { return length_; }
+  /// Where the kept corners are, rising from 0; empty: none [mm].
+  [[nodiscard]] const std::vector<double>& kept() const { return kept_; }
+
+  /// By how much the boundary turns left at a kept corner, -pi to pi [rad].
+  [[nodiscard]] double turn_at(std::size_t kept) const;
+
+  [[nodiscard]] Vec2 point(double s) const;
+  /// The place after or, with `sense` -1, before `s` whose point is `distance` from that of s,
+  /// if the curve leads away from it that far. [mm]
+  [[nodiscard]] double place_at(double s, double distance, double sense) const;
+  /// Unit vector along the way.
+  [[nodiscard]] Vec2 tangent(double s) const;
+  [[nodiscard]] BoundaryPlace place(double s) const;
+  /// Of the side at s.
+  [[nodiscard]] std::int32_t part(double s) const;
+  /// From 0 on held sides and at kept corners, smoothly, to 1 in the middle of a free stretch.
+  [[nodiscard]] double freedom(double s) const;
+
+  /// Places of all nodes and of enough between them for chords that turn by no more than `turn` and
+  /// are no longer than `step`; rising from 0.
+  [[nodiscard]] std::vector<double> stations(double turn, double step) const;
+  /// Angle the curve turns through per length, of the piece that holds s [rad/mm], >= 0.
+  [[nodiscard]] double curvature(double s) const;
+
+private:
+  /// The cubic a, a + u, b - v, b.
+  struct Piece {
+    Vec2 a, b, u, v;
+    double start = 0.0; ///< arc length at a
+    double turn = 0.0;  ///< [rad]
+    std::int32_t side = 0;
+    double xi = 0.0; ///< at a; half a side on at b
+
+    [[nodiscard]] Vec2 point(double t) const;
+    [[nodiscard]] Vec2 derivative(double t) const;
+    [[nodiscard]] double length(double t) const;
+  };
+  struct At {
+    const Piece& piece;
+    double t;
+  };
+  struct Stretch {
+    double from, to;
+    bool endless; ///< a whole loop without an end
+  };
+
+  [[nodiscard]] At at(double s) const;
+  void add_pieces(const SideLoop& loop, std::size_t first, const std::vector<char>& kept);
+  void find_free_stretches(const SideLoop& loop);
+
+  std::vector<Piece> pieces_;
+  std::vector<double> kept_;
+  std::vector<Stretch> free_;
+  std::vector<std::int32_t> part_; ///< of each side
+  std::int32_t number_;
+  double length_ = 0.0;
+};
+
+/// Of each corner of a loop: whether it is kept, where the boundary turns by more than `most_turn`
+/// [rad]
+/// or for another reason. (G.40)
+[[nodiscard]] std::vector<char> kept_corners(const SideLoop& loop, double most_turn);
+
+} // namespace billet::geometry

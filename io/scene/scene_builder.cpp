@@ -1,0 +1,550 @@
+#include "io/scene/scene_builder.h"
+
+#include "geometry/base/box.h"
+#include "geometry/base/error.h"
+#include "geometry/mesh2d/mesher_2d.h"
+#include "io/mesh/read_mesh.h"
+#include "io/scene/material_builder.h"
+#include "io/scene/selector.h"
+#include "io/tools/profile.h"
+#include "io/tools/step.h"
+#include "io/tools/stl.h"
+#include "io/tools/tool_builder.h"
+#include "mechanics/elements/mesh_check.h"
+#include "mechanics/loads/loads.h"
+#include "mechanics/mesh/domain_meshes.h"
+#include "mechanics/mesh/mesh_edges.h"
+#include "mechanics/mesh/mesh_generators.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace billet::io {
+
+namespace {
+
+using mechanics::ElementKind;
+using mechanics::Face;
+using mechanics::Index;
+using mechanics::Mesh;
+
+ElementKind element_kind(const std::string& element) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
+                                 ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
+    if (mechanics::name(kind) == element)
+      return kind;
+  throw Error(Fault::case_file, "", "unknown element '" + element + "'");
+}
+
+/// What `make` makes; its complaints that have no place yet get that of a file.
+template <class Make> auto at_file(const InputFile& file, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    std::vector<Complaint> complaints = error.complaints();
+    for (Complaint& complaint : complaints)
+      if (complaint.place.empty())
+        complaint.place = file.given;
+    throw Error(error.fault(), std::move(complaints));
+  }
+}
+
+/// A note about a file; warnings stay such.
+std::string of_file(const std::string& file, std::string_view note) {
+  constexpr std::string_view warning = "warning: ";
+  const bool warns = note.starts_with(warning);
+  return fmt::format("{}{}: {}", warns ? warning : "", file,
+                     note.substr(warns ? warning.size() : 0));
+}
+
+/// Makes or reads the mesh of each kind of source.
+struct MeshMaker {
+  ElementKind kind;
+  std::vector<std::string>& notes;
+  const Say& say;
+
+  Mesh operator()(const BoxMesh& box) const {
+    return mechanics::box_mesh({kind, box.low, box.high, box.cells, box.grading});
+  }
+  Mesh operator()(const CylinderMesh& c) const {
+    return mechanics::cylinder_mesh({kind, c.radius, c.height, c.cells[0], c.cells[1], c.sector});
+  }
+  Mesh operator()(const FileMesh& file) const {
+    MeshFile read = read_mesh(file.file.path, 1.0, {file.folder, file.allow_outside});
+    for (const std::string& note : read.notes)
+      notes.push_back(of_file(file.file.given, note));
+    if (read.mesh.kind != kind)
+      throw Error(
+          Fault::geometry, file.file.given,
+          fmt::format("the mesh is of {} elements, the case says {}",
+                      mechanics::name(read.mesh.kind), mechanics::name(kind)),
+          fmt::format("set element = \"{}\" in [workpiece]", mechanics::name(read.mesh.kind)));
+    return std::move(read.mesh);
+  }
+  Mesh operator()(const OutlineMesh& outline) const {
+    const geometry::Profile profile = read_profile(outline.file.path);
+    const geometry::PlaneMesh domain =
+        at_file(outline.file, [&] { return geometry::mesh_outline(profile, outline.size); });
+    notes.push_back(fmt::format("{}: meshed with {} triangles of size {:.6g}, smallest angle "
+                                "{:.1f} degrees",
+                                outline.file.given, domain.triangles.size(), outline.size,
+                                geometry::smallest_angle(domain)));
+    return mechanics::triangle_mesh(domain);
+  }
+  Mesh operator()(const StlMesh& stl) const {
+    return meshed(read_stl(stl.file.path), stl.unit_factor, stl);
+  }
+  Mesh operator()(const StepMesh& step) const {
+    constexpr double share_of_size = 0.01;
+    const double chord_error = step.chord_error.value_or(share_of_size * step.size);
+    return meshed(read_step(step.file.path, chord_error / step.unit_factor), step.unit_factor,
+                  step);
+  }
+
+private:
+  template <class Body>
+  [[nodiscard]] Mesh meshed(const FacetFile& facets, double scale, const Body& source) const {
+    return at_file(source.file, [&] {
+      return solid_mesh({source.file, facets, scale},
+                        {source.size, source.feature_angle, source.details.value_or(0.0)}, say,
+                        notes);
+    });
+  }
+};
+
+/// The axis of an axisymmetric part is no surface.
+bool lies_on_axis(const Mesh& mesh, const Face& face) {
+  return std::all_of(face.nodes.begin(), face.nodes.end(),
+                     [&](Index a) { return mesh.points[idx(a)][0] == 0.0; });
+}
+
+/// A face on a symmetry plane or held in every direction: nothing is to touch it.
+bool unreachable(const Mesh& mesh, const Face& face, const std::vector<std::array<char, 3>>& held) {
+  // Told without looking at the axes: a clamped foot is none either where the part is turned.
+  if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](Index a) {
+        return std::all_of(held[idx(a)].begin(), held[idx(a)].begin() + mesh.dimension(),
+                           [](char is_held) { return is_held != 0; });
+      }))
+    return true;
+  for (int c = 0; c < mesh.dimension(); ++c) {
+    const double level = mesh.points[idx(face.nodes.front())][c];
+    Box box;
+    bool all = true;
+    for (const Index a : face.nodes) {
+      all = all && held[idx(a)][idx(c)] != 0;
+      box.add(mesh.points[idx(a)]);
+    }
+    const bool flat = std::abs(box.high[c] - level) <= 1e-9 * box.size() &&
+                      std::abs(box.low[c] - level) <= 1e-9 * box.size();
+    if (all && flat)
+      return true;
+  }
+  return false;
+}
+
+std::vector<Face> candidates(const process::Scene& scene, const std::vector<Face>& boundary) {
+  std::vector<std::array<char, 3>> held(scene.mesh.points.size(), {0, 0, 0});
+  for (const process::Support& support : scene.supports)
+    for (const Index node : support.nodes)
+      held[idx(node)][idx(support.component)] = 1;
+  std::vector<Face> faces;
+  for (const Face& face : boundary)
+    if (!unreachable(scene.mesh, face, held))
+      faces.push_back(face);
+  return faces;
+}
+
+bool equal(const TimeFunction& a, const TimeFunction& b) {
+  const auto same_at = [&](const std::pair<double, double>& point) {
+    return a(point.first) == b(point.first);
+  };
+  return std::all_of(a.points().begin(), a.points().end(), same_at) &&
+         std::all_of(b.points().begin(), b.points().end(), same_at);
+}
+
+/// A node that two supports move differently would follow one of them, and nobody would know which.
+void require_agreement(const process::Scene& scene,
+                       const std::vector<std::size_t>& number,
+                       const std::string& place) {
+  std::map<std::pair<Index, int>, std::size_t> first;
+  for (std::size_t s = 0; s < scene.supports.size(); ++s) {
+    const process::Support& support = scene.supports[s];
+    for (const Index node : support.nodes) {
+      const auto [known, is_new] = first.try_emplace({node, support.component}, s);
+      if (is_new || equal(scene.supports[known->second].displacement, support.displacement))
+        continue;
+      const Vec3& at = scene.mesh.points[idx(node)];
+      throw Error(
+          Fault::case_file, place,
+          fmt::format("support.{} and support.{} prescribe different displacements in {} at "
+                      "({:.6g}, {:.6g}, {:.6g}), which belongs to both",
+                      number[known->second], number[s], "xyz"[support.component], at[0], at[1],
+                      at[2]),
+          "leave that place out of one of them by its where, or the direction");
+    }
+  }
+}
+
+void add_supports(const Case& content,
+                  Selector& select,
+                  const std::string& place,
+                  process::Scene& scene) {
+  std::vector<std::size_t> number; // in the case file
+  for (std::size_t s = 0; s < content.supports.size(); ++s) {
+    const Support& support = content.supports[s];
+    const std::vector<Index> nodes = select.nodes(support.where);
+    for (int c = 0; c < content.dimension(); ++c) {
+      if (support.fix[idx(c)])
+        scene.supports.push_back({nodes, c, TimeFunction(0.0)});
+      else if (support.move[idx(c)])
+        scene.supports.push_back({nodes, c, *support.move[idx(c)]});
+      else
+        continue;
+      number.push_back(s);
+    }
+  }
+  require_agreement(scene, number, place);
+}
+
+void add_loads(const Case& content, Selector& select, process::Scene& scene) {
+  for (const Load& load : content.loads) {
+    if (const auto* pressure = std::get_if<PressureLoad>(&load.kind))
+      scene.loads.emplace_back(process::PressureOn{select.faces(load.where), pressure->pressure});
+    else if (const auto* traction = std::get_if<TractionLoad>(&load.kind))
+      scene.loads.emplace_back(process::DeadForces{
+          mechanics::traction_forces(scene.mesh, scene.analysis, select.faces(load.where),
+                                     traction->traction),
+          traction->amplitude});
+    else
+      scene.loads.emplace_back(process::DeadForces{
+          mechanics::body_forces(scene.mesh, scene.analysis, std::get<BodyForce>(load.kind).force),
+          TimeFunction(1.0)});
+  }
+}
+
+contact::SlipScheme scheme_of(const ContactSettings& settings) {
+  switch (settings.integrator) {
+  case ContactIntegrator::midpoint:
+    return {contact::Integrator::midpoint, settings.substeps.value_or(0)};
+  case ContactIntegrator::exact:
+    return {contact::Integrator::exact};
+  case ContactIntegrator::radial:
+    break;
+  }
+  return {contact::Integrator::radial};
+}
+
+contact::PairWear pair_wear(const Tool& tool, const Material& material) {
+  contact::PairWear wear{{tool.wear->K, tool.wear->hardness}, std::nullopt, tool.wear->strokes};
+  if (tool.wear->K_workpiece && !material.hardness)
+    throw Error(
+        Fault::case_file, tool.said_at,
+        fmt::format("tool '{}': its wear has K_workpiece, but nothing gives the hardness of "
+                    "the workpiece",
+                    tool.name),
+        "give the material its hardness");
+  if (tool.wear->K_workpiece)
+    wear.workpiece = contact::Archard{*tool.wear->K_workpiece, *material.hardness};
+  return wear;
+}
+
+void add_tools(const Case& content, BuiltScene& built) {
+  process::Scene& scene = built.scene;
+  Box workpiece;
+  for (const Vec3& p : scene.mesh.points)
+    workpiece.add(p);
+  for (const Tool& tool : content.tools) {
+    scene.tools.push_back(build_tool(tool, content.analysis, workpiece.size(), built.notes));
+    scene.touch.push_back(tool.touch ? 1 : 0);
+    if (tool.wear)
+      scene.tools.back().wear = pair_wear(tool, content.materials.at(content.workpiece.material));
+    if (scene.tools.back().friction.follows_material() &&
+        std::holds_alternative<mechanics::Elastic>(scene.material.flow))
+      throw Error(Fault::case_file, tool.said_at,
+                  fmt::format("tool '{}': its friction follows the shear yield stress, but the "
+                              "workpiece is elastic",
+                              tool.name),
+                  "give k (or cap) as a stress, or the material a flow law");
+    if (scene.tools.back().friction.tensor &&
+        content.contact.integrator != ContactIntegrator::radial)
+      throw Error(Fault::case_file, tool.said_at,
+                  fmt::format("tool '{}': friction with a tensor is integrated by \"radial\" only",
+                              tool.name),
+                  "leave contact.integrator out, or the tensor");
+  }
+}
+
+void add_stages(const Case& content, process::Scene& scene) {
+  const std::size_t n = content.tools.size();
+  if (content.stages.empty()) {
+    scene.stages.push_back({"", content.time.end, std::vector<char>(n, 1), false});
+    return;
+  }
+  for (const Stage& stage : content.stages) {
+    std::vector<char> act(n, stage.tools ? 0 : 1);
+    if (stage.tools)
+      for (std::size_t t = 0; t < n; ++t)
+        act[t] = std::count(stage.tools->begin(), stage.tools->end(), content.tools[t].name) > 0;
+    scene.stages.push_back({stage.name, stage.end, std::move(act), stage.unload});
+  }
+}
+
+/// Whether nodes are all there are, or faces, edges and corners of the boundary: those a new mesh
+/// has, too.
+bool on_boundary(const Mesh& mesh,
+                 const std::vector<Face>& boundary,
+                 const std::vector<Index>& nodes) {
+  std::vector<char> wanted(mesh.points.size(), 0);
+  for (const Index node : nodes)
+    wanted[idx(node)] = 1;
+  std::vector<char> found(mesh.points.size(), 0);
+  for (const Face& face : boundary) {
+    const bool whole = std::all_of(face.nodes.begin(), face.nodes.end(),
+                                   [&](Index a) { return wanted[idx(a)] != 0; });
+    const std::size_t n = mechanics::corners_per_face(mesh.kind);
+    for (std::size_t a = 0; a < face.nodes.size(); ++a) {
+      const std::size_t next = a + 1 < 2 * n ? a - n + 1 : 0; // the second corner of its edge
+      const bool on_edge = a >= n && mesh.dimension() == 3 && wanted[idx(face.nodes[a - n])] != 0 &&
+                           wanted[idx(face.nodes[next])] != 0;
+      if (whole || a < n || on_edge)
+        found[idx(face.nodes[a])] = 1;
+    }
+  }
+  return nodes.size() == mesh.points.size() ||
+         std::all_of(nodes.begin(), nodes.end(), [&](Index a) { return found[idx(a)] != 0; });
+}
+
+/// What cannot be carried from mesh to mesh.
+void require_remeshable(const Case& content,
+                        const process::Scene& scene,
+                        const std::string& place) {
+  const auto refuse = [&](const std::string& what, const std::string& remedy) {
+    throw Error(Fault::case_file, place, "remesh: " + what + " not available in this version",
+                remedy);
+  };
+  const std::string element = content.analysis == Analysis::solid ? "tet10" : "tri6";
+  if (content.remesh->element && *content.remesh->element != element)
+    refuse(fmt::format("element = \"{}\" is", *content.remesh->element),
+           fmt::format("element = \"{}\"", element));
+  for (const Load& load : content.loads)
+    if (!std::holds_alternative<PressureLoad>(load.kind))
+      refuse("tractions and body forces are", "use pressure, or leave [remesh] out");
+  for (const contact::Tool& tool : scene.tools)
+    if (tool.motion.force && tool.motion.force->blow)
+      refuse(fmt::format("tool '{}', a press that strikes, is", tool.name), "leave [remesh] out");
+  const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
+  for (const process::Support& support : scene.supports)
+    if (!on_boundary(scene.mesh, boundary, support.nodes))
+      refuse("a support of nodes inside the part, or of the middle of a side alone, is",
+             "support whole sides, corners or all nodes");
+  for (const std::string& name : content.remesh->keep)
+    if (!scene.mesh.node_sets.contains(name))
+      throw Error(Fault::case_file, place,
+                  fmt::format("remesh.keep: the mesh has no set named '{}'", name));
+}
+
+process::RemeshSettings remesh_settings(const Remesh& remesh) {
+  process::RemeshSettings settings;
+  settings.quality = remesh.quality;
+  settings.strain = remesh.strain;
+  settings.interval = remesh.interval;
+  settings.penetration = remesh.penetration;
+  settings.size = remesh.size_default;
+  settings.size_min = remesh.size_min;
+  settings.size_max = remesh.size_max;
+  settings.size_contact = remesh.size_contact;
+  settings.keep = remesh.keep;
+  return settings;
+}
+
+void add_times(const TimeFunction& function, std::vector<double>& times) {
+  if (function.points().size() > 1)
+    for (const auto& [t, v] : function.points())
+      times.push_back(t);
+}
+
+/// Times of the frames asked for. Frames closer than increments are simply one an increment.
+std::vector<double> frame_times(const Case& content) {
+  std::vector<double> times = content.output.at;
+  const double end = content.time.end;
+  constexpr double most_increments = 1e6; // more than any run has
+  constexpr double default_share = 0.02;  // of an increment, as the run loop has it
+  const double longest = content.time.increments.max.value_or(default_share * end);
+  if (content.output.every && *content.output.every >= std::max(longest, end / most_increments))
+    for (int k = 1; k * *content.output.every < end; ++k)
+      times.push_back(k * *content.output.every);
+  return times;
+}
+
+/// Kinks of the loads that drive a tool, dead centres and kinks of a press.
+void add_drive_times(const geometry::Motion& motion, double end, std::vector<double>& times) {
+  for (const auto* drive : {&motion.force, &motion.torque})
+    if (*drive)
+      add_times((*drive)->load, times);
+  if (!motion.crank)
+    return;
+  add_times(motion.crank->speed, times);
+  const std::vector<double> bottoms = motion.crank->bottom_dead_centres(end);
+  times.insert(times.end(), bottoms.begin(), bottoms.end());
+}
+
+/// Kinks of everything given over time, and the frames asked for: increments end there.
+std::vector<double> landing_times(const Case& content, const process::Scene& scene) {
+  std::vector<double> times = frame_times(content);
+  for (const process::Support& support : scene.supports)
+    add_times(support.displacement, times);
+  for (const process::LoadSpec& load : scene.loads) {
+    if (const auto* pressure = std::get_if<process::PressureOn>(&load))
+      add_times(pressure->pressure, times);
+    else
+      add_times(std::get<process::DeadForces>(load).amplitude, times);
+  }
+  for (const contact::Tool& tool : scene.tools) {
+    if (tool.motion.displacement)
+      for (const TimeFunction& component : *tool.motion.displacement)
+        add_times(component, times);
+    if (tool.motion.rotation)
+      add_times(tool.motion.rotation->speed, times);
+    add_drive_times(tool.motion, content.time.end, times);
+    for (const double t : {tool.active_from, tool.active_to})
+      if (std::isfinite(t))
+        times.push_back(t);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// Where a law is asked for more than it can say.
+void note_molten(const mechanics::Material& material, std::vector<std::string>& notes) {
+  const auto* const law = std::get_if<mechanics::JohnsonCook>(&material.flow);
+  if (law != nullptr && law->softening(material.temperature) <= mechanics::JohnsonCook::melt_floor)
+    notes.push_back(fmt::format(
+        "warning: at {} degC the metal is molten (T_melt = {}): what is left of its flow stress, a "
+        "millionth, only keeps the equations solvable",
+        material.temperature, law->T_melt));
+}
+
+/// Bricks that the reduced rule leaves a motion.
+void note_single_file(const process::Scene& scene, std::vector<std::string>& notes) {
+  std::vector<char> held(scene.mesh.points.size(), 0);
+  for (const process::Support& support : scene.supports)
+    for (const Index node : support.nodes)
+      held[static_cast<std::size_t>(node)] = 1;
+  const auto cells = mechanics::cells_in_single_file(scene.mesh, held);
+  if (!cells.empty())
+    notes.push_back(fmt::format(
+        "warning: {} element(s) of hex20, the first is {}, lie in single file with all other faces "
+        "free: nothing holds their middle nodes in one of their motions, and the shape can be "
+        "wrong or an increment fail; take two elements in one direction across, or tet10",
+        cells.size(), cells.front()));
+}
+
+/// Linear elements that are much longer than thick, or in a part that is.
+void note_flat_elements(const mechanics::Mesh& mesh, std::vector<std::string>& notes) {
+  constexpr double flat = 8.0;
+  if (mechanics::is_quadratic(mesh.kind))
+    return;
+  const double aspect = mechanics::largest_aspect(mesh, mesh.points);
+  Box box;
+  for (const Vec3& p : mesh.points)
+    box.add(p);
+  const Vec3 extent = box.high - box.low;
+  const double longest = extent.maxCoeff();
+  double thinnest = longest;
+  for (int i = 0; i < mesh.dimension(); ++i)
+    thinnest = std::min(thinnest, extent[i]);
+  if (aspect > flat)
+    notes.push_back(
+        fmt::format("warning: elements of {} are up to {:.3g} times as long as thick: "
+                    "they resist bending many times too much; quadratic elements do not",
+                    mechanics::name(mesh.kind), aspect));
+  else if (longest > flat * thinnest)
+    notes.push_back(fmt::format(
+        "a part {:.3g} times as long as thick, of {}: where tools bend it, elements that are twice "
+        "as "
+        "long as thick resist by a quarter too much, four times by a third, and more layers do not "
+        "help; quadratic elements do",
+        longest / thinnest, mechanics::name(mesh.kind)));
+}
+
+/// Keys that are read and kept but change nothing here: said, not passed over.
+void note_keys_without_effect(const Case& content, std::vector<std::string>& notes) {
+  constexpr double default_feature_angle = 30.0;
+  const auto raw = [&](const auto* facets) {
+    return facets != nullptr && !facets->smooth && facets->feature_angle != default_feature_angle;
+  };
+  for (const Tool& tool : content.tools)
+    if (raw(std::get_if<StlSurface>(&tool.surface)) || raw(std::get_if<StepSurface>(&tool.surface)))
+      notes.push_back(fmt::format(
+          "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
+  for (const Tool& tool : content.tools)
+    if (content.analysis == Analysis::axisymmetric && tool.motion.rotation)
+      notes.push_back(
+          fmt::format("warning: tool '{}' turns about the normal of the meridian, which "
+                      "no tool of revolution can do without changing its shape",
+                      tool.name));
+  const Material& material = content.materials.at(content.workpiece.material);
+  if (material.library.empty() && material.density && !material.heating)
+    notes.push_back("density has no effect in this version: there is no inertia");
+  if (material.library.empty() && material.heat_capacity && !material.heating)
+    notes.push_back("heat_capacity has no effect without heating");
+}
+
+} // namespace
+
+BuiltScene build_scene(const Case& content, const std::string& place, const Say& say) {
+  BuiltScene built;
+  process::Scene& scene = built.scene;
+  scene.title = content.title;
+  note_keys_without_effect(content, built.notes);
+  scene.analysis = static_cast<mechanics::Analysis>(content.analysis);
+  const ElementKind kind = element_kind(content.workpiece.element);
+  scene.mesh = std::visit(MeshMaker{kind, built.notes, say}, content.workpiece.mesh);
+  const geometry::Pose pose = pose_of(content.workpiece.place);
+  for (Vec3& p : scene.mesh.points)
+    p = pose.to_space(p);
+  mechanics::require_sound_mesh(scene.mesh, place,
+                                scene.analysis == mechanics::Analysis::axisymmetric);
+  scene.material = material_of(content);
+  note_molten(scene.material, built.notes);
+  std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
+  if (scene.analysis == mechanics::Analysis::axisymmetric)
+    std::erase_if(boundary, [&](const Face& face) { return lies_on_axis(scene.mesh, face); });
+  Selector select(scene.mesh, boundary);
+  add_supports(content, select, place, scene);
+  note_single_file(scene, built.notes);
+  note_flat_elements(scene.mesh, built.notes);
+  add_loads(content, select, scene);
+  add_tools(content, built);
+  scene.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)
+                                                : candidates(scene, boundary);
+  select.throw_if_any();
+  scene.contact = {content.contact.form == ContactForm::compatible ? contact::Form::compatible
+                                                                   : contact::Form::mixed,
+                   content.contact.penalty,
+                   content.contact.penalty_tangent,
+                   content.contact.method == ContactMethod::augmented ? contact::Method::augmented
+                                                                      : contact::Method::penalty,
+                   content.contact.max_penetration,
+                   scheme_of(content.contact)};
+  add_stages(content, scene);
+  scene.increments = {content.time.increments.first, content.time.increments.min,
+                      content.time.increments.max};
+  scene.landing_times = landing_times(content, scene);
+  if (content.remesh) {
+    require_remeshable(content, scene, place);
+    scene.remesh = remesh_settings(*content.remesh);
+  }
+  scene.tolerance = content.solver.tolerance;
+  scene.solver.choice = static_cast<mechanics::SolverChoice>(content.solver.linear);
+  return built;
+}
+
+} // namespace billet::io

@@ -1,0 +1,490 @@
+#include "mechanics/linear/linear_solver.h"
+
+#include "geometry/base/stopwatch.h"
+#include "mechanics/linear/blas.h"
+
+#include <Eigen/Core>
+#include <metis.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <new>
+#include <stdexcept>
+
+namespace billet::mechanics {
+
+namespace {
+
+double norm(std::span<const double> v) {
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())).norm();
+}
+
+/// Solves that cost as much as a factorization; 0 where the difference is not worth a correction
+/// that is less than exact. Counted, not timed, so that a run repeats. The constants are measured:
+/// a factorization runs at the speed of matrix products plus some work for every entry, a solve at
+/// that of memory.
+int most_solves(const FactorCost& cost) {
+  constexpr double per_entry = 5.0;
+  constexpr double flops_per_entry = 50.0;
+  constexpr double fewest = 8.0;
+  constexpr double most = 40.0; // the directions are all kept
+  const double intensity = cost.entries > 0.0 ? cost.flops / cost.entries : 0.0;
+  const double solves = std::min(per_entry + intensity / flops_per_entry, most);
+  return solves < fewest ? 0 : static_cast<int>(solves);
+}
+
+/// Of a number in double precision.
+constexpr int fraction_bits = 52;
+constexpr int exponent_bias = 1023;
+
+/// Relative residual that counts as exact: what a factorization and its refinement are held to.
+constexpr double exact = 1e-10;
+
+/// How a system is solved that needs no factorization of its own.
+constexpr std::string_view with_earlier = "gmres";
+
+/// Iterations with a neighbour of the matrix: more cost more than an LU does.
+constexpr int most_iterations = 24;
+
+/// Relative corrections of a solution in single precision: each iteration lessens what is wrong in
+/// it by that factor. Beyond a fair one many are asked for. (N.11)
+constexpr double good_correction = 1e-4;
+constexpr double fair_correction = 1e-3;
+constexpr double largest_correction = 0.03;
+
+/// Of a positive number that has all its digits, as std::ilogb, but of many at a time.
+int exponent(double number) {
+  return static_cast<int>(std::bit_cast<std::uint64_t>(number) >> fraction_bits & 0x7ff) -
+         exponent_bias;
+}
+
+/// @pre |power| < exponent_bias
+double power_of_two(int power) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(power + exponent_bias) << fraction_bits);
+}
+
+/// Relative residual that will do with a factorization of the matrix or of a neighbour. In a small
+/// problem a few iterations are all that a correction less than exact can save.
+///
+/// @param correction  of the factorization's first solution
+double tolerance_for(double asked, double correction, bool small) {
+  constexpr double loosest_if_small = 1e-6;
+  if (correction > (small ? good_correction : fair_correction))
+    return exact;
+  return std::clamp(asked, exact, small ? loosest_if_small : 1.0);
+}
+
+/// METIS' nested dissection. It takes signals for its own: SIGTERM while it works ends it.
+void order_nodes(std::vector<idx_t>& start,
+                 std::vector<idx_t>& graph,
+                 std::vector<idx_t>& permutation,
+                 std::vector<idx_t>& inverse) {
+  const auto status_of_metis = [&] {
+    auto vertices = static_cast<idx_t>(permutation.size());
+    return METIS_NodeND(&vertices, start.data(), graph.data(), nullptr, nullptr, permutation.data(),
+                        inverse.data());
+  };
+  int status = status_of_metis();
+  if (status == METIS_ERROR) {
+    std::raise(SIGTERM); // for whom it was
+    status = status_of_metis();
+  }
+  if (status == METIS_ERROR_MEMORY)
+    throw std::bad_alloc();
+  if (status != METIS_OK)
+    throw std::runtime_error("METIS cannot order the unknowns");
+}
+
+} // namespace
+
+SolverWork SolverWork::after(const SolverWork& earlier) const {
+  SolverWork sum = *this;
+  sum.analysis += earlier.analysis;
+  sum.factorization += earlier.factorization;
+  sum.substitution += earlier.substitution;
+  sum.flops += earlier.flops;
+  sum.factorizations += earlier.factorizations;
+  sum.substitutions += earlier.substitutions;
+  sum.reused += earlier.reused;
+  sum.nearly_symmetric += earlier.nearly_symmetric;
+  sum.systems += earlier.systems;
+  return sum;
+}
+
+void Patience::take(bool served) {
+  constexpr int most_failures = 5;
+  failures_ = served ? 0 : std::min(failures_ + 1, most_failures);
+  wait_ = served ? 0 : (1 << failures_) - 2;
+}
+
+std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
+  const Index n = pattern.n_nodes();
+  std::vector<idx_t> start{0};
+  std::vector<idx_t> graph;
+  for (Index a = 0; a < n; ++a) {
+    const auto i = static_cast<std::size_t>(a);
+    for (Index k = pattern.neighbour_start[i]; k < pattern.neighbour_start[i + 1]; ++k)
+      if (pattern.neighbours[static_cast<std::size_t>(k)] != a)
+        graph.push_back(pattern.neighbours[static_cast<std::size_t>(k)]);
+    start.push_back(static_cast<idx_t>(graph.size()));
+  }
+  std::vector<idx_t> permutation(static_cast<std::size_t>(n));
+  std::vector<idx_t> inverse(static_cast<std::size_t>(n));
+  if (n > 1)
+    order_nodes(start, graph, permutation, inverse);
+  std::vector<Index> order;
+  for (const idx_t node : permutation)
+    for (int i = 0; i < pattern.dim; ++i)
+      order.push_back(static_cast<Index>(node) * pattern.dim + i);
+  return order;
+}
+
+LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
+    : pattern_(&pattern), settings_(settings),
+      residual_(static_cast<std::size_t>(pattern.n_dofs())) {
+  const Stopwatch watch(work_.analysis);
+  order_ = fill_reducing_order(pattern);
+}
+
+void LinearSolver::set_alone(std::span<const char> alone) {
+  if (std::equal(alone.begin(), alone.end(), alone_.begin(), alone_.end()))
+    return;
+  alone_.assign(alone.begin(), alone.end());
+  // What knows of the fronts.
+  if (last_ == single_.get() || last_ == cholmod_.get())
+    last_ = nullptr;
+  single_.reset();
+  cholmod_.reset();
+  elimination_.reset();
+}
+
+template <class Make>
+Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorization, Make make) {
+  if (!factorization) {
+    const Stopwatch watch(work_.analysis);
+    factorization = make();
+  }
+  return *factorization;
+}
+
+void LinearSolver::release_all_but(const Factorization& factorization) {
+  constexpr double few = 1e7; // entries: less memory than the matrices of a small problem take
+  for (const auto* other :
+       {&single_, &cholmod_, &mumps_symmetric_, &mumps_single_, &mumps_, &umfpack_})
+    if (*other && other->get() != &factorization && (*other)->cost().entries > few)
+      (*other)->release();
+}
+
+bool LinearSolver::factorize(Factorization& factorization,
+                             std::string_view method,
+                             const SparseMatrix& matrix) {
+  const Stopwatch watch(work_.factorization);
+  constexpr double large = 1e9; // operations: below them threads wait longer than they work
+  last_ = nullptr;
+  release_all_but(factorization);
+  const bool share = settings_.threads > 1 && factorization.cost().flops > large;
+  if (share)
+    set_blas_threads(settings_.threads);
+  const bool done = factorization.factorize(matrix);
+  if (share)
+    set_blas_threads(1);
+  const FactorCost cost = factorization.cost();
+  ++work_.factorizations;
+  work_.flops += cost.flops;
+  work_.last_method = method;
+  work_.last_flops = cost.flops;
+  work_.last_factor_bytes = cost.entries * static_cast<double>(cost.entry_size);
+  if (done)
+    last_ = &factorization;
+  wear_.begin(most_solves(cost));
+  return done;
+}
+
+Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
+                                              std::string_view method,
+                                              const SparseMatrix& matrix,
+                                              std::span<const double> rhs,
+                                              std::span<double> x) {
+  if (!factorize(factorization, method, matrix))
+    return Failure{"the tangent is singular (" + std::string(method) + ")"};
+  correction_ = 0.0; // of double precision
+  auto report = back_substitute(factorization, method, matrix, rhs, x);
+  if (report)
+    held_ = Held::current;
+  else
+    last_ = nullptr;
+  return report;
+}
+
+Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
+                                                   std::string_view method,
+                                                   const SparseMatrix& matrix,
+                                                   std::span<const double> rhs,
+                                                   std::span<double> x) {
+  const Stopwatch watch(work_.substitution);
+  std::copy(rhs.begin(), rhs.end(), x.begin());
+  factorization.solve(x);
+  ++work_.substitutions;
+  // Backward stable factorizations leave 1e-14 or so; one refinement mends a poor pivot order.
+  const double scale = norm(rhs);
+  SolveReport report{method, 0.0};
+  for (int pass = 0; pass < 2; ++pass) {
+    matrix.multiply(x, residual_);
+    for (std::size_t i = 0; i < rhs.size(); ++i)
+      residual_[i] = rhs[i] - residual_[i];
+    report.relative_residual = scale > 0.0 ? norm(residual_) / scale : 0.0;
+    if (report.relative_residual <= exact || pass == 1)
+      break;
+    factorization.solve(residual_);
+    ++work_.substitutions;
+    for (std::size_t i = 0; i < rhs.size(); ++i)
+      x[i] += residual_[i];
+  }
+  if (!std::isfinite(report.relative_residual) || report.relative_residual > 1e-3)
+    return Failure{"the linear system has no accurate solution (" + std::string(method) + ")"};
+  return report;
+}
+
+/// Weights by which the norm of a residual is about the energy of what is missing: stiff contacts
+/// do not drown the forces within the part. Where they are far stiffer than what is usual even that
+/// asks too little of the part. (N.6)
+///
+/// @return a factor for the relative residual that will do, <= 1
+double LinearSolver::weigh(const SparseMatrix& matrix) {
+  const std::size_t n = residual_.size();
+  if (n == 0)
+    return 1.0;
+  if (diagonal_.empty())
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto row = pattern_->columns.begin() + pattern_->row_start[i];
+      const auto end = pattern_->columns.begin() + pattern_->row_start[i + 1];
+      diagonal_.push_back(static_cast<Index>(std::lower_bound(row, end, static_cast<Index>(i)) -
+                                             pattern_->columns.begin()));
+    }
+  double largest = 0.0;
+  for (const Index entry : diagonal_)
+    largest = std::max(largest, std::abs(matrix.values[idx(entry)]));
+  // Powers of two of the ratio: other units of length or force change nothing, to the bit.
+  constexpr int most = 80;
+  constexpr int usual = 7; // 4 to 7 with the penalties chosen by default
+  long sum = 0;
+  weights_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double ratio = largest / std::abs(matrix.values[idx(diagonal_[i])]);
+    const int below =
+        std::min(exponent(ratio), most); // that of no number and of infinity is larger
+    weights_[i] = power_of_two(below / 2);
+    sum += below;
+  }
+  const auto mean = static_cast<int>(sum / static_cast<long>(n));
+  return std::ldexp(1.0, std::min(0, usual - mean));
+}
+
+GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
+                                  std::span<const double> rhs,
+                                  std::span<double> x,
+                                  double tolerance,
+                                  int most,
+                                  Known known) {
+  const Stopwatch watch(work_.substitution);
+  const double enough = std::max(weigh(matrix) * tolerance, exact);
+  const GmresReport report = gmres_.solve(matrix, *last_, weights_, rhs, x, enough, most, known);
+  work_.substitutions += report.solves;
+  return report;
+}
+
+Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
+                                         bool symmetric,
+                                         std::span<const double> rhs,
+                                         std::span<double> x,
+                                         const Demand& demand) {
+  ++work_.systems;
+  auto solved = solve_system(matrix, symmetric, rhs, x, demand);
+  if (solved && solved->method == with_earlier)
+    ++work_.reused;
+  return solved;
+}
+
+Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
+                                                bool symmetric,
+                                                std::span<const double> rhs,
+                                                std::span<double> x,
+                                                const Demand& demand) {
+  held_ = Held::earlier;
+  if (norm(rhs) == 0.0) {
+    std::fill(x.begin(), x.end(), 0.0);
+    return SolveReport{"zero", 0.0};
+  }
+  const bool may_reuse = demand.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
+  const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
+  if (most > 0 && !wear_.worn()) {
+    const double enough = tolerance_for(demand.tolerance, correction_, false);
+    const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
+    if (report.converged) {
+      wear_.take(report.solves);
+      return SolveReport{with_earlier, report.residual};
+    }
+  }
+  return factorize_and_solve(matrix, symmetric, rhs, x, demand);
+}
+
+Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
+                                               bool symmetric,
+                                               std::span<const double> rhs,
+                                               std::span<double> x,
+                                               double tolerance) {
+  if (held_ == Held::current)
+    return back_substitute(*last_, "again", matrix, rhs, x);
+  if (held_ == Held::neighbour) {
+    const GmresReport report =
+        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), most_iterations, {});
+    if (report.converged)
+      return SolveReport{"again", report.residual};
+  }
+  return solve_system(matrix, symmetric, rhs, x, {tolerance});
+}
+
+const std::shared_ptr<const Elimination>& LinearSolver::elimination() {
+  if (!elimination_) {
+    const Stopwatch watch(work_.analysis);
+    elimination_ = std::make_shared<const Elimination>(*pattern_, order_, alone_);
+  }
+  return elimination_;
+}
+
+bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<const double> rhs) {
+  const Stopwatch watch(work_.substitution);
+  first_.assign(2, std::vector<double>(rhs.begin(), rhs.end()));
+  last_->solve(first_[0]);
+  matrix.multiply(first_[0], first_[1]);
+  for (std::size_t i = 0; i < rhs.size(); ++i)
+    first_[1][i] = rhs[i] - first_[1][i];
+  last_->solve(first_[1]);
+  work_.substitutions += 2;
+  correction_ = norm(first_[1]) / norm(first_[0]);
+  return correction_ <= largest_correction; // false for NaN
+}
+
+bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
+                                       std::span<const double> rhs,
+                                       const Demand& demand) {
+  if (settings_.choice != SolverChoice::automatic || !single_patience_.over())
+    return false;
+  const auto& fronts = elimination();
+  Factorization& single = prepared(single_, [&] { return make_single(fronts); });
+  // Where nothing happens the next matrix is much like the last.
+  constexpr double far_from_bad = 0.1;
+  const bool asks = !(demand.tolerance > 0.0 && !demand.far && last_ == &single &&
+                      correction_ <= far_from_bad * good_correction);
+  first_.clear();
+  const bool serves =
+      factorize(single, "ldlt-single", matrix) && (!asks || agrees_with_itself(matrix, rhs));
+  if (!serves)
+    last_ = nullptr;
+  single_patience_.take(serves);
+  return serves;
+}
+
+Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
+                                                        const SparseMatrix& matrix,
+                                                        std::span<const double> rhs,
+                                                        std::span<double> x,
+                                                        const Demand& demand,
+                                                        Known known) {
+  const bool small = most_solves(last_->cost()) == 0;
+  const double enough = tolerance_for(demand.tolerance, correction_, small);
+  const GmresReport report = iterate(matrix, rhs, x, enough, most_iterations, known);
+  if (!report.converged) {
+    last_ = nullptr;
+    return Failure{"no convergence (" + std::string(method) + ")"};
+  }
+  held_ = Held::neighbour;
+  return SolveReport{method, report.residual};
+}
+
+Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix& matrix,
+                                                             std::span<const double> rhs,
+                                                             std::span<double> x,
+                                                             const Demand& demand) {
+  matrix.take_symmetric_part(symmetric_part_);
+  const auto attempt = [&]() -> Outcome<SolveReport> {
+    if (factorize_in_single(symmetric_part_, rhs, demand))
+      return solve_with_neighbour("ldlt-single", matrix, rhs, x, demand,
+                                  Known(first_).first(first_.empty() ? 0 : 1));
+    const auto& fronts = elimination();
+    correction_ = 0.0;
+    Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(fronts); });
+    if (!factorize(cholesky, "cholmod-gmres", symmetric_part_))
+      return Failure{"the symmetric part is not positive definite"};
+    return solve_with_neighbour("cholmod-gmres", matrix, rhs, x, demand, {});
+  };
+  auto outcome = attempt();
+  if (outcome)
+    ++work_.nearly_symmetric;
+  else
+    free_memory(symmetric_part_.values); // LU needs the memory
+  symmetric_patience_.take(bool(outcome));
+  return outcome;
+}
+
+Outcome<SolveReport> LinearSolver::solve_symmetric(const SparseMatrix& matrix,
+                                                   std::span<const double> rhs,
+                                                   std::span<double> x,
+                                                   const Demand& demand) {
+  if (factorize_in_single(matrix, rhs, demand)) {
+    // What is left of a solution that is exact but for rounding is the second direction.
+    if (!first_.empty() && norm(first_[1]) == 0.0)
+      first_.pop_back();
+    auto outcome = solve_with_neighbour("ldlt-single", matrix, rhs, x, demand, first_);
+    if (outcome)
+      return outcome;
+  }
+  const auto& fronts = elimination();
+  return solve_with(prepared(cholmod_, [&] { return make_cholmod(fronts); }), "cholmod", matrix,
+                    rhs, x);
+}
+
+Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,
+                                                       bool symmetric,
+                                                       std::span<const double> rhs,
+                                                       std::span<double> x,
+                                                       const Demand& demand) {
+  const bool fast =
+      settings_.choice == SolverChoice::automatic || settings_.choice == SolverChoice::cholmod;
+  if (symmetric && fast) {
+    auto outcome = solve_symmetric(matrix, rhs, x, demand);
+    if (outcome)
+      return outcome;
+  }
+  if (!symmetric && fast && symmetric_patience_.over()) {
+    auto outcome = solve_with_symmetric_part(matrix, rhs, x, demand);
+    if (outcome)
+      return outcome;
+  }
+  if (!symmetric && fast && single_lu_serves_ &&
+      most_solves({elimination()->flops(), elimination()->entries()}) > 0) {
+    Factorization& lu =
+        prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
+    correction_ = 0.0;
+    if (factorize(lu, "mumps-lu-gmres", matrix)) {
+      auto outcome = solve_with_neighbour("mumps-lu-gmres", matrix, rhs, x, {exact}, {});
+      if (outcome)
+        return outcome;
+    }
+    single_lu_serves_ = false;
+  }
+  if (settings_.choice != SolverChoice::umfpack) {
+    Factorization& mumps = prepared(symmetric ? mumps_symmetric_ : mumps_,
+                                    [&] { return make_mumps(*pattern_, order_, symmetric); });
+    auto outcome = solve_with(mumps, symmetric ? "mumps-ldlt" : "mumps-lu", matrix, rhs, x);
+    if (outcome || settings_.choice == SolverChoice::mumps)
+      return outcome;
+  }
+  Factorization& umfpack = prepared(umfpack_, [&] { return make_umfpack(*pattern_, order_); });
+  return solve_with(umfpack, "umfpack", matrix, rhs, x);
+}
+
+} // namespace billet::mechanics
