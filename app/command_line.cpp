@@ -52,7 +52,9 @@ constexpr Option run_options[] = {
     {"--threads", "N", "threads for assembly and contact search (default: all)"},
     {"--quiet", "", "no progress on standard error, only warnings and errors"},
     {"--profile", "", "print where the time went"},
-    {"--resume", "", "goes on from a checkpoint (not available in this version)"},
+    {"--resume", "", "goes on from the last checkpoint in DIR"},
+    {"--from", "RESULTS[@T]",
+     "goes on from another run's checkpoint (of time T or before) into DIR"},
 };
 
 int positive_number(const std::string& text, std::string_view option) {
@@ -73,6 +75,10 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.overrides.push_back(value);
   else if (option == "--threads")
     arguments.threads = positive_number(value, option);
+  else if (option == "--resume")
+    arguments.resume = true;
+  else if (option == "--from")
+    arguments.from = io::with_home_folder(value, option);
   else if (option == "--quiet")
     arguments.quiet = true;
   else if (option == "--profile")
@@ -154,6 +160,9 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
       throw Error(Fault::usage, "", fmt::format("{} needs a value", option.name));
     }
   }
+  if (arguments.resume && arguments.from)
+    throw Error(Fault::usage, "", "--resume and --from exclude each other",
+                "--resume goes on in the folder of the results, --from in another one");
   if (arguments.file.empty())
     throw Error(Fault::usage, "", fmt::format("billet {}: a file is missing", command.name),
                 fmt::format("billet {} {}", command.name, command.usage));

@@ -16,6 +16,8 @@ struct Arguments {
   std::optional<std::filesystem::path> output; ///< -o
   std::vector<std::string> overrides;          ///< --set key=value
   std::optional<int> threads;                  ///< --threads
+  bool resume = false;                         ///< --resume
+  std::optional<std::string> from;             ///< --from, RESULTS or RESULTS@TIME
   bool quiet = false;                          ///< --quiet
   bool profile = false;                        ///< --profile
   bool allow_outside = false;                  ///< --allow-outside

@@ -5,6 +5,7 @@
 #include "geometry/base/error.h"
 #include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
+#include "io/results/checkpoint.h"
 #include "io/tools/step.h"
 #include "io/tools/stl.h"
 #include "io/tools/stl_report.h"
@@ -75,6 +76,26 @@ int info_results(const std::filesystem::path& folder) {
   return 0;
 }
 
+int info_checkpoint(const std::filesystem::path& file) {
+  const io::Checkpoint c = io::read_checkpoint(file);
+  fmt::print("{}: checkpoint of billet {}, written {} UTC ({})\n", file.string(), c.version,
+             c.written, c.reason);
+  const auto row = [](std::string_view name, const auto& value) {
+    fmt::print("  {:24s} {}\n", name, value);
+  };
+  row("case", c.title.empty() ? "without title" : c.title);
+  row("time", c.time);
+  row("increment", c.increment);
+  row("stage", c.stage + 1);
+  row("unknowns", c.n_unknowns);
+  row("state", fmt::format("{} bytes", c.run.size()));
+  row("results", fmt::format("{} bytes", c.results.size()));
+  row("scene", c.scene);
+  if (c.version != BILLET_VERSION)
+    fmt::print("  note: this is billet {}, which cannot go on from it\n", BILLET_VERSION);
+  return 0;
+}
+
 } // namespace
 
 int show_info(const Arguments& arguments) {
@@ -88,6 +109,8 @@ int show_info(const Arguments& arguments) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".stl")
     return info_stl(path, arguments.unit);
+  if (suffix == ".checkpoint")
+    return info_checkpoint(path);
   const bool is_step = suffix == ".step" || suffix == ".stp";
   if (is_step && arguments.unit)
     throw Error(Fault::usage, "", "--unit is for STL files: a STEP file knows its unit");

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <system_error>
 #include <utility>
 
 namespace billet::app {
@@ -28,9 +29,16 @@ Progress::Progress(bool quiet, io::UnitSystem units)
 
 bool Progress::stop_requested() const { return stop_signal() != 0; }
 
-void Progress::write_to(std::filesystem::path file) {
+void Progress::write_to(std::filesystem::path file, std::optional<std::uintmax_t> goes_on) {
   notice_stop_signals(); // from now on there is something to lose
   path_ = std::move(file);
+  std::error_code error;
+  if (goes_on && std::filesystem::file_size(path_, error) >= *goes_on && !error) {
+    std::filesystem::resize_file(path_, *goes_on, error);
+    file_.open(path_, std::ios::app);
+    log_.clear();
+    return;
+  }
   file_.open(path_, std::ios::trunc);
   log(std::exchange(log_, {}));
 }
@@ -48,6 +56,11 @@ void Progress::log(const std::string& text) {
 
 void Progress::say(const std::string& line) {
   log(line + "\n");
+  if (!quiet_ || line.starts_with("warning: "))
+    tell(line + "\n");
+}
+
+void Progress::say_aside(const std::string& line) const {
   if (!quiet_ || line.starts_with("warning: "))
     tell(line + "\n");
 }

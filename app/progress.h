@@ -5,8 +5,10 @@
 #include "io/case/case.h"
 #include "process/run.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 
 namespace billet::app {
@@ -26,12 +28,17 @@ public:
 
   /// Adds a line to the log and, unless quiet, to standard error.
   void say(const std::string& line);
+  /// Likewise, but not to the log.
+  void say_aside(const std::string& line) const;
   /// Adds a line to the log and to standard error, quiet or not: what went wrong.
   void insist(const std::string& line);
   /// Puts everything said so far into a file and adds every line to it from now on, so that a run
   /// that is killed leaves its log too. From then on a signal ends the run after an increment.
+  ///
+  /// @param goes_on  length of the file that a resumed run goes on with, in place of what has been
+  ///                 said so far [byte]
   /// @throws Error(Fault::input_output), here or when a line cannot be written
-  void write_to(std::filesystem::path file);
+  void write_to(std::filesystem::path file, std::optional<std::uintmax_t> goes_on = std::nullopt);
 
 private:
   bool quiet_;

@@ -6,6 +6,7 @@
 #include "app/stop_signals.h"
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
+#include "io/results/checkpoint.h"
 #include "io/results/run_writer.h"
 #include "mechanics/linear/blas.h"
 #include "process/run_checks.h"
@@ -15,9 +16,12 @@
 #include <oneapi/tbb/info.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -127,6 +131,59 @@ void print_profile(const process::Process& process) {
              1e-6 * work.last_factor_bytes);
 }
 
+/// The checkpoint that the command line asks for; none: the run begins at its start.
+std::optional<io::FoundCheckpoint> wanted_checkpoint(const Arguments& arguments,
+                                                     const std::filesystem::path& folder) {
+  if (arguments.resume)
+    return io::latest_checkpoint(folder);
+  if (!arguments.from)
+    return std::nullopt;
+  const std::size_t at = arguments.from->rfind('@');
+  const std::filesystem::path results = arguments.from->substr(0, at);
+  std::error_code error;
+  if (std::filesystem::equivalent(results, folder, error))
+    throw Error(
+        Fault::usage, "",
+        fmt::format("--from {} and the results of this run are one folder", results.string()),
+        "choose another folder with -o, or go on in this one with --resume");
+  if (at == std::string::npos)
+    return io::latest_checkpoint(results);
+  const std::string text = arguments.from->substr(at + 1);
+  double time = 0.0;
+  const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), time);
+  if (wrong != std::errc{} || end != text.data() + text.size())
+    throw Error(Fault::usage, "",
+                fmt::format("--from needs RESULTS or RESULTS@TIME, not '{}'", *arguments.from));
+  return io::latest_checkpoint(results, time);
+}
+
+/// Refuses what cannot go on from a checkpoint with the same meaning.
+void require_same(const io::FoundCheckpoint& found, const io::Case& content) {
+  const io::Checkpoint& checkpoint = found.checkpoint;
+  if (checkpoint.version != BILLET_VERSION)
+    throw Error(
+        Fault::input_output, found.file.string(),
+        fmt::format("was written by billet {}, this is {}", checkpoint.version, BILLET_VERSION),
+        "run the case from the start, or with that version");
+  std::vector<Complaint> complaints;
+  for (std::string& change :
+       io::changes_of_case(checkpoint.content, io::resolved_toml(content), checkpoint.stage))
+    complaints.push_back({found.file.string(), "the case has changed: " + change,
+                          "a run may go on with another time.end, later stages, output and "
+                          "solver.threads only"});
+  if (!complaints.empty())
+    throw Error(Fault::case_file, std::move(complaints));
+}
+
+void go_on_from(const io::FoundCheckpoint& found, process::Process& process) {
+  if (io::scene_fingerprint(process.scene()) != found.checkpoint.scene)
+    throw Error(Fault::case_file, found.file.string(),
+                "the mesh or a tool's surface is not that of the run so far: one of the files that "
+                "the case names has changed",
+                "bring the files back, or run the case from the start");
+  process.resume(found.checkpoint.run);
+}
+
 } // namespace
 
 int run_case(const Arguments& arguments) {
@@ -135,6 +192,9 @@ int run_case(const Arguments& arguments) {
   const std::string name = case_name(file);
   const std::filesystem::path folder =
       arguments.output.value_or(std::filesystem::path("results") / name);
+  const std::optional<io::FoundCheckpoint> found = wanted_checkpoint(arguments, folder);
+  if (found)
+    require_same(*found, content);
   const int available = oneapi::tbb::info::default_concurrency();
   const int threads = arguments.threads.value_or(content.solver.threads.value_or(available));
   limit_threads(threads);
@@ -142,6 +202,8 @@ int run_case(const Arguments& arguments) {
   const ReadyProcess ready = make_process(content, arguments.file, threads,
                                           [&](const std::string& line) { progress.say(line); });
   process::Process& process = *ready.process;
+  if (found)
+    go_on_from(*found, process);
   progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
                            mechanics::blas_core()));
   for (const std::string& note : ready.notes)
@@ -150,8 +212,16 @@ int run_case(const Arguments& arguments) {
   std::copy_if(ready.notes.begin(), ready.notes.end(), std::back_inserter(warnings),
                [](const std::string& note) { return note.starts_with("warning: "); });
   io::RunWriter writer(folder, name, content,
-                       {BILLET_VERSION, mechanics::blas_core(), threads, std::move(warnings)});
-  progress.write_to(folder / "run.log");
+                       {BILLET_VERSION, mechanics::blas_core(), threads, std::move(warnings)},
+                       {found ? &found->checkpoint : nullptr, arguments.resume});
+  progress.write_to(folder / "run.log", writer.size_of_log());
+  if (found)
+    progress.say_aside(fmt::format("goes on from {} at time {:.6g} {}, increment {}",
+                                   found->file.string(), found->checkpoint.time, content.units.time,
+                                   found->checkpoint.increment));
+  if (found)
+    for (const std::string& note : found->notes)
+      progress.say_aside("warning: " + note);
   const process::RunStatus status = process.run({&writer, &progress});
   for (const std::string& line : writer.advice(process))
     progress.say("what may help: " + line);

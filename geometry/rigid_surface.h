@@ -34,6 +34,10 @@ struct Projection {
   [[nodiscard]] bool found() const noexcept {
     return gap < std::numeric_limits<double>::infinity();
   }
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(gap, foot, normal, dnormal_dx, patch);
+  }
 };
 
 /// Triangles and their lines for drawing and for wear maps.
@@ -49,6 +53,8 @@ struct ToolCorner {
   double radius = 0.0;        ///< 0: sharp [mm]
   Vec3 from = Vec3::Zero();   ///< unit normals of the tool on both sides of it, turning left
   Vec3 to = Vec3::Zero();     ///< by less than half a turn
+
+  template <class Archive> void fields(Archive& archive) { archive(centre, radius, from, to); }
 };
 
 /// Boundary of a rigid tool, oriented outwards.

@@ -26,8 +26,8 @@ bool Process::plausible(double dt, double force_scale, std::string& why) const {
                       bulk_->largest_plastic_increment());
     return false;
   }
-  for (std::size_t i = x0_.size(); i < x_.size(); ++i)
-    if (std::abs(trial_x_[i] - x_[i]) > 0.5 * body_size(scene_.mesh)) {
+  for (std::size_t i = state_.origins.size(); i < state_.x.size(); ++i)
+    if (std::abs(trial_x_[i] - state_.x[i]) > 0.5 * body_size(scene_.mesh)) {
       why = "a driven tool moves away: nothing holds it against its load";
       return false;
     }
@@ -37,7 +37,7 @@ bool Process::plausible(double dt, double force_scale, std::string& why) const {
     constexpr double most_share = 1e-3;
     constexpr double floor = 1e-7;
     const double scale = std::max(force_scale, floor * body_stiffness() * body_size(scene_.mesh));
-    if (grounding_->force_in({time_, time_ + dt, x_, trial_x_}) >
+    if (grounding_->force_in({state_.time, state_.time + dt, state_.x, trial_x_}) >
         most_share * grounding_->share() * scale) {
       why = "the workpiece moves away freely: neither supports nor contact hold it";
       return false;
@@ -49,9 +49,10 @@ bool Process::plausible(double dt, double force_scale, std::string& why) const {
 bool Process::turns_inside_out(std::string& why) {
   constexpr double inside_out = -0.05; // quality; where sides fold onto a die it may come to zero
   const auto qualities = mechanics::element_qualities(
-      scene_.mesh, as_points(std::span(trial_x_).first(x0_.size()), scene_.mesh.dimension()));
+      scene_.mesh,
+      as_points(std::span(trial_x_).first(state_.origins.size()), scene_.mesh.dimension()));
   const auto worst = std::min_element(qualities.begin(), qualities.end());
-  trial_quality_ = *worst;
+  state_.record.trial_quality = *worst;
   if (*worst > inside_out || *worst >= worst_quality(scene_.mesh, positions()))
     return false;
   const auto element = static_cast<Index>(worst - qualities.begin());
@@ -71,10 +72,12 @@ bool Process::turns_inside_out(std::string& why) {
 
 bool Process::passes_through(double dt, std::string& why) const {
   if (contact_)
-    why = passage_complaint(scene_.tools, *surface_, *contact_, {time_, time_ + dt, x_, trial_x_});
+    why = passage_complaint(scene_.tools, *surface_, *contact_,
+                            {state_.time, state_.time + dt, state_.x, trial_x_});
   if (!contact_ || !why.empty())
     return contact_ != nullptr;
-  const auto met = narrow_->met_on_the_way(*contact_, {time_, time_ + dt, x_, trial_x_});
+  const auto met =
+      narrow_->met_on_the_way(*contact_, {state_.time, state_.time + dt, state_.x, trial_x_});
   if (met)
     why = fmt::format("tool '{}' goes into the workpiece on the way of the increment, at ({:.6g}, "
                       "{:.6g}, {:.6g})",

@@ -39,19 +39,20 @@ std::optional<Bend> Process::bend_within(double dt, double length, double shorte
   constexpr double most = 1e-3;       // of the work of a stage that goes on like this
   constexpr double much = 0.25;    // of the strength: the force of contact that grows is little yet
   constexpr double nothing = 0.01; // of the work of the increment: what was done before
-  if (time_ >= early * scene_.stages.back().end || dt <= short_share * default_longest(length))
+  if (state_.time >= early * scene_.stages.back().end ||
+      dt <= short_share * default_longest(length))
     return std::nullopt;
   const EnergyBalance after = energy_after(dt);
-  const double missed = after.missing() - energy_.missing();
-  const double work = after.largest_since(energy_);
-  const double expected = std::max(most_energy_, work * length / dt);
+  const double missed = after.missing() - state_.energy.missing();
+  const double work = after.largest_since(state_.energy);
+  const double expected = std::max(state_.works.most, work * length / dt);
   if (std::abs(missed) <= std::max(most * expected, work_of_rounding()) ||
       average_effort(*bulk_) < much)
     return std::nullopt;
   constexpr double half = 0.5;
-  const double trapezoid = after.external - energy_.external;
+  const double trapezoid = after.external - state_.energy.external;
   const double share =
-      most_energy_ < nothing * work ? bend_from_nothing(trapezoid, trapezoid - missed) : half;
+      state_.works.most < nothing * work ? bend_from_nothing(trapezoid, trapezoid - missed) : half;
   if (std::min(share, 1.0 - share) * dt < shortest)
     return std::nullopt;
   return Bend{share, fmt::format("its balance of energy misses {:.2g} % of a stage that goes on "

@@ -32,6 +32,10 @@ struct BlowReport {
   double stroke = 0.0;  ///< since the tool met the workpiece [mm]
   double speed = 0.0;   ///< of the ram now [mm/s]
   bool over = false;    ///< its energy is used up
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(tool, stage, begun, time, energy, driven, used, left, stroke, speed, over);
+  }
 };
 
 class Blows {
@@ -64,12 +68,16 @@ public:
   [[nodiscard]] bool under_way() const;
   [[nodiscard]] const std::vector<BlowReport>& reports() const { return reports_; }
 
+  template <class Archive> void fields(Archive& archive) { archive(term_, current_, reports_); }
+
 private:
   /// A blow under way.
   struct Current {
     std::size_t tool;
     std::size_t report;
     contact::Ram ram; ///< in the committed state
+
+    template <class Archive> void fields(Archive& archive) { archive(tool, report, ram); }
   };
 
   [[nodiscard]] const geometry::Drive& drive(std::size_t tool) const {

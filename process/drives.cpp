@@ -69,9 +69,10 @@ std::vector<DriveState> Process::drive_states(double time) const {
     const geometry::Motion& motion = scene_.tools[tool].motion;
     if (!contact_->acts(tool, time) || contact.held[tool] != 0 || (!turns && motion.force->blow))
       continue;
-    const std::size_t i = x0_.size() + j;
+    const std::size_t i = state_.origins.size() + j;
     const double arm = turns ? scale.length : 1.0;
-    const double held = scale.stiffness * (trial_x_[i] - x_[i]); // so that nothing is singular
+    const double held =
+        scale.stiffness * (trial_x_[i] - state_.x[i]); // so that nothing is singular
     const double load = (turns ? *motion.torque : *motion.force).load(time);
     DriveState state{tool, turns, load, load + arm * (newton_->residual()[i] - held),
                      DriveState::Contact::presses};
@@ -85,7 +86,7 @@ std::vector<DriveState> Process::drive_states(double time) const {
 /// Where a force takes its tool, in the tool's frame.
 Vec3 Process::towards(std::size_t tool, double load) const {
   const Vec3 way = std::copysign(1.0, load) * scene_.tools[tool].motion.force->axis;
-  return contact_->pose(tool, time_, x_).rotation.transpose() * way;
+  return contact_->pose(tool, state_.time, state_.x).rotation.transpose() * way;
 }
 
 std::string Process::unbalanced_loads(double time) const {
@@ -108,10 +109,10 @@ bool Process::is_pulled_off(std::size_t tool) const {
   constexpr double clear = 1e-3; // of the body
   const Vec3 way = std::copysign(1.0, load) * drive.axis;
   const double size = body_size(scene_.mesh);
-  geometry::Pose pose = contact_->pose(tool, 0.0, x_);
+  geometry::Pose pose = contact_->pose(tool, 0.0, state_.x);
   pose.translation += clear * size * way;
   std::vector<Vec3> points(surface_->n_points());
-  surface_->positions(x_, points);
+  surface_->positions(state_.x, points);
   return !geometry::distance_to_contact(*scene_.tools[tool].surface, pose, way, points, size);
 }
 

@@ -27,18 +27,18 @@ double EnergyBalance::error_since(const EnergyBalance& before) const {
 
 double Process::work_of_supports(double dt) const {
   double work = 0.0;
-  for (const Index i : prescribed(time_ + dt).unknowns)
-    work +=
-        0.5 * (reactions_[idx(i)] + newton_->residual()[idx(i)]) * (trial_x_[idx(i)] - x_[idx(i)]);
+  for (const Index i : prescribed(state_.time + dt).unknowns)
+    work += 0.5 * (state_.reactions[idx(i)] + newton_->residual()[idx(i)]) *
+            (trial_x_[idx(i)] - state_.x[idx(i)]);
   return work;
 }
 
 EnergyBalance
 Process::balance_of(double elastic, double plastic, const contact::ContactTerm* contact) const {
-  EnergyBalance energy = energy_;
+  EnergyBalance energy = state_.energy;
   energy.elastic = elastic;
   energy.plastic = plastic;
-  energy.external = support_work_ - tool_energy_ + load_work_;
+  energy.external = state_.works.supports - state_.works.tools_gone + state_.works.loads_before;
   for (const auto* loads : {&loads_, &fading_})
     for (const auto& load : *loads)
       energy.external += load->work();
@@ -53,14 +53,15 @@ Process::balance_of(double elastic, double plastic, const contact::ContactTerm* 
 }
 
 void Process::update_energy() {
-  energy_ = balance_of(bulk_->elastic_energy(x_).sum(), bulk_->plastic_work(), contact_.get());
-  energy_.most = energy_.scale();
-  most_energy_ =
-      std::max({most_energy_, std::abs(energy_.external), energy_.plastic, energy_.elastic});
+  state_.energy =
+      balance_of(bulk_->elastic_energy(state_.x).sum(), bulk_->plastic_work(), contact_.get());
+  state_.energy.most = state_.energy.scale();
+  state_.works.most = std::max({state_.works.most, std::abs(state_.energy.external),
+                                state_.energy.plastic, state_.energy.elastic});
 }
 
 EnergyBalance Process::energy_after(double dt) const {
-  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  const mechanics::Trial trial{state_.time, state_.time + dt, state_.x, trial_x_};
   std::optional<contact::ContactTerm> contact;
   if (contact_) {
     contact = *contact_;
@@ -93,44 +94,47 @@ std::string Process::misses_too_much(double dt, double length) const {
   const double usual = default_longest(length);
   const bool is_long = dt > (1.0 + rounding) * usual;
   const bool is_spoiling = !scene_.increments.max && dt > short_share * usual &&
-                           time_ - flown_ > early * (scene_.stages.back().end - flown_);
+                           state_.time - state_.flights.flown >
+                               early * (scene_.stages.back().end - state_.flights.flown);
   if (!is_long && !is_spoiling)
     return "";
   const EnergyBalance after = energy_after(dt);
-  const double missed = std::abs(after.missing() - energy_.missing());
+  const double missed = std::abs(after.missing() - state_.energy.missing());
   if (missed <= work_of_rounding())
     return "";
-  if (is_long && after.error_since(energy_) > most)
-    return fmt::format("its balance of energy misses {:.2g} %", 100.0 * after.error_since(energy_));
-  if (!is_long && missed > most_of_all * most_energy_)
+  if (is_long && after.error_since(state_.energy) > most)
+    return fmt::format("its balance of energy misses {:.2g} %",
+                       100.0 * after.error_since(state_.energy));
+  if (!is_long && missed > most_of_all * state_.works.most)
     return fmt::format("its balance of energy misses {:.2g} % of all work so far",
-                       100.0 * missed / most_energy_);
+                       100.0 * missed / state_.works.most);
   return "";
 }
 
 double Process::missed_since(const EnergyBalance& before, double gone) const {
   constexpr double half_of_the_budget = 0.0025; // the balance of a run is to be within 0.5 %
   constexpr double early = 0.1;                 // what the first yield misses counts little later
-  const double used = energy_.error() / half_of_the_budget;
+  const double used = state_.energy.error() / half_of_the_budget;
   const bool at_risk = gone > early && used > 1.0;
   // The less of the budget is left the more is asked of an increment.
-  return at_risk && !scene_.increments.max ? used * used * energy_.error_since(before) : 0.0;
+  return at_risk && !scene_.increments.max ? used * used * state_.energy.error_since(before) : 0.0;
 }
 
 bool Process::lets_go_too_fast(double dt) const {
   constexpr double early = 0.1; // of the run: there is next to no work yet to compare with
   if (!contact_ || scene_.increments.max ||
-      time_ - flown_ < early * (scene_.stages.back().end - flown_))
+      state_.time - state_.flights.flown <
+          early * (scene_.stages.back().end - state_.flights.flown))
     return false;
   // Of all work so far, for a tool whose force falls by more than half.
   constexpr double most = 1e-3, fall = 0.5;
-  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  const mechanics::Trial trial{state_.time, state_.time + dt, state_.x, trial_x_};
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (!contact_->acts(t, time_ + dt))
+    if (!contact_->acts(t, state_.time + dt))
       continue;
     const auto [before, now] = contact_->forces_of_tool(t, trial);
-    if (now.sum < fall * before.sum &&
-        0.5 * std::abs(now.work - before.work) > std::max(most * most_energy_, work_of_rounding()))
+    if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) >
+                                           std::max(most * state_.works.most, work_of_rounding()))
       return true;
   }
   return false;

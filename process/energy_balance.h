@@ -31,6 +31,11 @@ struct EnergyBalance {
   [[nodiscard]] double error() const;
   /// That of what has been done since `before` [-].
   [[nodiscard]] double error_since(const EnergyBalance& before) const;
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(external, elastic, plastic, friction, contact, grounding, remeshing, enforcement, most,
+            nothing);
+  }
 };
 
 } // namespace billet::process

@@ -61,12 +61,14 @@ bool touches_near(const PartBoundary& boundary,
 } // namespace
 
 FirstTouch Process::poor_first_touch(double dt) const {
-  const bool just_meshed = increment_ == mesh_increment_ && !remeshings_.empty();
-  if (!scene_.remesh || !contact_ || scene_.mesh.dimension() != 2 || fading_until_ > time_ ||
-      just_meshed || refused_increment_ == increment_)
+  const bool just_meshed =
+      state_.increment == state_.mesh.increment && !state_.record.remeshings.empty();
+  if (!scene_.remesh || !contact_ || scene_.mesh.dimension() != 2 ||
+      state_.leaving.fading_until > state_.time || just_meshed ||
+      state_.mesh.refused_increment == state_.increment)
     return {};
   const std::vector<double> ahead = foretold(dt);
-  const std::span<const double> nodes = std::span(ahead).first(x0_.size());
+  const std::span<const double> nodes = std::span(ahead).first(state_.origins.size());
   std::vector<int> touching(scene_.contact_faces.size(), -1);
   const PartBoundary untouched = part_boundary(scene_, nodes, touching, {});
   Reached reached;
@@ -77,14 +79,14 @@ FirstTouch Process::poor_first_touch(double dt) const {
     const SideNumber at = untouched.sides.at({face.nodes[0], face.nodes[1]});
     const auto places = places_on(untouched.loops[idx(at.loop)], idx(at.side));
     for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-      if (!contact_->acts(t, time_ + dt))
+      if (!contact_->acts(t, state_.time + dt))
         continue;
-      const geometry::Pose pose = contact_->pose(t, time_ + dt, ahead);
+      const geometry::Pose pose = contact_->pose(t, state_.time + dt, ahead);
       std::array<Vec3, places_on_side> seen;
       std::transform(places.begin(), places.end(), seen.begin(),
                      [&](const Vec3& x) { return pose.to_tool(x); });
       std::array<geometry::Projection, places_on_side> feet;
-      scene_.tools[t].surface->project(seen, reach * side_, feet);
+      scene_.tools[t].surface->project(seen, reach * state_.mesh.first_side, feet);
       for (std::size_t i = 0; i < feet.size(); ++i)
         if (feet[i].found() && feet[i].gap < 0.0) {
           touching[f] = static_cast<int>(t);

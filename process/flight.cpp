@@ -297,6 +297,7 @@ double find_pusher(const Departure& now, double soon, double until, Carrier& car
         Relative(now, t, carrier).rests(until))
       continue;
     carrier.pusher = motion;
+    carrier.pushing_tool = t;
     return std::min(until, pushed_until(now, motion));
   }
   return until;

@@ -22,15 +22,20 @@ namespace billet::process {
 struct Carrier {
   std::array<std::optional<TimeFunction>, 3> supports; ///< that hold a component [mm]
   std::optional<geometry::Motion> pusher;              ///< of a tool that moves the others
+  std::optional<std::size_t> pushing_tool;             ///< that one
 
   /// Between two times [mm].
   [[nodiscard]] Vec3 shift(double from, double to) const;
+
+  template <class Archive> void fields(Archive& archive) { archive(supports, pushing_tool); }
 };
 
 /// A span of time from now on in which the part stays as it is, or goes along with its carrier.
 struct Flight {
   double until = 0.0; ///< just before something touches, or a load changes [s]
   Carrier carrier;
+
+  template <class Archive> void fields(Archive& archive) { archive(until, carrier); }
 };
 
 /// The state of a run in which a flight may begin.

@@ -28,11 +28,14 @@ class IncrementControl {
 public:
   /// Lengths of increments [s].
   struct Limits {
-    double first;
-    double min;
-    double max;
+    double first = 0.0;
+    double min = 0.0;
+    double max = 0.0;
+
+    template <class Archive> void fields(Archive& archive) { archive(first, min, max); }
   };
 
+  IncrementControl() = default;
   explicit IncrementControl(const Limits& limits) : limits_(limits), next_(limits.first) {}
 
   /// Wanted length of the next increment [s].
@@ -67,9 +70,13 @@ public:
   /// Iterations up to which an increment counts as easy.
   static constexpr int easy_iterations = 5;
 
+  template <class Archive> void fields(Archive& archive) {
+    archive(limits_, next_, parts_, ceiling_, last_step_, last_iterations_);
+  }
+
 private:
   Limits limits_;
-  double next_;
+  double next_ = 0.0;
   std::vector<double> parts_; ///< to be gone before that, the next one last [s]
   double ceiling_ = 0.0;      ///< not beyond it for now: a longer one has failed; 0: none [s]
   double last_step_ = 0.0;    ///< of the increment before [s]; 0: none

@@ -14,6 +14,8 @@ namespace billet::process {
 struct Lap {
   std::string place; ///< where the walls met, as messages say it
   double depth;      ///< of the crease [mm]
+
+  template <class Archive> void fields(Archive& archive) { archive(place, depth); }
 };
 
 [[nodiscard]] Lap lap(const geometry::ClosedFold& fold);

@@ -12,9 +12,9 @@ namespace billet::process {
 /// Forces that count as none beside the body's own stiffness, or beside those that have acted so
 /// far on a slender body. (N.2)
 double Process::acting_force(double time) const {
-  double acting = largest_force_;
+  double acting = state_.forces.largest;
   for (const auto& load : loads_)
-    acting = std::max(acting, load->norm(time, x_));
+    acting = std::max(acting, load->norm(time, state_.x));
   return acting;
 }
 
@@ -39,10 +39,10 @@ void Process::note_largest_force(double of_grounding) {
   constexpr double far_above = 100.0; // a sum over nodes against a norm
   const auto note = [&](double force) {
     if (force > far_above * of_grounding)
-      largest_force_ = std::max(largest_force_, force);
+      state_.forces.largest = std::max(state_.forces.largest, force);
   };
-  for (const Index i : prescribed(time_).unknowns)
-    note(std::abs(reactions_[idx(i)]));
+  for (const Index i : prescribed(state_.time).unknowns)
+    note(std::abs(state_.reactions[idx(i)]));
   if (contact_)
     for (const contact::ToolLoad& load : contact_->loads())
       note(load.force.norm());
@@ -51,15 +51,16 @@ void Process::note_largest_force(double of_grounding) {
 bool Process::grounding_weighs(double dt) const {
   constexpr double nothing = 1e-6; // of all work so far
   constexpr double little = 1e-3;  // of the work of the increment
-  const double lost = grounding_->work_in({time_, time_ + dt, x_, trial_x_});
-  if (lost <= nothing * most_energy_)
+  const double lost = grounding_->work_in({state_.time, state_.time + dt, state_.x, trial_x_});
+  if (lost <= nothing * state_.works.most)
     return false;
   const EnergyBalance after = energy_after(dt);
   constexpr double rigid = 1e-6; // of what is lost: the part is pushed through the air
-  if (std::max({std::abs(after.elastic - energy_.elastic), after.plastic - energy_.plastic,
-                after.friction - energy_.friction}) <= rigid * lost)
+  if (std::max({std::abs(after.elastic - state_.energy.elastic),
+                after.plastic - state_.energy.plastic, after.friction - state_.energy.friction}) <=
+      rigid * lost)
     return false;
-  return lost > little * after.largest_since(energy_);
+  return lost > little * after.largest_since(state_.energy);
 }
 
 /// A slender part is softer than the grounding, which would carry the load of its tools: where it
@@ -69,11 +70,11 @@ Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) 
   constexpr double lightest = 1e-6; // equations are solved in double precision
   constexpr int longest_wait = 3;
   const auto solve_on = [&] {
-    return newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_,
-                          mechanics::Approach::from_solution);
+    return newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
+                          state_.x, trial_x_, mechanics::Approach::from_solution);
   };
   Outcome<mechanics::NewtonReport> now = solved;
-  if (grounding_wait_ > 0 && grounding_wait_-- > 0)
+  if (state_.grounding.wait > 0 && state_.grounding.wait-- > 0)
     return now;
   // What was held by the grounding so far may have a long way to go at once.
   for (const double lighter : {1e-2, 0.3})
@@ -84,7 +85,7 @@ Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) 
       const auto again = solve_on();
       if (again) {
         now = again;
-        grounding_failures_ = 0;
+        state_.grounding.failures = 0;
         continue;
       }
       grounding_->set_share(share);
@@ -92,7 +93,7 @@ Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) 
       now = solve_on();
       if (!now)
         return now;
-      grounding_wait_ = std::min(++grounding_failures_ / 2, longest_wait);
+      state_.grounding.wait = std::min(++state_.grounding.failures / 2, longest_wait);
       break;
     }
   return now;

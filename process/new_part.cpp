@@ -123,7 +123,7 @@ std::vector<int> Process::touching_tools() const {
 
 Process::UsualSizes Process::usual_sizes() const {
   const RemeshSettings& settings = *scene_.remesh;
-  const double usual = settings.size.value_or(side_);
+  const double usual = settings.size.value_or(state_.mesh.first_side);
   const double at_contact = settings.size_contact.value_or(usual);
   const double finest = std::min(usual, at_contact);
   // Metal that slides round an edge of a tool turns as sharply as the tool does.
@@ -140,12 +140,12 @@ Process::UsualSizes Process::usual_sizes() const {
 std::function<double(const Vec3&)> Process::wanted_size(double turn, double growth) const {
   std::vector<std::size_t> acting;
   for (std::size_t t = 0; t < scene_.tools.size(); ++t)
-    if (contact_ && contact_->acts(t, time_))
+    if (contact_ && contact_->acts(t, state_.time))
       acting.push_back(t);
   return [this, acting, sizes = usual_sizes(), turn, growth](const Vec3& x) {
     double size = sizes.usual;
     for (const std::size_t t : acting) {
-      const Vec3 at = contact_->pose(t, time_, x_).to_tool(x);
+      const Vec3 at = contact_->pose(t, state_.time, state_.x).to_tool(x);
       geometry::Projection foot;
       constexpr double reach = 4.0; // sizes
       scene_.tools[t].surface->project(std::span(&at, 1), reach * sizes.usual, std::span(&foot, 1));
@@ -181,21 +181,22 @@ geometry::SolidSizes Process::solid_sizes() const {
 
 std::optional<Vec3>
 Process::onto_tool(std::size_t tool, const Vec3& x, const WayToTool& way) const {
-  const geometry::Pose pose = contact_->pose(tool, time_, x_);
+  const geometry::Pose pose = contact_->pose(tool, state_.time, state_.x);
   Vec3 there = x;
   constexpr int most_steps = 20;
   constexpr double near = 1e-10, flat = 0.2;
   for (int step = 0; step < most_steps; ++step) {
     const Vec3 at = pose.to_tool(there);
     geometry::Projection foot;
-    scene_.tools[tool].surface->project(std::span(&at, 1), side_, std::span(&foot, 1));
+    scene_.tools[tool].surface->project(std::span(&at, 1), state_.mesh.first_side,
+                                        std::span(&foot, 1));
     if (!foot.found() || (step == 0 && foot.gap > way.most_gap))
       return std::nullopt;
     const double gap = foot.gap + way.depth;
     Vec3 move = -gap * (pose.rotation * foot.normal);
     if (way.fixed == 0)
       return Vec3(there + move);
-    if (std::abs(gap) <= near * side_)
+    if (std::abs(gap) <= near * state_.mesh.first_side)
       return there;
     for (int i = 0; i < 3; ++i)
       if ((way.fixed >> static_cast<unsigned>(i) & 1U) != 0)
@@ -213,7 +214,7 @@ Vec3 Process::settled(const contact::PointSource& source,
                       const WayToTool& way) const {
   Vec3 result = x;
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (!contact_->acts(t, time_))
+    if (!contact_->acts(t, state_.time))
       continue;
     // What touches with nothing near it stays, but not inside the tool.
     const bool touches = tool.value_or(static_cast<int>(t)) == static_cast<int>(t);
@@ -227,12 +228,12 @@ Vec3 Process::settled(const contact::PointSource& source,
 }
 
 std::vector<geometry::SizeAt> Process::sizes_for_flow() const {
-  std::vector<double> grown = plastic_rate_;
+  std::vector<double> grown = state_.plastic_rate;
   // A single increment may be short, and rough.
-  if (!remembered_.empty() && remembered_.front()->time < time_)
+  if (!state_.snapshots.empty() && state_.snapshots.front().time < state_.time)
     for (std::size_t k = 0; k < grown.size(); ++k)
       grown[k] = std::max(0.0, bulk_->states()[k].plastic_strain -
-                                   remembered_.front()->states[k].plastic_strain);
+                                   state_.snapshots.front().states[k].plastic_strain);
   constexpr double of_length = 0.5; // of that over which the rate changes by its mean
   constexpr double of_usual = 0.25; // no shorter: corners of tools have no length of their own
   const UsualSizes usual = usual_sizes();
@@ -349,8 +350,9 @@ NewPart Process::new_solid_part_within(const SolidPart& old) const {
     // On a support and a tool at once: a few turns lead to where they meet.
     constexpr int turns = 4;
     for (int i = 0; may_touch && i < turns; ++i)
-      result =
-          supported(parts, settled(neighbours->around(on), result, {}, {.most_gap = side_}), on);
+      result = supported(
+          parts, settled(neighbours->around(on), result, {}, {.most_gap = state_.mesh.first_side}),
+          on);
     return result;
   };
   RemeshedPart part = remesh_part(scene_, old, solid_sizes(), settle);

@@ -18,15 +18,15 @@ namespace billet::process {
 void Process::meet_newcomers(const Stage& stage, double until) {
   if (!contact_)
     return;
-  acted_.resize(scene_.tools.size(), 0);
+  state_.forces.acted.resize(scene_.tools.size(), 0);
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     const bool acts = !stage.unload && contact_->acts(t, until);
-    const bool acted = std::exchange(acted_[t], acts ? 1 : 0) != 0;
-    if (!acts || acted || contact_->lies_on(t) || increment_ == 0)
+    const bool acted = std::exchange(state_.forces.acted[t], acts ? 1 : 0) != 0;
+    if (!acts || acted || contact_->lies_on(t) || state_.increment == 0)
       continue; // before the first increment tools touch and an overlap is refused
     const std::optional<geometry::Drive>& force = scene_.tools[t].motion.force;
     if (force && !force->blow)
-      come_to_touch(t, std::max(time_, scene_.tools[t].active_from));
+      come_to_touch(t, std::max(state_.time, scene_.tools[t].active_from));
     else
       note_intruder(t);
   }
@@ -35,47 +35,47 @@ void Process::meet_newcomers(const Stage& stage, double until) {
 std::vector<ToolMeeting> Process::overlapping_tools() const {
   std::vector<geometry::Pose> poses;
   for (std::size_t t = 0; contact_ && t < scene_.tools.size(); ++t)
-    poses.push_back(contact_->pose(t, time_, x_));
-  return contact_ ? overlaps_by_loads(scene_, time_, poses) : std::vector<ToolMeeting>{};
+    poses.push_back(contact_->pose(t, state_.time, state_.x));
+  return contact_ ? overlaps_by_loads(scene_, state_.time, poses) : std::vector<ToolMeeting>{};
 }
 
 void Process::come_to_touch(std::size_t tool, double time) {
   const geometry::Drive& drive = *scene_.tools[tool].motion.force;
   const double sense = first_load(drive.load, time) < 0.0 ? -1.0 : 1.0;
   std::vector<Vec3> points(surface_->n_points());
-  surface_->positions(x_, points);
+  surface_->positions(state_.x, points);
   const auto way = geometry::distance_to_contact(
-      *scene_.tools[tool].surface, contact_->pose(tool, time, x_), sense * drive.axis, points,
+      *scene_.tools[tool].surface, contact_->pose(tool, time, state_.x), sense * drive.axis, points,
       most_sizes_to_touch * body_size(scene_.mesh));
   if (!way)
     return; // it moves away, and the increment says so
   const std::vector<contact::DriveUnknown> drives = contact::drive_unknowns(scene_.tools);
   for (std::size_t j = 0; j < drives.size(); ++j)
     if (drives[j].tool == tool && !drives[j].turns)
-      x_[x0_.size() + j] += sense * *way;
-  contact_->start(tool, x_, time);
-  remembered_.clear(); // states in which the tool is elsewhere
+      state_.x[state_.origins.size() + j] += sense * *way;
+  contact_->start(tool, state_.x, time);
+  state_.snapshots.clear(); // states in which the tool is elsewhere
 }
 
 void Process::note_intruder(std::size_t tool) {
-  const double from = std::max(time_, scene_.tools[tool].active_from);
+  const double from = std::max(state_.time, scene_.tools[tool].active_from);
   std::string where = overlap(tool, from);
   if (where.empty())
     return;
-  const auto known =
-      std::find_if(intruders_.begin(), intruders_.end(), [&](const Intruder& intruder) {
-        return intruder.tool == tool && intruder.time == from;
-      });
-  if (known != intruders_.end()) // the increment has become shorter since, and others went before
-    known->increment = increment_;
+  const auto known = std::find_if(
+      state_.record.intruders.begin(), state_.record.intruders.end(),
+      [&](const Intruder& intruder) { return intruder.tool == tool && intruder.time == from; });
+  if (known != state_.record.intruders
+                   .end()) // the increment has become shorter since, and others went before
+    known->increment = state_.increment;
   else
-    intruders_.push_back({tool, from, std::move(where), increment_});
+    state_.record.intruders.push_back({tool, from, std::move(where), state_.increment});
 }
 
 std::string Process::intruders_now() const {
   std::string text;
-  for (const Intruder& intruder : intruders_)
-    if (intruder.increment == increment_)
+  for (const Intruder& intruder : state_.record.intruders)
+    if (intruder.increment == state_.increment)
       text += fmt::format("; tool '{}' begins to act inside the workpiece, {}: a tool goes on its "
                           "way while it does not act",
                           scene_.tools[intruder.tool].name, intruder.where);

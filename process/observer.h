@@ -4,21 +4,38 @@
 
 #include "process/run_reports.h"
 
+#include <string>
+
 namespace billet::process {
 
 class Process;
+
+/// Why a run may be stored.
+enum class CheckpointReason {
+  due,       ///< it goes on: it is up to the observer whether it is time
+  new_stage, ///< a stage has ended, another one follows
+  end,       ///< of the run
+  stopped,   ///< by a signal
+  failed     ///< an increment could not be solved
+};
 
 /// Looks at a run.
 class Observer {
 public:
   virtual ~Observer() = default;
   virtual void started(const Process&) {}
+  /// In place of `started`: the run goes on from a checkpoint.
+  virtual void resumed(const Process&) {}
   virtual void incremented(const Process&, const IncrementReport&) {}
   virtual void failed(const Process&, const PostMortem&) {}
   /// The mesh is about to be replaced.
   virtual void remeshing(const Process&) {}
   virtual void remeshed(const Process&, const RemeshReport&) {}
   virtual void finished(const Process&) {}
+  /// Whether the run should be stored now, at the beginning of an increment.
+  [[nodiscard]] virtual bool wants_checkpoint(const Process&, CheckpointReason) { return false; }
+  /// The run as it is now; taken only where one was wanted.
+  virtual void checkpoint(const Process&, const std::string& /*stored*/) {}
   /// True ends the run after this increment (a signal).
   [[nodiscard]] virtual bool stop_requested() const { return false; }
 };

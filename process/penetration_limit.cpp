@@ -14,41 +14,44 @@ namespace billet::process {
 
 void Process::certify(double dt) {
   const Stopwatch timed(times_.certificate);
-  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
-  penetration_ = contact_->penetration(trial, scene_.contact.max_penetration.value_or(HUGE_VAL));
-  narrow_radius_ = -1.0;
-  const DeepTool deepest = narrow_->deepest(*contact_, trial, penetration_.share);
-  penetration_.bound = std::max(penetration_.bound, deepest.depth);
-  if (deepest.depth > penetration_.sampled) {
-    penetration_.sampled = deepest.depth;
-    penetration_.position = deepest.place;
-    penetration_.tool = deepest.tool;
+  const mechanics::Trial trial{state_.time, state_.time + dt, state_.x, trial_x_};
+  state_.record.penetration =
+      contact_->penetration(trial, scene_.contact.max_penetration.value_or(HUGE_VAL));
+  state_.record.narrow_radius = -1.0;
+  const DeepTool deepest = narrow_->deepest(*contact_, trial, state_.record.penetration.share);
+  state_.record.penetration.bound = std::max(state_.record.penetration.bound, deepest.depth);
+  if (deepest.depth > state_.record.penetration.sampled) {
+    state_.record.penetration.sampled = deepest.depth;
+    state_.record.penetration.position = deepest.place;
+    state_.record.penetration.tool = deepest.tool;
   }
-  if (!(deepest.share > penetration_.relative.share))
+  if (!(deepest.share > state_.record.penetration.relative.share))
     return;
-  penetration_.share = std::max(penetration_.share, deepest.share);
-  penetration_.relative = {deepest.share, deepest.depth, deepest.place, deepest.tool, deepest.face};
-  narrow_radius_ = deepest.radius;
+  state_.record.penetration.share = std::max(state_.record.penetration.share, deepest.share);
+  state_.record.penetration.relative = {deepest.share, deepest.depth, deepest.place, deepest.tool,
+                                        deepest.face};
+  state_.record.narrow_radius = deepest.radius;
 }
 
 void Process::note_deepest_tool() {
-  const contact::Penetration::Place& deep = penetration_.relative;
+  const contact::Penetration::Place& deep = state_.record.penetration.relative;
   if (deep.face < 0)
     return;
   constexpr double slender = 0.7; // elements of another shape are as large as they are thick
   const double size = std::max(surface_->depth(deep.face), slender * narrow_->length(deep.face));
-  if (deep.depth > deepest_tool_.share * size)
-    deepest_tool_ = {deep.depth / size, deep.depth,   penetration_.at_points, time_,
-                     deep.tool,         deep.position};
+  if (deep.depth > state_.record.deepest_tool.share * size)
+    state_.record.deepest_tool = {
+        deep.depth / size, deep.depth, state_.record.penetration.at_points,
+        state_.time,       deep.tool,  deep.position};
 }
 
 double Process::radius_there() const {
-  if (narrow_radius_ >= 0.0)
-    return narrow_radius_;
-  const contact::Penetration::Place& deep = penetration_.relative;
+  if (state_.record.narrow_radius >= 0.0)
+    return state_.record.narrow_radius;
+  const contact::Penetration::Place& deep = state_.record.penetration.relative;
   const geometry::RigidSurface& surface = *scene_.tools[deep.tool].surface;
   const double reach = body_size(scene_.mesh);
-  Vec3 at = contact_->pose(deep.tool, time_, trial_x_).to_tool(deep.position);
+  Vec3 at = contact_->pose(deep.tool, state_.time, trial_x_).to_tool(deep.position);
   geometry::Projection foot;
   surface.project({&at, 1}, reach, {&foot, 1});
   if (!foot.found())
@@ -60,7 +63,7 @@ double Process::radius_there() const {
 }
 
 double Process::most_unfelt() const {
-  const Index face = penetration_.relative.face;
+  const Index face = state_.record.penetration.relative.face;
   const double of_depth = deepest_unfelt * surface_->depth(face);
   constexpr double narrow = 0.5, between_points = 0.58; // of the face's length
   const double radius = radius_there();
@@ -71,7 +74,7 @@ double Process::most_unfelt() const {
 }
 
 bool Process::lies_in_unfelt(std::string& why) const {
-  const contact::Penetration::Place& deep = penetration_.relative;
+  const contact::Penetration::Place& deep = state_.record.penetration.relative;
   if (deep.face < 0 || !(deep.depth > most_unfelt()) || contact_->bears_near(deep.tool, deep.face))
     return false;
   why = fmt::format("tool '{}' lies {:.3g} deep in the workpiece near ({:.6g}, {:.6g}, {:.6g}), "
@@ -95,9 +98,10 @@ bool Process::bounds_penetration() const {
 bool Process::too_deep() const {
   const contact::ContactSettings& settings = scene_.contact;
   if (settings.max_penetration)
-    return penetration_.bound > *settings.max_penetration;
+    return state_.record.penetration.bound > *settings.max_penetration;
   constexpr double unasked = 1e-6; // of the element beneath
-  return settings.method == contact::Method::augmented && penetration_.share_pressed > unasked;
+  return settings.method == contact::Method::augmented &&
+         state_.record.penetration.share_pressed > unasked;
 }
 
 bool Process::limit_penetration(double dt, std::string& why) {
@@ -114,22 +118,24 @@ bool Process::limit_penetration(double dt, std::string& why) {
   double gain = HUGE_VAL; // of the last round, at contact points
   for (int round = 0; too_deep(); ++round) {
     const auto& limit = scene_.contact.max_penetration;
-    if (round == most_rounds || (limit && penetration_.pressed <= negligible * *limit)) {
+    if (round == most_rounds ||
+        (limit && state_.record.penetration.pressed <= negligible * *limit)) {
       why = penetration_failure(round);
       refused_as_too_deep_ = true;
       return false;
     }
     press_harder(gain);
-    const double before = penetration_.pressed;
-    const auto again = newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_,
-                                      trial_x_, mechanics::Approach::from_solution);
+    const double before = state_.record.penetration.pressed;
+    const auto again =
+        newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
+                       state_.x, trial_x_, mechanics::Approach::from_solution);
     if (!again) {
       why = penetration_failure(round) + "; when pressed harder: " + again.error().reason;
       return false;
     }
-    last_residual_ = again->residual;
+    state_.counters.last_residual = again->residual;
     certify(dt);
-    gain = before / penetration_.pressed;
+    gain = before / state_.record.penetration.pressed;
   }
   refused_as_too_deep_ = lies_in_unfelt(why);
   return !refused_as_too_deep_;
@@ -148,16 +154,17 @@ void Process::press_harder(double gain) {
   }
   // Pressing lifts the contact points; what lies deeper between them comes along with them.
   constexpr double aim = 0.5; // of the room that is left to the contact points
-  const double between = penetration_.bound - penetration_.pressed;
+  const double between = state_.record.penetration.bound - state_.record.penetration.pressed;
   const double room = *settings.max_penetration - between;
   constexpr double least = 2.0, most = 100.0;
-  contact_->stiffen(room > 0.0 ? std::clamp(penetration_.pressed / (aim * room), least, most)
-                               : most);
+  contact_->stiffen(room > 0.0
+                        ? std::clamp(state_.record.penetration.pressed / (aim * room), least, most)
+                        : most);
 }
 
 void Process::begin_with_stiffness(double factor) {
   contact_->begin_with_stiffness(factor);
-  penalty_event_ =
+  state_.record.penalty_event =
       fmt::format("  contact penalty: {:.3g} times that of the case", contact_->next_stiffening());
 }
 
@@ -173,10 +180,10 @@ void Process::adapt_penalty(Progress progress) {
   constexpr double softer = 0.1, stiffer = 2.0;
   // Of the stiffness of the element beneath over its depth; while nothing says what presses, no
   // softer than the element.
-  const bool presses = penetration_.share_pressed > 0.0;
+  const bool presses = state_.record.penetration.share_pressed > 0.0;
   const double least = presses ? 1e-3 : 1.0;
   const double next = contact_->next_stiffening();
-  const double share = penetration_.share_pressed * contact_->stiffening() / next;
+  const double share = state_.record.penetration.share_pressed * contact_->stiffening() / next;
   const double enough = progress == Progress::none ? small : needlessly_small;
   // At the first touch nothing is pressed yet: only tries that keep failing tell.
   const bool tells = progress == Progress::none || (progress == Progress::laboured && presses);
@@ -189,24 +196,25 @@ void Process::adapt_penalty(Progress progress) {
 }
 
 std::string Process::penetration_failure(int rounds) const {
-  const Vec3& at = penetration_.position;
+  const Vec3& at = state_.record.penetration.position;
   const std::string deep =
       fmt::format("a face lies {:.4g} inside tool '{}' near ({:.6g}, {:.6g}, {:.6g})",
-                  penetration_.bound, scene_.tools[penetration_.tool].name, at[0], at[1], at[2]);
+                  state_.record.penetration.bound,
+                  scene_.tools[state_.record.penetration.tool].name, at[0], at[1], at[2]);
   if (!scene_.contact.max_penetration)
     return deep + fmt::format(" after {} augmentations", rounds);
   const double limit = *scene_.contact.max_penetration;
-  if (penetration_.at_points <= limit)
+  if (state_.record.penetration.at_points <= limit)
     return deep + fmt::format(", more than max_penetration = {:.4g}, though no contact point is "
                               "deeper than {:.2g}: the tool passes between them, and no pressure "
                               "keeps it out. A finer mesh there lessens it, on quadratic elements "
                               "form = \"compatible\" may; else allow more",
-                              limit, penetration_.at_points);
+                              limit, state_.record.penetration.at_points);
   return deep +
          fmt::format(", more than max_penetration = {:.4g}, and contact points {:.2g}, after "
                      "pressing harder {} times: start with a larger contact.penalty, or "
                      "allow more",
-                     limit, penetration_.at_points, rounds);
+                     limit, state_.record.penetration.at_points, rounds);
 }
 
 } // namespace billet::process

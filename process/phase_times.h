@@ -23,6 +23,11 @@ struct PhaseTimes {
     return total - search - contact - elements - assembly - analysis - factorization - solve -
            certificate - output - remeshing;
   }
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(total, elements, search, contact, assembly, analysis, factorization, solve, certificate,
+            output, remeshing);
+  }
 };
 
 } // namespace billet::process

@@ -20,7 +20,7 @@ namespace billet::process {
 namespace {
 
 /// Sums over the fields of a bulk in a state that may not be its own.
-Stock stock_of(const mechanics::Bulk& bulk, const RunState& at) {
+Stock stock_of(const mechanics::Bulk& bulk, const Snapshot& at) {
   Stock stock;
   double volume = 0.0;
   for (std::size_t k = 0; k < at.states.size(); ++k) {
@@ -67,25 +67,25 @@ std::string Process::remesh(const std::string& cause,
                             const std::vector<geometry::SizeAt>& at) {
   const double begun = seconds_now();
   RemeshReport report;
-  report.number = static_cast<int>(remeshings_.size()) + 1;
-  report.time = time_;
-  report.increment = increment_;
+  report.number = static_cast<int>(state_.record.remeshings.size()) + 1;
+  report.time = state_.time;
+  report.increment = state_.increment;
   report.cause = cause;
   report.work_of_run = bulk_->plastic_work();
   NewPart part;
   try {
     part = new_part(at);
   } catch (const Error& error) {
-    refused_increment_ = increment_;
-    refused_quality_ = 0.5 * worst_quality(scene_.mesh, positions());
-    refusals_.push_back({time_, error.complaints().front().message});
-    return refusals_.back().why;
+    state_.mesh.refused_increment = state_.increment;
+    state_.mesh.refused_quality = 0.5 * worst_quality(scene_.mesh, positions());
+    state_.record.refusals.push_back({state_.time, error.complaints().front().message});
+    return state_.record.refusals.back().why;
   }
   const double written = seconds_now();
   for (Observer* observer : observers)
     observer->remeshing(*this);
   const double output = seconds_now() - written;
-  const double missing = energy_.missing();
+  const double missing = state_.energy.missing();
   const std::vector<double> forces = forces_on_tools();
   report.elements[0] = scene_.mesh.n_elements();
   report.nodes[0] = scene_.mesh.n_points();
@@ -95,34 +95,34 @@ std::string Process::remesh(const std::string& cause,
   carried.sources = exchange_mesh(std::move(part), carried);
   const double exchanged = seconds_now();
   const long systems = solver_work().systems;
-  const int wasted = wasted_iterations_;
+  const int wasted = state_.counters.wasted_iterations;
   settle(carried, forces, report);
-  remeshing_iterations_ += static_cast<int>(solver_work().systems - systems);
-  wasted_iterations_ = wasted; // its failed tries are among them
-  mesh_increment_ = increment_;
-  turned_inside_out_ = 0;
-  mesh_time_ = time_;
-  mesh_quality_ = worst_quality(scene_.mesh, positions());
-  mesh_aspect_ = aspect();
-  mesh_excess_ = most_outgrown_side().excess;
-  mesh_coarse_ = coarse_contact();
-  refused_quality_ = 1.0;
-  mesh_strain_.clear();
+  state_.counters.remeshing_iterations += static_cast<int>(solver_work().systems - systems);
+  state_.counters.wasted_iterations = wasted; // its failed tries are among them
+  state_.mesh.increment = state_.increment;
+  state_.mesh.turned_inside_out = 0;
+  state_.mesh.time = state_.time;
+  state_.mesh.quality = worst_quality(scene_.mesh, positions());
+  state_.mesh.aspect = aspect();
+  state_.mesh.excess = most_outgrown_side().excess;
+  state_.mesh.coarse = coarse_contact();
+  state_.mesh.refused_quality = 1.0;
+  state_.mesh.strain.clear();
   for (const mechanics::PointState& point : bulk_->states())
-    mesh_strain_.push_back(point.plastic_strain);
+    state_.mesh.strain.push_back(point.plastic_strain);
   update_energy();
-  report.energy = energy_.missing() - missing;
-  energy_.remeshing += report.energy;
+  report.energy = state_.energy.missing() - missing;
+  state_.energy.remeshing += report.energy;
   report.elements[1] = scene_.mesh.n_elements();
   report.nodes[1] = scene_.mesh.n_points();
-  report.quality.after = mesh_quality_;
+  report.quality.after = state_.mesh.quality;
   const std::vector<double> balanced = forces_on_tools();
   for (std::size_t t = 0; t < forces.size(); ++t)
     report.forces.push_back({forces[t], report.balanced ? balanced[t] : forces[t]});
   report.seconds = seconds_now() - begun - output;
   times_.output += output;
   times_.remeshing += exchanged - begun - output; // the balance counts with the other solutions
-  remeshings_.push_back(report);
+  state_.record.remeshings.push_back(report);
   for (Observer* observer : observers)
     observer->remeshed(*this, report);
   return {};
@@ -136,28 +136,28 @@ std::vector<double> Process::forces_on_tools() const {
   return forces;
 }
 
-RunState Process::run_state() const {
-  RunState s;
-  s.time = time_;
-  s.increment = increment_;
-  s.x = x_;
+Snapshot Process::snapshot() const {
+  Snapshot s;
+  s.time = state_.time;
+  s.increment = state_.increment;
+  s.x = state_.x;
   s.states.assign(bulk_->states().begin(), bulk_->states().end());
   s.temperatures.assign(bulk_->temperatures().begin(), bulk_->temperatures().end());
-  s.velocity = velocity_;
-  s.last_step = last_step_;
-  s.last_dt = last_dt_;
-  s.plastic_rate = plastic_rate_;
+  s.velocity = state_.velocity;
+  s.last_step = state_.last_step;
+  s.last_dt = state_.last_dt;
+  s.plastic_rate = state_.plastic_rate;
   if (contact_)
     s.contact = contact_->state();
   s.reference_volume = bulk_->reference_volume();
   s.plastic_work = bulk_->plastic_work();
-  s.support_work = support_work_;
-  s.load_work = load_work_;
+  s.support_work = state_.works.supports;
+  s.load_work = state_.works.loads_before;
   for (const auto& load : loads_)
     s.load_work += load->work();
   for (const auto& load : fading_)
     s.load_work += load->work();
-  s.grounding = energy_.grounding;
+  s.grounding = state_.energy.grounding;
   return s;
 }
 
@@ -165,28 +165,28 @@ double Process::flowing_energy() const {
   const std::vector<double> shape = bulk_->shape_energies();
   double energy = 0.0;
   for (std::size_t k = 0; k < shape.size(); ++k)
-    if (plastic_rate_[k] > 0.0)
+    if (state_.plastic_rate[k] > 0.0)
       energy += shape[k];
   return energy;
 }
 
 void Process::remember() {
-  if (time_ < fading_until_)
+  if (state_.time < state_.leaving.fading_until)
     return; // a new mesh does not know the forces of tools that have left
   // What the transfer has left too low is back where it was after that much flow.
   const bool in_space = scene_.mesh.dimension() == 3;
   const double flow = in_space ? 64.0 : 16.0;      // plastic work over (P.20)'s elastic energy
   const int most_increments = in_space ? 120 : 40; // where little flows nothing is too low
   constexpr int parts = 3;                         // of the way: how closely its length is met
-  const auto flowed_on = [&](const RunState& since) {
-    return (increment_ - since.increment) * parts >= most_increments ||
+  const auto flowed_on = [&](const Snapshot& since) {
+    return (state_.increment - since.increment) * parts >= most_increments ||
            (bulk_->plastic_work() - since.plastic_work) * parts >= flow * flowing_energy();
   };
-  if (!remembered_.empty() && !flowed_on(*remembered_.back()))
+  if (!state_.snapshots.empty() && !flowed_on(state_.snapshots.back()))
     return;
-  remembered_.push_back(std::make_unique<const RunState>(run_state()));
-  if (remembered_.size() > parts + 1)
-    remembered_.erase(remembered_.begin());
+  state_.snapshots.push_back(snapshot());
+  if (state_.snapshots.size() > parts + 1)
+    state_.snapshots.erase(state_.snapshots.begin());
 }
 
 CarriedOver Process::carry_over(const RemeshedPart& part) const {
@@ -195,23 +195,23 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
   const auto at_nodes = [&](std::span<const double> nodal) {
     return at_new_nodes(scene_.mesh, places, nodal);
   };
-  const auto positions_in = [&](const RunState& state) { // (P.19)
-    std::vector<double> way(x0_.size());                 // from there to now
+  const auto positions_in = [&](const Snapshot& state) { // (P.19)
+    std::vector<double> way(state_.origins.size());      // from there to now
     for (std::size_t i = 0; i < way.size(); ++i)
-      way[i] = x_[i] - state.x[i];
+      way[i] = state_.x[i] - state.x[i];
     std::vector<double> x = mechanics::node_positions(part.mesh);
     const std::vector<double> moved = at_nodes(way);
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] -= moved[i];
     return x;
   };
-  const auto carry = [&](const RunState& from) {
+  const auto carry = [&](const Snapshot& from) {
     CarriedState result{from, stock_of(*bulk_, from), 0};
-    RunState& to = result.state;
+    Snapshot& to = result.state;
     to.x = positions_in(from);
     mechanics::Mesh mesh = part.mesh;
     mesh.points = points_at(to.x, mesh);
-    const auto n_nodal = static_cast<std::ptrdiff_t>(x0_.size());
+    const auto n_nodal = static_cast<std::ptrdiff_t>(state_.origins.size());
     to.x.insert(to.x.end(), from.x.begin() + n_nodal, from.x.end());
     to.velocity = at_nodes(from.velocity);
     if (!from.last_step.empty()) {
@@ -219,7 +219,7 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
       to.last_step.insert(to.last_step.end(), from.last_step.begin() + n_nodal,
                           from.last_step.end());
     }
-    const std::span<const double> nodes(from.x.data(), x0_.size());
+    const std::span<const double> nodes(from.x.data(), state_.origins.size());
     mechanics::TransferredState state = mechanics::transfer_state(
         {&scene_.mesh, nodes, from.states, from.temperatures, from.plastic_rate}, mesh,
         scene_.analysis, scene_.material);
@@ -230,14 +230,14 @@ CarriedOver Process::carry_over(const RemeshedPart& part) const {
     return result;
   };
   CarriedOver carried;
-  carried.now = carry(run_state());
+  carried.now = carry(snapshot());
   // Where a side has folded over since then a good element may have come from nowhere.
   constexpr double of_now = 0.5; // of the quality: on a longer way the mesh would not end as made
   const double least = of_now * worst_quality(part.mesh, mechanics::node_positions(part.mesh));
-  for (const auto& from : remembered_)
-    if (from->time < time_ && worst_quality(part.mesh, positions_in(*from)) > least)
-      carried.begun.push_back(carry(*from));
-  carried.origins = at_nodes(x0_);
+  for (const auto& from : state_.snapshots)
+    if (from.time < state_.time && worst_quality(part.mesh, positions_in(from)) > least)
+      carried.begun.push_back(carry(from));
+  carried.origins = at_nodes(state_.origins);
   return carried;
 }
 
@@ -245,11 +245,12 @@ std::vector<contact::PointSource> Process::exchange_mesh(NewPart anew, const Car
   take_times(); // of what goes with the old mesh
   earlier_times_ = times_;
   earlier_work_ = solver_work();
-  remembered_.clear();
+  state_.snapshots.clear();
   const std::unique_ptr<contact::ContactSurface> old_surface = std::move(surface_);
   terms_.clear();
   loads_.clear();
   fading_.clear();
+  state_.leaving.fading.clear();
   grounding_.reset();
   newton_.reset();
   contact_.reset();
@@ -260,14 +261,14 @@ std::vector<contact::PointSource> Process::exchange_mesh(NewPart anew, const Car
   scene_.loads = std::move(anew.part.loads);
   scene_.contact_faces = std::move(anew.part.contact_faces);
   pattern_ = mechanics::block_pattern(scene_.mesh);
-  x0_ = carried.origins;
-  x_ = carried.now.state.x;
-  velocity_ = carried.now.state.velocity;
+  state_.origins = carried.origins;
+  state_.x = carried.now.state.x;
+  state_.velocity = carried.now.state.velocity;
   const int dim = scene_.mesh.dimension();
   for (const Support& support : scene_.supports)
     for (const Index node : support.nodes) {
       const std::size_t i = idx(dim * node + support.component);
-      x0_[i] = x_[i] - support.displacement(time_);
+      state_.origins[i] = state_.x[i] - support.displacement(state_.time);
     }
   make_terms();
   analysis_before_run_ = newton_->solver_work().analysis;
@@ -282,30 +283,30 @@ std::vector<contact::PointSource> Process::exchange_mesh(NewPart anew, const Car
 void Process::start_from(const CarriedState& at,
                          std::span<const contact::PointSource> sources,
                          RemeshReport& report) {
-  const RunState& to = at.state;
-  time_ = to.time;
-  x_ = to.x;
+  const Snapshot& to = at.state;
+  state_.time = to.time;
+  state_.x = to.x;
   if (report.laps.empty()) // what lay in a lap that has been welded is gone
     restore_volume(at.before.volume, to.contact, sources);
-  trial_x_ = x_;
-  velocity_ = to.velocity;
-  last_step_ = to.last_step;
-  last_dt_ = to.last_dt;
-  bulk_->adopt(x_, to.states, to.temperatures, to.plastic_work);
+  trial_x_ = state_.x;
+  state_.velocity = to.velocity;
+  state_.last_step = to.last_step;
+  state_.last_dt = to.last_dt;
+  bulk_->adopt(state_.x, to.states, to.temperatures, to.plastic_work);
   bulk_->keep_volume(to.reference_volume);
-  plastic_rate_ = to.plastic_rate;
-  reactions_.assign(x0_.size(), 0.0);
-  support_work_ = to.support_work;
-  load_work_ = to.load_work;
+  state_.plastic_rate = to.plastic_rate;
+  state_.reactions.assign(state_.origins.size(), 0.0);
+  state_.works.supports = to.support_work;
+  state_.works.loads_before = to.load_work;
   for (const auto& load : loads_)
-    load_work_ -= load->work(); // of a way that is not taken
-  energy_.grounding = to.grounding;
+    state_.works.loads_before -= load->work(); // of a way that is not taken
+  state_.energy.grounding = to.grounding;
   if (contact_) {
-    contact_->start(x_, time_);
-    contact_->go_on_from(to.contact, sources, x_, time_);
+    contact_->start(state_.x, state_.time);
+    contact_->go_on_from(to.contact, sources, state_.x, state_.time);
   }
   Stock after = stock_of(*bulk_, to);
-  after.volume = bulk_->volume(x_);
+  after.volume = bulk_->volume(state_.x);
   report.returned = at.returned;
   report.volume = {at.before.volume, after.volume};
   report.plastic_work = {at.before.plastic_work, after.plastic_work};
@@ -327,13 +328,14 @@ void Process::restore_volume(double volume,
   constexpr double furthest = 0.01; // of an element: what the shape may change by unseen
   constexpr double of_quality =
       0.5; // at a place much smaller than elements it turns them inside out
-  const std::vector<double> before = x_;
+  const std::vector<double> before = state_.x;
   const double least = of_quality * worst_quality(scene_.mesh, positions());
   process::restore_volume(
-      x_, free_normals(scene_, positions(), touching),
-      [this](std::span<const double> x) { return bulk_->volume(x); }, volume, furthest * side_);
+      state_.x, free_normals(scene_, positions(), touching),
+      [this](std::span<const double> x) { return bulk_->volume(x); }, volume,
+      furthest * state_.mesh.first_side);
   if (worst_quality(scene_.mesh, positions()) < least)
-    x_ = before;
+    state_.x = before;
 }
 
 double Process::jump_from(std::span<const double> before) const {
@@ -352,10 +354,11 @@ void Process::settle(const CarriedOver& carried,
   const bool plane = scene_.mesh.dimension() == 2;
   constexpr double of_made = 0.5;
   const double least =
-      of_made * worst_quality(scene_.mesh, std::span(carried.now.state.x).first(x0_.size()));
+      of_made *
+      worst_quality(scene_.mesh, std::span(carried.now.state.x).first(state_.origins.size()));
   const auto goes_through = [&](const CarriedState& from) {
     start_from(from, carried.sources, report);
-    last_dt_ = carried.now.state.last_dt; // the way ends at the pace that there is now
+    state_.last_dt = carried.now.state.last_dt; // the way ends at the pace that there is now
     report.again = restore_balance(report) ? solve_again(carried.now.state) : 0;
     return report.again > 0;
   };
@@ -381,46 +384,47 @@ void Process::settle(const CarriedOver& carried,
   if (report.balanced)
     return;
   start_from(carried.now, carried.sources, report);
-  const bool at_rest = increment_ == 0; // nothing has acted on the part yet
+  const bool at_rest = state_.increment == 0; // nothing has acted on the part yet
   report.balanced = at_rest || restore_balance(report);
 }
 
 bool Process::restore_balance(RemeshReport& report) {
   // In next to no time rate laws neither flow nor relax.
   constexpr double share_of_increment = 1e-6;
-  const double dt = share_of_increment * last_dt_;
-  trial_x_ = x_;
+  const double dt = share_of_increment * state_.last_dt;
+  trial_x_ = state_.x;
   if (contact_)
     contact_->restart();
-  const auto outcome = newton_->solve(terms_, prescribed(time_), time_ - dt, time_, x_, trial_x_);
+  const auto outcome = newton_->solve(terms_, prescribed(state_.time), state_.time - dt,
+                                      state_.time, state_.x, trial_x_);
   if (!newton_->records().empty())
     report.residual = newton_->records().front().residual;
   if (!outcome)
     return false;
-  const mechanics::Trial trial{time_ - dt, time_, x_, trial_x_};
+  const mechanics::Trial trial{state_.time - dt, state_.time, state_.x, trial_x_};
   for (mechanics::ForceTerm* term : terms_)
     term->commit(trial);
-  for (const Index i : prescribed(time_).unknowns)
-    reactions_[idx(i)] = newton_->residual()[idx(i)];
-  x_ = trial_x_;
+  for (const Index i : prescribed(state_.time).unknowns)
+    state_.reactions[idx(i)] = newton_->residual()[idx(i)];
+  state_.x = trial_x_;
   return true;
 }
 
-int Process::solve_again(const RunState& end) {
-  const double length = end.time - time_;
+int Process::solve_again(const Snapshot& end) {
+  const double length = end.time - state_.time;
   constexpr double shortest = 1.0 / 1024.0; // of that
-  const double longest = std::min(longest_, length);
-  IncrementControl control({std::min(last_dt_, longest), shortest * length, longest});
-  last_step_ = end.x;
-  for (std::size_t i = 0; i < x_.size(); ++i)
-    last_step_[i] -= x_[i];
-  last_dt_ = length;
-  const int iterations = last_iterations_;
+  const double longest = std::min(state_.longest, length);
+  IncrementControl control({std::min(state_.last_dt, longest), shortest * length, longest});
+  state_.last_step = end.x;
+  for (std::size_t i = 0; i < state_.x.size(); ++i)
+    state_.last_step[i] -= state_.x[i];
+  state_.last_dt = length;
+  const int iterations = state_.counters.last_iterations;
   int solved = 0, failures = 0;
-  while (time_ < end.time && !control.exhausted()) {
+  while (state_.time < end.time && !control.exhausted()) {
     const double landing = next_landing(end.time);
-    const double step = step_towards(landing - time_, control.next());
-    const bool lands = step == landing - time_;
+    const double step = step_towards(landing - state_.time, control.next());
+    const bool lands = step == landing - state_.time;
     std::string why;
     refused_as_too_deep_ = refused_inside_out_ = false;
     const bool is_shortest = 0.5 * step < shortest * length;
@@ -428,8 +432,8 @@ int Process::solve_again(const RunState& end) {
         ((failures > 0 || is_shortest) && try_softened(step, false, why))) {
       commit(step);
       if (lands)
-        time_ = landing;
-      control.accepted(step, last_iterations_);
+        state_.time = landing;
+      control.accepted(step, state_.counters.last_iterations);
       ++solved;
       failures = 0;
     } else {
@@ -437,8 +441,8 @@ int Process::solve_again(const RunState& end) {
       control.failed(step);
     }
   }
-  last_iterations_ = iterations;
-  return time_ == end.time ? solved : 0;
+  state_.counters.last_iterations = iterations;
+  return state_.time == end.time ? solved : 0;
 }
 
 } // namespace billet::process

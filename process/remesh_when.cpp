@@ -107,11 +107,11 @@ double mean_side(const mechanics::Mesh& mesh) {
 }
 
 void Process::start_remeshing() {
-  side_ = mean_side(scene_.mesh);
-  mesh_quality_ = worst_quality(scene_.mesh, positions());
-  mesh_aspect_ = aspect();
-  mesh_excess_ = most_outgrown_side().excess;
-  mesh_strain_.assign(bulk_->states().size(), 0.0);
+  state_.mesh.first_side = mean_side(scene_.mesh);
+  state_.mesh.quality = worst_quality(scene_.mesh, positions());
+  state_.mesh.aspect = aspect();
+  state_.mesh.excess = most_outgrown_side().excess;
+  state_.mesh.strain.assign(bulk_->states().size(), 0.0);
 }
 
 OutgrownSide Process::most_outgrown_side() const {
@@ -125,12 +125,12 @@ OutgrownSide Process::most_outgrown_side() const {
     if (touching[f] < 0 || leaves(idx(touching[f])))
       continue;
     const std::size_t tool = idx(touching[f]);
-    const geometry::Pose pose = contact_->pose(tool, time_, x_);
+    const geometry::Pose pose = contact_->pose(tool, state_.time, state_.x);
     std::vector<Vec3> nodes;
     for (const Index node : scene_.contact_faces[f].nodes)
       nodes.push_back(pose.to_tool(points[idx(node)]));
     std::vector<geometry::Projection> feet(nodes.size());
-    scene_.tools[tool].surface->project(nodes, side_, feet);
+    scene_.tools[tool].surface->project(nodes, state_.mesh.first_side, feet);
     const double turned = most_between_normals(feet);
     const double length = (nodes[1] - nodes[0]).norm();
     const double excess = length / std::max(min, length * std::min(1.0, turn / turned));
@@ -162,8 +162,8 @@ double Process::coarse_contact() const {
 
 double Process::strain_since_mesh() const {
   double grown = 0.0;
-  for (std::size_t k = 0; k < mesh_strain_.size(); ++k)
-    grown = std::max(grown, bulk_->states()[k].plastic_strain - mesh_strain_[k]);
+  for (std::size_t k = 0; k < state_.mesh.strain.size(); ++k)
+    grown = std::max(grown, bulk_->states()[k].plastic_strain - state_.mesh.strain[k]);
   return grown;
 }
 
@@ -186,7 +186,8 @@ double Process::aspect() const {
 }
 
 bool Process::may_remesh() const {
-  return scene_.remesh && fading_until_ <= time_ && increment_ > mesh_increment_;
+  return scene_.remesh && state_.leaving.fading_until <= state_.time &&
+         state_.increment > state_.mesh.increment;
 }
 
 std::vector<ContactZone> Process::zones_of_contact() const {
@@ -245,7 +246,8 @@ bool Process::indents(const ContactZone& zone) const {
     return force > 0.0;
   const double pressure = force / area;
   const double work = force * pressure * zone.length / scene_.material.elasticity.young;
-  return pressure > of_strength * weakest || work > of_work * (energy_.elastic + energy_.plastic);
+  return pressure > of_strength * weakest ||
+         work > of_work * (state_.energy.elastic + state_.energy.plastic);
 }
 
 bool Process::can_be_refined(const ContactZone& zone) const {
@@ -254,19 +256,22 @@ bool Process::can_be_refined(const ContactZone& zone) const {
 }
 
 void Process::note_forces() {
-  earlier_forces_ = forces_on_tools();
-  largest_forces_.resize(earlier_forces_.size(), 0.0);
-  for (std::size_t t = 0; t < earlier_forces_.size(); ++t)
-    largest_forces_[t] =
-        earlier_forces_[t] > 0.0 ? std::max(largest_forces_[t], earlier_forces_[t]) : 0.0;
+  state_.forces.before = forces_on_tools();
+  state_.forces.largest_on_tools.resize(state_.forces.before.size(), 0.0);
+  for (std::size_t t = 0; t < state_.forces.before.size(); ++t)
+    state_.forces.largest_on_tools[t] =
+        state_.forces.before[t] > 0.0
+            ? std::max(state_.forces.largest_on_tools[t], state_.forces.before[t])
+            : 0.0;
 }
 
 bool Process::leaves(std::size_t tool) const {
   constexpr double falling = 0.9, gone = 0.05;
-  if (earlier_forces_.empty())
+  if (state_.forces.before.empty())
     return false; // nothing has happened yet
   const double force = forces_on_tools()[tool];
-  return force < falling * earlier_forces_[tool] || force < gone * largest_forces_[tool];
+  return force < falling * state_.forces.before[tool] ||
+         force < gone * state_.forces.largest_on_tools[tool];
 }
 
 std::optional<ContactZone> Process::zone_to_refine() const {
@@ -288,43 +293,46 @@ std::string Process::remeshing_due(double left) const {
     return {};
   const RemeshSettings& settings = *scene_.remesh;
   const double quality = worst_quality(scene_.mesh, positions());
-  const double limit = std::min(
-      {least_quality(settings, scene_.mesh.kind), worn_share * mesh_quality_, refused_quality_});
+  const double limit = std::min({least_quality(settings, scene_.mesh.kind),
+                                 worn_share * state_.mesh.quality, state_.mesh.refused_quality});
   // Metal that springs back hardly flows: its mesh gets no worse.
   constexpr double of_limit = 0.5;
-  if (quality < (springs_back_ ? of_limit * limit : limit))
+  if (quality < (state_.springs_back ? of_limit * limit : limit))
     return fmt::format("element quality {:.2g} < {:.2g}", quality, limit);
-  if (quality < nearly_due * limit && !springs_back_) {
+  if (quality < nearly_due * limit && !state_.springs_back) {
     constexpr double longer = 1.5; // than the last increment: what the next one is at most
-    const double next = std::min({longer * last_dt_, longest_, left});
-    const double then = quality_after(next, scene_.mesh, positions(), velocity_);
+    const double next = std::min({longer * state_.last_dt, state_.longest, left});
+    const double then = quality_after(next, scene_.mesh, positions(), state_.velocity);
     if (then < worse_share * limit)
       return fmt::format("element quality {:.2g}, in the next increment {:.2g}", quality, then);
   }
-  if (refused_increment_ && increment_ <= *refused_increment_ + rest_after_refusal)
+  if (state_.mesh.refused_increment &&
+      state_.increment <= *state_.mesh.refused_increment + rest_after_refusal)
     return {};
-  const double longest = std::max(most_aspect, most_stretch * mesh_aspect_);
-  if (const double now = aspect(); now > longest && !springs_back_)
+  const double longest = std::max(most_aspect, most_stretch * state_.mesh.aspect);
+  if (const double now = aspect(); now > longest && !state_.springs_back)
     return fmt::format("element aspect {:.3g} > {:.3g}", now, longest);
   if (const OutgrownSide side = most_outgrown_side();
-      side.excess > most_excess * std::max(1.0, mesh_excess_))
+      side.excess > most_excess * std::max(1.0, state_.mesh.excess))
     return fmt::format("{} turns by {:.0f} degrees along a side", scene_.tools[side.tool].name,
                        side.turn * 180.0 / std::numbers::pi);
   constexpr double rounding = 1e-9;
-  if (settings.interval && time_ - mesh_time_ >= *settings.interval * (1.0 - rounding))
+  if (settings.interval && state_.time - state_.mesh.time >= *settings.interval * (1.0 - rounding))
     return "interval";
-  if (settings.penetration ? penetration_.bound > *settings.penetration
-                           : penetration_.share > std::max(deep, 2.0 * mesh_share_))
-    return fmt::format("penetration {:.3g}", penetration_.bound);
+  if (settings.penetration
+          ? state_.record.penetration.bound > *settings.penetration
+          : state_.record.penetration.share > std::max(deep, 2.0 * state_.mesh.share))
+    return fmt::format("penetration {:.3g}", state_.record.penetration.bound);
   const double grown = strain_since_mesh();
   if (settings.strain && grown > *settings.strain)
     return fmt::format("plastic strain {:.2g} since the last mesh", grown);
-  const double strained =
-      mesh_strain_.empty() ? 0.0 : *std::max_element(mesh_strain_.begin(), mesh_strain_.end());
+  const double strained = state_.mesh.strain.empty() ? 0.0
+                                                     : *std::max_element(state_.mesh.strain.begin(),
+                                                                         state_.mesh.strain.end());
   if (grown > bitten && strained < bitten)
     if (const CornerLoad load = most_at_corner(); load.share > most_of_corner)
       return fmt::format("{} presses with a corner", scene_.tools[load.tool].name);
-  if (coarse_contact() > coarse_share + mesh_coarse_)
+  if (coarse_contact() > coarse_share + state_.mesh.coarse)
     return fmt::format("contact on sides longer than {:.3g}",
                        most_of_wanted * *settings.size_contact);
   if (const std::optional<ContactZone> zone = zone_to_refine())

@@ -6,6 +6,7 @@
 #include "mechanics/mesh/mesh.h"
 #include "process/lap.h"
 #include "process/part_boundary.h"
+#include "process/state.h"
 
 #include <functional>
 #include <optional>
@@ -49,25 +50,6 @@ struct CornerLoad {
   std::size_t tool = 0;
 };
 
-/// What a run goes on from at the end of an increment.
-struct RunState {
-  double time = 0.0;     ///< [s]
-  int increment = 0;     ///< the last one before it
-  std::vector<double> x; ///< of the nodes, then of driven tools
-  std::vector<mechanics::PointState> states;
-  std::vector<double> temperatures; ///< of the points; empty: isothermal [degC]
-  std::vector<double> velocity;     ///< of the nodes in the increment that ended there [mm/s]
-  std::vector<double> last_step;    ///< of x in it; empty: the next one begins from x [mm]
-  double last_dt = 0.0;             ///< its length [s]
-  std::vector<double> plastic_rate; ///< of the points [1/s]
-  contact::ContactState contact;
-  double reference_volume = 0.0; ///< the part's without pressure [mm^3]
-  double plastic_work = 0.0;     ///< done so far [N mm]
-  double support_work = 0.0;     ///< likewise
-  double load_work = 0.0;        ///< likewise
-  double grounding = 0.0;        ///< lost so far [N mm]
-};
-
 /// Sums over the fields of a part.
 struct Stock {
   double volume = 0.0;       ///< [mm^3]
@@ -78,7 +60,7 @@ struct Stock {
 
 /// A state on a new mesh; its contact is still that of the old one.
 struct CarriedState {
-  RunState state;
+  Snapshot state;
   Stock before;     ///< on the old mesh
   int returned = 0; ///< points put back onto the yield surface
 };

@@ -38,8 +38,8 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 } // namespace
 
 void Process::start_stage(const Stage& stage) {
-  last_step_.clear();
-  remembered_.clear();
+  state_.last_step.clear();
+  state_.snapshots.clear();
   if (grounding_ && grounding_->share() > 1.0)
     grounding_->set_share(1.0); // it held what forces that faded could turn over
   if (contact_ && stage.unload)
@@ -54,7 +54,7 @@ mechanics::Prescribed Process::prescribed(double time) const {
   for (const Support& support : scene_.supports)
     for (const Index node : support.nodes) {
       const Index i = node * dim + support.component;
-      wanted[i] = x0_[idx(i)] + support.displacement(time);
+      wanted[i] = state_.origins[idx(i)] + support.displacement(time);
     }
   mechanics::Prescribed result;
   for (const auto& [unknown, position] : wanted) {
@@ -68,8 +68,8 @@ int Process::spent() const { return static_cast<int>(solver_work().systems - sys
 
 std::vector<double> Process::foretold(double dt) const {
   std::vector<double> x = trial_x_; // driven tools go on only if they have moved in this stage
-  for (std::size_t i = 0; i < velocity_.size(); ++i)
-    x[i] = x_[i] + dt * velocity_[i];
+  for (std::size_t i = 0; i < state_.velocity.size(); ++i)
+    x[i] = state_.x[i] + dt * state_.velocity[i];
   return x;
 }
 
@@ -90,7 +90,7 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
   if (share != 1.0 && solved_with(1.0)) // what held the part so far may have gone
     return true;
   // Forces that fade keep their directions: a bent sheet between them may be about to turn over.
-  if (time_ < fading_until_ && !touched())
+  if (state_.time < state_.leaving.fading_until && !touched())
     for (const double stiffer : {10.0, 100.0, 1e3})
       if (stiffer > share && solved_with(stiffer))
         return true;
@@ -108,34 +108,34 @@ bool Process::touched() const {
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
   systems_before_try_ = solver_work().systems;
-  trial_x_ = x_;
-  if (!last_step_.empty() && approach != mechanics::Approach::gently) {
-    const double factor = dt / last_dt_;
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      trial_x_[i] += factor * last_step_[i];
+  trial_x_ = state_.x;
+  if (!state_.last_step.empty() && approach != mechanics::Approach::gently) {
+    const double factor = dt / state_.last_dt;
+    for (std::size_t i = 0; i < state_.x.size(); ++i)
+      trial_x_[i] += factor * state_.last_step[i];
   }
   if (passes_through(dt, why))
     return false;
   if (contact_)
     contact_->foretell(foretold(dt));
-  newton_->set_force_floor(force_floor(time_ + dt));
-  draw_back_to(time_ + dt);
-  auto outcome =
-      newton_->solve(terms_, prescribed(time_ + dt), time_, time_ + dt, x_, trial_x_, approach);
+  newton_->set_force_floor(force_floor(state_.time + dt));
+  draw_back_to(state_.time + dt);
+  auto outcome = newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
+                                state_.x, trial_x_, approach);
   if (outcome && grounding_)
     outcome = with_light_grounding(dt, *outcome);
   if (!outcome)
     why = outcome.error().reason + chattering_points();
   else
-    last_residual_ = outcome->residual;
+    state_.counters.last_residual = outcome->residual;
   bool solved = outcome && plausible(dt, outcome->force_scale, why) && !passes_through(dt, why) &&
                 limit_penetration(dt, why);
   refused_inside_out_ = solved && turns_inside_out(why);
   solved = solved && !refused_inside_out_;
   if (solved)
-    last_iterations_ = spent();
+    state_.counters.last_iterations = spent();
   else
-    wasted_iterations_ += spent();
+    state_.counters.wasted_iterations += spent();
   return solved;
 }
 
@@ -144,7 +144,7 @@ bool Process::try_softened(double dt, bool patiently, std::string& why) {
     return contact_ && !refused_as_too_deep_ && !refused_inside_out_;
   };
   // A part that is free but for a touch goes to and fro between points that are off by rounding.
-  if (may_help() && may_hardly_touch(time_ + dt)) {
+  if (may_help() && may_hardly_touch(state_.time + dt)) {
     hardly_touches_ = true;
     const bool solved = try_increment(dt, mechanics::Approach::directly, why);
     hardly_touches_ = false;
@@ -197,54 +197,54 @@ void Process::accept(double dt) {
     remember();
     note_forces();
   }
-  const bool fades = time_ < fading_until_;
+  const bool fades = state_.time < state_.leaving.fading_until;
   chattering_.clear();
   commit(dt);
-  if (!refusal_event_.empty())
-    events_.push_back(std::exchange(refusal_event_, {}));
-  if (!penalty_event_.empty())
-    events_.push_back(std::exchange(penalty_event_, {}));
-  ++increment_;
-  iterations_ += last_iterations_;
-  if (increment_ == mesh_increment_ + 1)
-    mesh_share_ = penetration_.share;
+  if (!state_.record.refusal_event.empty())
+    state_.record.events.push_back(std::exchange(state_.record.refusal_event, {}));
+  if (!state_.record.penalty_event.empty())
+    state_.record.events.push_back(std::exchange(state_.record.penalty_event, {}));
+  ++state_.increment;
+  state_.counters.iterations += state_.counters.last_iterations;
+  if (state_.increment == state_.mesh.increment + 1)
+    state_.mesh.share = state_.record.penetration.share;
   note_deepest_tool();
-  const double external = energy_.external;
-  const double plastic = energy_.plastic;
+  const double external = state_.energy.external;
+  const double plastic = state_.energy.plastic;
   update_energy();
   if (fades && contact_->bearing_area() == 0.0)
-    flow_in_fading_ += energy_.plastic - plastic;
-  springs_back_ = energy_.external < external;
+    state_.leaving.flow_in_fading += state_.energy.plastic - plastic;
+  state_.springs_back = state_.energy.external < external;
   account_contact(dt);
 }
 
 void Process::commit(double dt) {
-  const mechanics::Trial trial{time_, time_ + dt, x_, trial_x_};
+  const mechanics::Trial trial{state_.time, state_.time + dt, state_.x, trial_x_};
   std::vector<double> strain_old(bulk_->states().size());
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     strain_old[k] = bulk_->states()[k].plastic_strain;
   for (mechanics::ForceTerm* term : terms_)
     term->commit(trial);
-  events_ = blows_ ? blows_->commit(trial) : std::vector<std::string>();
+  state_.record.events = blows_ ? blows_->commit(trial) : std::vector<std::string>();
   for (std::size_t k = 0; k < strain_old.size(); ++k)
-    plastic_rate_[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
-  support_work_ += work_of_supports(dt);
+    state_.plastic_rate[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
+  state_.works.supports += work_of_supports(dt);
   double of_grounding = 0.0;
   if (grounding_) {
-    energy_.grounding += grounding_->work_in(trial);
+    state_.energy.grounding += grounding_->work_in(trial);
     of_grounding = grounding_->force_in(trial);
   }
-  for (const Index i : prescribed(time_ + dt).unknowns)
-    reactions_[idx(i)] = newton_->residual()[idx(i)];
-  last_step_.resize(x_.size());
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    last_step_[i] = trial_x_[i] - x_[i];
-    if (i < velocity_.size())
-      velocity_[i] = last_step_[i] / dt;
+  for (const Index i : prescribed(state_.time + dt).unknowns)
+    state_.reactions[idx(i)] = newton_->residual()[idx(i)];
+  state_.last_step.resize(state_.x.size());
+  for (std::size_t i = 0; i < state_.x.size(); ++i) {
+    state_.last_step[i] = trial_x_[i] - state_.x[i];
+    if (i < state_.velocity.size())
+      state_.velocity[i] = state_.last_step[i] / dt;
   }
-  last_dt_ = dt;
-  x_ = trial_x_;
-  time_ += dt;
+  state_.last_dt = dt;
+  state_.x = trial_x_;
+  state_.time += dt;
   note_largest_force(of_grounding);
 }
 
@@ -255,51 +255,53 @@ void Process::account_contact(double dt) {
   strain.reserve(bulk_->states().size());
   for (const auto& state : bulk_->states())
     strain.push_back(state.plastic_strain);
-  window_.add(contact_->closed(), {surface_->beneath(), strain, plastic_rate_}, dt);
+  state_.record.window.add(contact_->closed(), {surface_->beneath(), strain, state_.plastic_rate},
+                           dt);
   if (wear_)
-    wear_->add(*contact_, x_, time_);
+    wear_->add(*contact_, state_.x, state_.time);
 }
 
 IncrementReport Process::report(double dt, int cutbacks) const {
   IncrementReport r;
-  r.increment = increment_;
-  r.time = time_;
+  r.increment = state_.increment;
+  r.time = state_.time;
   r.dt = dt;
-  r.iterations = last_iterations_;
-  r.residual = last_residual_;
+  r.iterations = state_.counters.last_iterations;
+  r.residual = state_.counters.last_residual;
   r.cutbacks = cutbacks;
-  r.volume = bulk_->volume(x_);
+  r.volume = bulk_->volume(state_.x);
   if (contact_) {
-    r.max_penetration = penetration_.bound;
-    r.penetration_share = penetration_.share;
-    r.penetration = penetration_;
+    r.max_penetration = state_.record.penetration.bound;
+    r.penetration_share = state_.record.penetration.share;
+    r.penetration = state_.record.penetration;
     r.contact_area = contact_->area();
   }
   for (const auto& state : bulk_->states())
     r.max_plastic_strain = std::max(r.max_plastic_strain, state.plastic_strain);
-  r.min_quality = trial_quality_;
-  r.wall_time = seconds_now() - started_;
-  r.energy = energy_;
+  r.min_quality = state_.record.trial_quality;
+  r.wall_time = times_before_ + seconds_now() - started_;
+  r.energy = state_.energy;
   r.records = newton_->records();
-  r.events = events_;
+  r.events = state_.record.events;
   return r;
 }
 
 PostMortem
 Process::post_mortem(double dt, const std::string& why, std::vector<std::string> tried) const {
-  PostMortem post{.time = time_ + dt,
+  PostMortem post{.time = state_.time + dt,
                   .dt = dt,
                   .reason = why,
-                  .worst_position = penetration_.position,
+                  .worst_position = state_.record.penetration.position,
                   .tried = std::move(tried),
-                  .drives = drive_states(time_ + dt),
+                  .drives = drive_states(state_.time + dt),
                   .chattering = chattering_,
                   .inside_out = refused_inside_out_,
                   .too_deep = refused_as_too_deep_,
                   .records = newton_->records()};
   if (!refused_as_too_deep_) {
     post.worst_node = newton_->worst_unknown() / scene_.mesh.dimension();
-    post.worst_position = mechanics::node_position(x_, scene_.mesh.dimension(), post.worst_node);
+    post.worst_position =
+        mechanics::node_position(state_.x, scene_.mesh.dimension(), post.worst_node);
   }
   return post;
 }
@@ -308,7 +310,7 @@ double Process::next_landing(double stage_end) const {
   // Times closer than rounding count as reached.
   const double slack = 1e-9 * stage_end;
   for (const double t : scene_.landing_times)
-    if (t > time_ + slack && t < stage_end - slack)
+    if (t > state_.time + slack && t < stage_end - slack)
       return t;
   return stage_end;
 }
@@ -328,54 +330,70 @@ bool stop_requested(const std::vector<Observer*>& observers) {
 
 } // namespace
 
+std::string Process::begin_stage(const Stage& stage, double start) {
+  StageProgress& progress = state_.progress;
+  const std::size_t number = progress.stage;
+  progress = {};
+  progress.stage = number;
+  progress.begun = true;
+  start_stage(stage);
+  if (std::string why = begin_blows(stage); !why.empty())
+    return why;
+  begin_increments(stage, start);
+  return "";
+}
+
+void Process::begin_increments(const Stage& stage, double start) {
+  StageProgress& progress = state_.progress;
+  progress.start = start;
+  progress.length = stage.end - start;
+  progress.limits = limits(progress.length);
+  progress.control = IncrementControl(progress.limits);
+  state_.longest = progress.limits.max;
+}
+
 RunStatus
 Process::run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers) {
-  double length = stage.end - start;
-  start_stage(stage);
-  if (const std::string why = begin_blows(stage); !why.empty()) {
-    for (Observer* observer : observers)
-      observer->failed(*this, post_mortem(0.0, why, {}));
-    return RunStatus::not_converged;
-  }
-  IncrementLimits limit = limits(length);
-  longest_ = *limit.max;
-  IncrementControl control({*limit.first, *limit.min, *limit.max});
+  StageProgress& progress = state_.progress;
+  if (!progress.begun) // a run that is resumed is in the midst of it
+    if (const std::string why = begin_stage(stage, start); !why.empty()) {
+      for (Observer* observer : observers)
+        observer->failed(*this, post_mortem(0.0, why, {}));
+      return RunStatus::not_converged;
+    }
+  const double& began = progress.start;
+  const double& length = progress.length;
+  const IncrementControl::Limits& limit = progress.limits;
+  IncrementControl& control = progress.control;
+  std::vector<std::string>& tried = progress.tried;
+  std::string& unmeshed = progress.unmeshed;
+  int &failures = progress.failures, &refusals = progress.refusals;
+  int &in_rows = progress.in_rows, &wary = progress.wary;
+  bool& rested = progress.rested;
   constexpr int most_refusals = 3; // for penetration: shorter increments seldom mend it
   constexpr int most_turned = 3;   // tries that end with an element inside out, on one mesh
-  std::vector<std::string> tried;
-  std::string unmeshed; // why the last remeshing was not possible
-  int failures = 0;
-  int refusals = 0;
   // Shorter increments have been in vain, or there are none. Once in between: it takes long.
   const auto is_last_way = [&](int in_vain, double step) {
     constexpr int many = 6;
-    return in_vain == many || 0.5 * step < *limit.min;
+    return in_vain == many || 0.5 * step < limit.min;
   };
   constexpr int many_failures = 2; // of an increment: then a driven tool is held in places (P.32)
-  // While tools draw back points part in rows: where the last increment was cut back, too, halves
-  // would be cut back and back.
-  int in_rows = 0;
   // An increment has been refused lately: for so many more they end before touches.
   constexpr int increments_wary = 20;
-  int wary = 0;
   const auto parts_in_rows = [&] { return in_rows > 0 && !retreating_.empty(); };
-  bool rested = false;
-  while (time_ < stage.end) {
+  while (state_.time < stage.end) {
+    write_checkpoint(observers, CheckpointReason::due);
     if (stop_requested(observers))
       return RunStatus::stopped;
     if (failures == 0 && flies(stage, length)) {
-      if (fly(stage, observers) && time_ < stage.end) { // as if the stage began here
-        start = time_;
-        length = stage.end - start;
-        limit = limits(length);
-        longest_ = *limit.max;
-        control = IncrementControl({*limit.first, *limit.min, *limit.max});
+      if (fly(stage, observers) && state_.time < stage.end) { // as if the stage began here
+        begin_increments(stage, state_.time);
       }
       continue;
     }
     if (failures == 0 && !rested && rests(stage)) {
-      energy_used_up_ = &stage == &scene_.stages.back();
-      if (energy_used_up_)
+      state_.energy_used_up = &stage == &scene_.stages.back();
+      if (state_.energy_used_up)
         break;
       control.set_next(length);
       rested = true; // an increment that is refused all the same gets shorter
@@ -383,64 +401,68 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const double landing = next_landing(stage.end);
     const double whole =
         control.in_parts()
-            ? part_towards(landing - time_, control.next())
-            : step_towards(landing - time_, std::min(control.next(), longest_for_blows()));
+            ? part_towards(landing - state_.time, control.next())
+            : step_towards(landing - state_.time, std::min(control.next(), longest_for_blows()));
     const bool ends_before_touches = failures == 0 && wary > 0 && !control.in_parts();
     const double step =
-        ends_before_touches ? std::max(up_to_touch(whole), std::min(whole, *limit.min)) : whole;
-    const bool lands = step == landing - time_;
-    const double gone = stage.unload ? stage.end : std::min(time_ + fade_share * length, stage.end);
-    release_tools(time_ + step, gone);
-    meet_newcomers(stage, time_ + step);
-    std::string why = leap(scene_, stage, time_, time_ + step);
+        ends_before_touches ? std::max(up_to_touch(whole), std::min(whole, limit.min)) : whole;
+    const bool lands = step == landing - state_.time;
+    const double gone =
+        stage.unload ? stage.end : std::min(state_.time + fade_share * length, stage.end);
+    release_tools(state_.time + step, gone);
+    meet_newcomers(stage, state_.time + step);
+    std::string why = leap(scene_, stage, state_.time, state_.time + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
                         ((failures > 0 || parts_in_rows() || is_last_way(failures, step)) &&
                          try_softened(step, is_last_way(failures, step), why)) ||
                         (failures >= many_failures && try_held_tool(step, why)))) {
       if (const std::optional<double> sooner = step_to_stop(step)) {
-        wasted_iterations_ += last_iterations_;
+        state_.counters.wasted_iterations += state_.counters.last_iterations;
         control.set_next(*sooner);
         continue;
       }
       if (lets_go_too_fast(step)) {
-        wasted_iterations_ += last_iterations_;
+        state_.counters.wasted_iterations += state_.counters.last_iterations;
         control.set_next(share_that_lets_go * step);
         continue;
       }
-      const std::optional<Bend> bend = bend_within(step, length, *limit.min);
+      const std::optional<Bend> bend = bend_within(step, length, limit.min);
       if (const std::string missed = bend ? std::string() : misses_too_much(step, length);
-          !missed.empty() && 0.5 * step >= *limit.min) {
-        wasted_iterations_ += last_iterations_;
-        ++cutbacks_;
+          !missed.empty() && 0.5 * step >= limit.min) {
+        state_.counters.wasted_iterations += state_.counters.last_iterations;
+        ++state_.counters.cutbacks;
         tried.push_back(fmt::format("dt = {:.4g}: {}", step, missed));
         control.failed(step);
         continue;
       }
       if (const FirstTouch touch = poor_first_touch(step); !touch.cause.empty()) {
-        wasted_iterations_ += last_iterations_;
+        state_.counters.wasted_iterations += state_.counters.last_iterations;
         unmeshed = remesh(touch.cause, observers, touch.sizes);
         if (!unmeshed.empty())
-          refusal_event_ = fmt::format("  no new mesh ({}): {}", touch.cause, unmeshed);
+          state_.record.refusal_event =
+              fmt::format("  no new mesh ({}): {}", touch.cause, unmeshed);
         continue;
       }
       if (bend) {
-        wasted_iterations_ += last_iterations_;
-        ++cutbacks_;
+        state_.counters.wasted_iterations += state_.counters.last_iterations;
+        ++state_.counters.cutbacks;
         tried.push_back(fmt::format("dt = {:.4g}: {}", step, bend->why));
-        control.split(step, bend->share, last_iterations_);
+        control.split(step, bend->share, state_.counters.last_iterations);
         continue;
       }
-      const EnergyBalance before = energy_;
+      const EnergyBalance before = state_.energy;
       accept(step);
       if (lands)
-        time_ = landing;
+        state_.time = landing;
       for (const std::string& line : tried)
-        events_.push_back("  cut back from " + line);
+        state_.record.events.push_back("  cut back from " + line);
       notify(observers, report(step, static_cast<int>(tried.size())));
-      const bool easy = failures == 0 && last_iterations_ <= IncrementControl::easy_iterations;
+      const bool easy =
+          failures == 0 && state_.counters.last_iterations <= IncrementControl::easy_iterations;
       adapt_penalty(easy ? Progress::easy : Progress::laboured);
-      control.accepted(step, last_iterations_, missed_since(before, (time_ - start) / length));
+      control.accepted(step, state_.counters.last_iterations,
+                       missed_since(before, (state_.time - began) / length));
       constexpr int remembered = 3;
       in_rows = failures > 0 ? remembered : std::max(0, in_rows - 1);
       wary = failures > 0 ? increments_wary : std::max(0, wary - 1);
@@ -449,24 +471,26 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       if (stop_requested(observers))
         return RunStatus::stopped;
       // While forces fade no mesh is made, so one that is due then comes before tools return.
-      const bool goes_on = time_ < stage.end || (stage.unload && &stage != &scene_.stages.back());
-      if (const std::string cause = remeshing_due(stage.end - time_); !cause.empty() && goes_on) {
+      const bool goes_on =
+          state_.time < stage.end || (stage.unload && &stage != &scene_.stages.back());
+      if (const std::string cause = remeshing_due(stage.end - state_.time);
+          !cause.empty() && goes_on) {
         unmeshed = remesh(cause, observers);
         if (!unmeshed.empty())
-          refusal_event_ = fmt::format("  no new mesh ({}): {}", cause, unmeshed);
+          state_.record.refusal_event = fmt::format("  no new mesh ({}): {}", cause, unmeshed);
       }
       continue;
     }
     ++failures;
     adapt_penalty(failures > 1 ? Progress::none : Progress::laboured);
-    ++cutbacks_;
+    ++state_.counters.cutbacks;
     tried.push_back(fmt::format("dt = {:.4g}: {}", step, why));
     // The last step remains the better guess for a shorter one, but for a start that fails again.
     constexpr int tries_with_last_step = 3;
     if (failures >= tries_with_last_step)
-      last_step_.clear();
+      state_.last_step.clear();
     refusals += refused_as_too_deep_ ? 1 : 0;
-    turned_inside_out_ += refused_inside_out_ ? 1 : 0;
+    state_.mesh.turned_inside_out += refused_inside_out_ ? 1 : 0;
     control.failed(step);
     constexpr int tries_of_a_mesh = 3;
     if ((failures >= tries_of_a_mesh || refusals == most_refusals) && may_remesh()) {
@@ -479,20 +503,21 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     }
     if (control.exhausted() && !retreating_.empty()) {
       // What keeps them from drawing back is left to their forces, which fade.
-      refusal_event_ =
+      state_.record.refusal_event =
           "  tools leave their forces behind, which fade: drawn back further they do not "
           "hold the part";
       put_tools_back();
       contact_->enable(std::vector<char>(scene_.tools.size(), 0));
-      fading_until_ = time_;
-      control = IncrementControl({*limit.first, *limit.min, *limit.max});
+      state_.leaving.fading_until = state_.time;
+      control = IncrementControl(limit);
       failures = refusals = 0;
       continue;
     }
-    if (control.exhausted() || refusals == most_refusals || turned_inside_out_ >= most_turned) {
+    if (control.exhausted() || refusals == most_refusals ||
+        state_.mesh.turned_inside_out >= most_turned) {
       why += intruders_now();
       if (!refused_as_too_deep_ && !refused_inside_out_)
-        why += unbalanced_loads(time_ + step);
+        why += unbalanced_loads(state_.time + step);
       if (!unmeshed.empty())
         why += "; the part could not be meshed anew: " + unmeshed;
       const PostMortem post = post_mortem(step, why, tried);
@@ -524,17 +549,23 @@ void Process::take_times() {
 RunStatus Process::run(const std::vector<Observer*>& observers) {
   analysis_before_run_ = newton_->solver_work().analysis;
   for (Observer* observer : observers)
-    observer->started(*this);
+    resumed_ ? observer->resumed(*this) : observer->started(*this);
   RunStatus status = RunStatus::done;
-  double start = 0.0;
-  for (const Stage& stage : scene_.stages) {
-    status = run_stage(stage, start, observers);
-    if (status != RunStatus::done)
+  StageProgress& progress = state_.progress;
+  for (; progress.stage < scene_.stages.size(); ++progress.stage) {
+    const double start = progress.stage > 0 ? scene_.stages[progress.stage - 1].end : 0.0;
+    status = run_stage(scene_.stages[progress.stage], start, observers);
+    const bool last = &scene_.stages[progress.stage] == &scene_.stages.back();
+    write_checkpoint(observers, status == RunStatus::stopped         ? CheckpointReason::stopped
+                                : status == RunStatus::not_converged ? CheckpointReason::failed
+                                : last                               ? CheckpointReason::end
+                                                                     : CheckpointReason::new_stage);
+    if (status != RunStatus::done || last)
       break;
-    start = stage.end;
+    progress.begun = false;
   }
   take_times();
-  times_.total = seconds_now() - started_;
+  times_.total = times_before_ + seconds_now() - started_;
   for (Observer* observer : observers)
     observer->finished(*this);
   return status;

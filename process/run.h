@@ -25,6 +25,7 @@
 #include "process/phase_times.h"
 #include "process/run_reports.h"
 #include "process/scene.h"
+#include "process/state.h"
 
 #include <array>
 #include <functional>
@@ -32,6 +33,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace billet::geometry {
@@ -43,7 +45,6 @@ namespace billet::process {
 struct Bend;
 struct NewPart;
 struct RemeshedPart;
-struct RunState;
 struct SolidPart;
 struct CarriedOver;
 struct FirstTouch;
@@ -51,6 +52,7 @@ struct OutgrownSide;
 struct CornerLoad;
 struct CarriedState;
 struct ToolMeeting;
+struct StoredPart;
 
 class Process {
 public:
@@ -61,78 +63,65 @@ public:
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  /// The run as it is between two increments, in bytes: what `resume` goes on from.
+  [[nodiscard]] std::string stored() const;
+  /// Goes on from where another run of the same scene was stored; before `run`.
+  ///
+  /// The scene may differ in what is still to come: later stages, the end, settings of the solver.
+  /// @throws Error (Fault::input_output) if the bytes are not those of such a run
+  void resume(std::string_view stored);
+
   /// Runs to the end, or to where it cannot go on.
   RunStatus run(const std::vector<Observer*>& observers);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
-  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] double time() const { return state_.time; }
   [[nodiscard]] const mechanics::Bulk& bulk() const { return *bulk_; }
   [[nodiscard]] const contact::ContactTerm* contact() const { return contact_.get(); }
   [[nodiscard]] const contact::ContactSurface* surface() const { return surface_.get(); }
   /// Pressure, sliding, strain and strain rate on the tools over the run.
-  [[nodiscard]] const contact::ProcessWindow& window() const { return window_; }
+  [[nodiscard]] const contact::ProcessWindow& window() const { return state_.record.window; }
   /// Null: no tool has a law of wear.
   [[nodiscard]] const contact::Wear* wear() const { return wear_.get(); }
   /// Committed unknowns: positions and driven tools, shape (n_dofs + n_extra) [mm].
-  [[nodiscard]] std::span<const double> unknowns() const { return x_; }
+  [[nodiscard]] std::span<const double> unknowns() const { return state_.x; }
   /// Committed positions, shape (n_dofs) [mm].
   [[nodiscard]] std::span<const double> positions() const {
-    return std::span(x_).first(x0_.size());
+    return std::span(state_.x).first(state_.origins.size());
   }
   /// Positions of the last trial, shape (n_dofs) [mm]; of interest after a failure.
   [[nodiscard]] std::span<const double> trial_positions() const {
-    return std::span(trial_x_).first(x0_.size());
+    return std::span(trial_x_).first(state_.origins.size());
   }
   /// Where a tool's free degrees of freedom are.
   [[nodiscard]] geometry::Driven driven(std::size_t tool) const {
-    return contact_ ? contact_->driven(tool, x_) : geometry::Driven{};
+    return contact_ ? contact_->driven(tool, state_.x) : geometry::Driven{};
   }
   /// Blows of presses given by their energy, in the order in which they began.
   [[nodiscard]] std::span<const BlowReport> blows() const {
     return blows_ ? std::span(blows_->reports()) : std::span<const BlowReport>();
   }
   /// Whether the run has ended before its time because its presses have no energy left.
-  [[nodiscard]] bool energy_used_up() const { return energy_used_up_; }
+  [[nodiscard]] bool energy_used_up() const { return state_.energy_used_up; }
   /// Displacement rate of the last increment, shape (n_dofs) [mm/s].
-  [[nodiscard]] std::span<const double> velocity() const { return velocity_; }
+  [[nodiscard]] std::span<const double> velocity() const { return state_.velocity; }
   /// Plastic strain rate of the last increment at the points, shape (n_elements, points) [1/s].
-  [[nodiscard]] std::span<const double> plastic_rate() const { return plastic_rate_; }
+  [[nodiscard]] std::span<const double> plastic_rate() const { return state_.plastic_rate; }
   /// Forces of the supports on the workpiece, shape (n_dofs) [N].
-  [[nodiscard]] std::span<const double> reactions() const { return reactions_; }
-  [[nodiscard]] const EnergyBalance& energy() const { return energy_; }
+  [[nodiscard]] std::span<const double> reactions() const { return state_.reactions; }
+  [[nodiscard]] const EnergyBalance& energy() const { return state_.energy; }
   [[nodiscard]] const PhaseTimes& times() const { return times_; }
   /// Factorizations and substitutions of the run.
   [[nodiscard]] mechanics::SolverWork solver_work() const {
     return newton_->solver_work().after(earlier_work_);
   }
   /// Where the material at the nodes was at the start, shape (n_dofs) [mm].
-  [[nodiscard]] std::span<const double> origins() const { return x0_; }
-  /// A mesh that was wanted and could not be made.
-  struct Refusal {
-    double time; ///< [s]
-    std::string why;
-  };
-  /// All of them, in their order.
-  [[nodiscard]] std::span<const Refusal> refusals() const { return refusals_; }
-  /// A tool that began to act where the workpiece was.
-  struct Intruder {
-    std::size_t tool;
-    double time;       ///< at the end of that increment [s]
-    std::string where; ///< how deep, and at which place
-    int increment;     ///< the last one before it
-  };
-  [[nodiscard]] std::span<const Intruder> intruders() const { return intruders_; }
-  /// Where a tool has been the deepest in the part so far, relative to the element there: to its
-  /// depth or the length of its face, whichever is larger.
-  struct DeepestTool {
-    double share = 0.0;     ///< [-]
-    double depth = 0.0;     ///< of the deepest point found [mm]
-    double at_points = 0.0; ///< of the deepest contact point then [mm]
-    double time = 0.0;      ///< [s]
-    std::size_t tool = 0;
-    Vec3 place = Vec3::Zero(); ///< in space [mm]
-  };
-  [[nodiscard]] const DeepestTool& deepest_tool() const { return deepest_tool_; }
+  [[nodiscard]] std::span<const double> origins() const { return state_.origins; }
+  /// Meshes that were wanted and could not be made, in their order.
+  [[nodiscard]] std::span<const Refusal> refusals() const { return state_.record.refusals; }
+  /// Tools that began to act where the workpiece was.
+  [[nodiscard]] std::span<const Intruder> intruders() const { return state_.record.intruders; }
+  [[nodiscard]] const DeepestTool& deepest_tool() const { return state_.record.deepest_tool; }
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
   /// Places where the part's boundary crosses itself in creases deeper than a quarter of an
@@ -150,20 +139,24 @@ public:
   /// indentation that takes part in the work.
   [[nodiscard]] bool indents(const ContactZone& zone) const;
   /// Remeshings of the run, in their order.
-  [[nodiscard]] std::span<const RemeshReport> remeshings() const { return remeshings_; }
+  [[nodiscard]] std::span<const RemeshReport> remeshings() const {
+    return state_.record.remeshings;
+  }
   /// Sizes that the part would be meshed with now, in the plane or in space; the scene has settings
   /// for that.
   [[nodiscard]] geometry::RemeshSizes remesh_sizes() const;
   [[nodiscard]] geometry::SolidSizes solid_sizes() const;
-  [[nodiscard]] int increments() const { return increment_; }
-  [[nodiscard]] int iterations() const { return iterations_; }
-  [[nodiscard]] int cutbacks() const { return cutbacks_; }
+  /// Number of the present stage, from 0.
+  [[nodiscard]] std::size_t stage() const { return state_.progress.stage; }
+  [[nodiscard]] int increments() const { return state_.increment; }
+  [[nodiscard]] int iterations() const { return state_.counters.iterations; }
+  [[nodiscard]] int cutbacks() const { return state_.counters.cutbacks; }
   /// Iterations that went into tries that failed.
-  [[nodiscard]] int wasted_iterations() const { return wasted_iterations_; }
+  [[nodiscard]] int wasted_iterations() const { return state_.counters.wasted_iterations; }
   /// Iterations on new meshes before time went on: for equilibrium, and what was solved again.
-  [[nodiscard]] int remeshing_iterations() const { return remeshing_iterations_; }
+  [[nodiscard]] int remeshing_iterations() const { return state_.counters.remeshing_iterations; }
   /// Plastic work done while forces of tools that had left faded and no tool touched [N mm].
-  [[nodiscard]] double flow_in_fading() const { return flow_in_fading_; }
+  [[nodiscard]] double flow_in_fading() const { return state_.leaving.flow_in_fading; }
   /// Rigid motions held by grounding alone.
   [[nodiscard]] int grounded_motions() const { return grounded_; }
 
@@ -192,7 +185,7 @@ private:
   /// Why the presses of a stage cannot strike; empty: they do.
   [[nodiscard]] std::string begin_blows(const Stage& stage);
   /// First, longest and shortest increment of a stage; blows under way may ask for shorter ones.
-  [[nodiscard]] IncrementLimits limits(double length) const;
+  [[nodiscard]] IncrementControl::Limits limits(double length) const;
   [[nodiscard]] double longest_for_blows() const;
   /// A shorter increment than the one just solved, if a press has turned back in it.
   [[nodiscard]] std::optional<double> step_to_stop(double dt) const;
@@ -251,6 +244,8 @@ private:
   void draw_tools_back(double until);
   void draw_back_to(double time);
   void put_tools_back();
+  void put_on_retreating_surface(std::size_t tool);
+  void add_fading(const LeavingTools::Forces& forces);
   [[nodiscard]] double force_floor(double time) const;
   /// Largest force so far, or of the loads at a time [N].
   [[nodiscard]] double acting_force(double time) const;
@@ -320,6 +315,11 @@ private:
   /// Takes the increment just accepted into the sums over contact.
   void account_contact(double dt);
   [[nodiscard]] IncrementReport report(double dt, int cutbacks) const;
+  /// Begins a stage: its tools, its presses, its increments.
+  /// @return why it cannot begin; empty: it has
+  [[nodiscard]] std::string begin_stage(const Stage& stage, double start);
+  /// Increments as at the beginning of a stage, from a time on [s].
+  void begin_increments(const Stage& stage, double start);
   [[nodiscard]] RunStatus
   run_stage(const Stage& stage, double start, const std::vector<Observer*>& observers);
   [[nodiscard]] double next_landing(double stage_end) const;
@@ -361,7 +361,7 @@ private:
   [[nodiscard]] std::vector<contact::PointSource> exchange_mesh(NewPart anew,
                                                                 const CarriedOver& carried);
   /// Where the run is now.
-  [[nodiscard]] RunState run_state() const;
+  [[nodiscard]] Snapshot snapshot() const;
   /// Elastic energy of shape of the points that flow [N mm].
   [[nodiscard]] double flowing_energy() const;
   /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
@@ -421,12 +421,18 @@ private:
   [[nodiscard]] bool restore_balance(RemeshReport& report);
   /// Solves again what led there. (P.19)
   /// @return with how many increments; 0: it could not be solved
-  [[nodiscard]] int solve_again(const RunState& end);
+  [[nodiscard]] int solve_again(const Snapshot& end);
   /// Magnitudes of the forces on all tools; empty: there is no contact. [N]
   [[nodiscard]] std::vector<double> forces_on_tools() const;
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
+  /// Hands the run as it is now to the observers that want it. The linear solver forgets, as it has
+  /// where a run is resumed, so that both go on with the same bits.
+  void write_checkpoint(const std::vector<Observer*>& observers, CheckpointReason reason);
+  /// Puts a stored part in the place of the present one, with all that is built on a mesh.
+  void take_part(StoredPart part);
 
   Scene scene_;
+  State state_;
   mechanics::BlockPattern pattern_;
   std::unique_ptr<mechanics::Bulk> bulk_;
   std::unique_ptr<contact::ContactSurface> surface_;
@@ -436,90 +442,29 @@ private:
   std::vector<std::unique_ptr<mechanics::Load>> loads_;
   std::unique_ptr<mechanics::Grounding> grounding_;
   std::vector<std::unique_ptr<mechanics::Load>> fading_; ///< forces of tools that have left
-  double fading_until_ = 0.0;                            ///< [s]
   /// A tool that touched when an unload stage began, its surface in another that draws back.
   struct Retreating {
     std::size_t tool;
     geometry::RetreatingSurface* surface;
   };
   std::vector<Retreating> retreating_;
-  double retreat_begins_ = 0.0; ///< [s]
-  double retreat_ends_ = 0.0;   ///< [s]
-  double flow_in_fading_ = 0.0; ///< plastic work while nothing but forces of tools that have left
-                                ///< acted [N mm]
   std::vector<mechanics::ForceTerm*> terms_;
   std::unique_ptr<mechanics::Newton> newton_;
-  std::vector<double> x0_;
-  std::vector<double> x_; ///< of the nodes, then of driven tools: shape (n_dofs + n_extra)
+  std::unique_ptr<contact::Wear> wear_;
   std::vector<double> trial_x_;
-  /// Where a new mesh may begin, the earliest first.
-  std::vector<std::unique_ptr<const RunState>> remembered_;
-  std::vector<double> last_step_; ///< x_new - x_old of the last increment; empty: none
-  double last_dt_ = 0.0;
-  double longest_ = 0.0; ///< increment of the present stage [s]
-  std::vector<double> velocity_;
-  std::vector<double> plastic_rate_;
-  std::vector<double> reactions_;
-  contact::Penetration penetration_; ///< of the last increment, or of the last solution tried
-  DeepestTool deepest_tool_;
-  double narrow_radius_ = -1.0; ///< of the tool where it is the deepest; < 0: it is not narrow [mm]
   bool refused_as_too_deep_ = false;                       ///< the last try
   bool refused_inside_out_ = false;                        ///< likewise
+  bool hardly_touches_ = false;                            ///< forces count as none in this try
   std::vector<contact::ContactTerm::Restless> chattering_; ///< of the last try that had any
-  int turned_inside_out_ = 0; ///< increments refused for that on the present mesh
-  contact::ProcessWindow window_;
-  std::unique_ptr<contact::Wear> wear_;
-  EnergyBalance energy_;
-  double most_energy_ = 0.0; ///< that any of its larger terms has been [N mm]
-  double support_work_ = 0.0;
-  double load_work_ = 0.0;      ///< of loads on earlier meshes
-  double tool_energy_ = 0.0;    ///< of penalties, gone with tools that left
-  bool hardly_touches_ = false; ///< forces count as none in this try
-  double largest_force_ = 0.0;  ///< of a tool or at an unknown of a support so far [N]
-  int grounding_failures_ = 0;  ///< to do with a lighter one, in a row
-  int grounding_wait_ = 0;      ///< increments until that is tried again
-  double time_ = 0.0;
-  std::optional<Flight> flight_;  ///< under way
-  std::size_t flight_mesh_ = 0;   ///< remeshings before it began
-  double no_flight_before_ = 0.0; ///< one has failed [s]
-  double flown_ = 0.0;            ///< time spent in flights [s]
-  bool energy_used_up_ = false;
-  std::vector<std::string> events_; ///< of the last increment
-  std::string penalty_event_;       ///< a change of the penalty since then
-  std::vector<RemeshReport> remeshings_;
-  std::vector<Refusal> refusals_;
-  std::vector<char> acted_; ///< tools in the last increment that was tried, one flag a tool
-  std::vector<Intruder> intruders_;
-  double side_ = 0.0;                    ///< of the elements of the first mesh [mm]
-  std::vector<double> earlier_forces_;   ///< on all tools, before the last increment [N]
-  std::vector<double> largest_forces_;   ///< likewise, the largest since they touched nothing [N]
-  double trial_quality_ = 1.0;           ///< of the worst element of the last solution tried [-]
-  double mesh_quality_ = 1.0;            ///< of the present mesh when it was new [-]
-  double mesh_aspect_ = 1.0;             ///< likewise, the largest of its elements [-]
-  double mesh_excess_ = 0.0;             ///< likewise, of the side most outgrown [-]
-  double mesh_coarse_ = 0.0;             ///< likewise, coarse_contact() [-]
-  double mesh_time_ = 0.0;               ///< at which the present mesh was made [s]
-  int mesh_increment_ = 0;               ///< likewise
-  std::vector<double> mesh_strain_;      ///< plastic, at the points, likewise [-]
-  double mesh_share_ = 0.0;              ///< penetration_.share of its first increment [-]
-  bool springs_back_ = false;            ///< the last increment took work out of the metal
-  std::optional<int> refused_increment_; ///< after which the last one could not be made
-  double refused_quality_ = 1.0;         ///< at which the part could not be meshed anew [-]
-  mechanics::SolverWork earlier_work_;   ///< on earlier meshes
-  PhaseTimes earlier_times_;             ///< likewise
-  std::string refusal_event_;            ///< a remeshing that was refused since then
+  long systems_before_try_ = 0;
+  int grounded_ = 0;
+  mechanics::SolverWork earlier_work_; ///< on earlier meshes
+  PhaseTimes earlier_times_;           ///< likewise
   PhaseTimes times_;
   double analysis_before_run_ = 0.0; ///< time of it outside the iteration [s]
   double started_ = 0.0;
-  int increment_ = 0;
-  int iterations_ = 0;
-  int cutbacks_ = 0;
-  int wasted_iterations_ = 0;
-  int remeshing_iterations_ = 0;
-  long systems_before_try_ = 0;
-  int grounded_ = 0;
-  int last_iterations_ = 0;
-  double last_residual_ = 0.0;
+  double times_before_ = 0.0; ///< of the run before it was resumed [s]
+  bool resumed_ = false;
 };
 
 } // namespace billet::process

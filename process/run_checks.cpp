@@ -50,7 +50,7 @@ std::optional<FailedCheck> stabilization(const Process& process) {
 
 std::optional<FailedCheck> tool_in_part(const Process& process) {
   constexpr double soft = 0.5; // of it, at contact points: it is contact that gives way
-  const Process::DeepestTool& deepest = process.deepest_tool();
+  const DeepestTool& deepest = process.deepest_tool();
   if (!(deepest.share > deepest_unfelt))
     return std::nullopt;
   return FailedCheck{
@@ -69,9 +69,9 @@ std::optional<FailedCheck> tool_in_part(const Process& process) {
 /// In the plane: a tool that indents the part with corners and small roundings alone. What bends
 /// over a corner presses on it far less than what it is pushed into.
 std::optional<FailedCheck> contact_resolution(const Process& process) {
-  constexpr double most_of_corner = 0.9, indents = 3.0; // of the flow stress there
+  constexpr double share_of_corners = 0.9, indents = 3.0; // of the flow stress there
   const CornerLoad load = process.most_at_corner();
-  if (!(load.share > most_of_corner))
+  if (!(load.share > share_of_corners))
     return std::nullopt;
   double hardest = 0.0; // pressure over flow stress
   const contact::ContactSurface& surface = *process.surface();

@@ -37,6 +37,13 @@ struct IncrementReport {
   EnergyBalance energy;
   std::vector<mechanics::IterationRecord> records;
   std::vector<std::string> events; ///< what happened at its end, a line each
+
+  /// But for the records of its iterations, which are in iterations.csv.
+  template <class Archive> void fields(Archive& archive) {
+    archive(increment, time, dt, iterations, residual, cutbacks, volume, max_penetration,
+            penetration_share, penetration, contact_area, max_plastic_strain, min_quality,
+            wall_time, energy, events);
+  }
 };
 
 /// Why an increment could not be solved, for the post-mortem.
@@ -68,6 +75,8 @@ struct RemeshReport {
 
     /// |after - before| over before [-]; 0 where both are.
     [[nodiscard]] double change() const;
+
+    template <class Archive> void fields(Archive& archive) { archive(before, after); }
   };
   std::array<Index, 2> elements{}; ///< before and after
   std::array<Index, 2> nodes{};    ///< likewise
@@ -94,6 +103,12 @@ struct RemeshReport {
   [[nodiscard]] double force_jump() const;
   /// What goes beyond the budget, one line each; empty: nothing.
   [[nodiscard]] std::vector<std::string> complaints() const;
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(number, time, increment, cause, elements, nodes, quality, again, volume, plastic_work,
+            work_of_run, mean_strain, largest_strain, forces, energy, residual, balanced, returned,
+            seconds, laps);
+  }
 };
 
 } // namespace billet::process

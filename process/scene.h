@@ -26,18 +26,26 @@ struct Support {
   std::vector<Index> nodes;
   int component;
   TimeFunction displacement; ///< [mm]
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(nodes, component, displacement);
+  }
 };
 
 /// Pressure on faces, following them.
 struct PressureOn {
   std::vector<mechanics::Face> faces;
   TimeFunction pressure; ///< [MPa]
+
+  template <class Archive> void fields(Archive& archive) { archive(faces, pressure); }
 };
 
 /// Nodal forces with an amplitude over time.
 struct DeadForces {
   std::vector<double> forces; ///< shape (n_dofs) [N]
   TimeFunction amplitude;     ///< [-]
+
+  template <class Archive> void fields(Archive& archive) { archive(forces, amplitude); }
 };
 
 using LoadSpec = std::variant<PressureOn, DeadForces>;

@@ -150,9 +150,9 @@ std::optional<std::size_t> Process::driven_alone(double time) const {
 }
 
 bool Process::try_held_tool(double dt, std::string& why) {
-  if (refused_as_too_deep_ || refused_inside_out_ || !contact_ || !driven_alone(time_ + dt))
+  if (refused_as_too_deep_ || refused_inside_out_ || !contact_ || !driven_alone(state_.time + dt))
     return false;
-  const std::size_t drive = x0_.size();
+  const std::size_t drive = state_.origins.size();
   double scale = 0.0;
   const auto held_at = [&](double travel,
                            const std::vector<double>& guess) -> std::optional<HeldPlace> {
@@ -160,26 +160,28 @@ bool Process::try_held_tool(double dt, std::string& why) {
     contact_->foretell(foretold(dt));
     trial_x_ = guess;
     trial_x_[drive] = travel;
-    mechanics::Prescribed held = prescribed(time_ + dt);
+    mechanics::Prescribed held = prescribed(state_.time + dt);
     held.unknowns.push_back(static_cast<Index>(drive));
     held.positions.push_back(travel);
-    const auto outcome = newton_->solve(terms_, held, time_, time_ + dt, x_, trial_x_);
-    wasted_iterations_ += spent();
+    const auto outcome =
+        newton_->solve(terms_, held, state_.time, state_.time + dt, state_.x, trial_x_);
+    state_.counters.wasted_iterations += spent();
     if (!outcome)
       return std::nullopt;
     scale = outcome->force_scale;
-    last_residual_ = outcome->residual;
+    state_.counters.last_residual = outcome->residual;
     return HeldPlace{travel, newton_->residual()[drive], trial_x_};
   };
-  newton_->set_force_floor(force_floor(time_ + dt));
-  std::optional<HeldPlace> start = held_at(x_[drive], x_);
+  newton_->set_force_floor(force_floor(state_.time + dt));
+  std::optional<HeldPlace> start = held_at(state_.x[drive], state_.x);
   const double size = body_size(scene_.mesh);
   constexpr double first = 1e-4, shortest = 1e-9; // of the body
-  const double usual = last_step_.empty() ? 0.0 : std::abs(last_step_[drive]) * dt / last_dt_;
-  std::vector<double> way = last_step_;
+  const double usual =
+      state_.last_step.empty() ? 0.0 : std::abs(state_.last_step[drive]) * dt / state_.last_dt;
+  std::vector<double> way = state_.last_step;
   if (usual > 0.0)
     for (double& u : way)
-      u /= last_step_[drive];
+      u /= state_.last_step[drive];
   else
     way.clear();
   PlaceSearch search(
@@ -193,8 +195,8 @@ bool Process::try_held_tool(double dt, std::string& why) {
   refused_inside_out_ = solved && turns_inside_out(why);
   solved = solved && !refused_inside_out_;
   if (solved) {
-    last_iterations_ = spent();
-    wasted_iterations_ -= last_iterations_;
+    state_.counters.last_iterations = spent();
+    state_.counters.wasted_iterations -= state_.counters.last_iterations;
   }
   return solved;
 }

@@ -19,26 +19,26 @@
 namespace billet::process {
 
 Process::Process(Scene scene)
-    : scene_(std::move(scene)), pattern_(mechanics::block_pattern(scene_.mesh)),
-      window_(scene_.tools.size()) {
+    : scene_(std::move(scene)), state_(scene_.tools.size()),
+      pattern_(mechanics::block_pattern(scene_.mesh)) {
   started_ = seconds_now();
   grow_sudden_loads(scene_);
   for (const Vec3& p : scene_.mesh.points)
-    x0_.insert(x0_.end(), p.data(), p.data() + scene_.mesh.dimension());
-  x_ = x0_;
-  x_.resize(x0_.size() + contact::drive_unknowns(scene_.tools).size(), 0.0);
-  trial_x_ = x_;
-  velocity_.assign(x0_.size(), 0.0);
-  reactions_.assign(x0_.size(), 0.0);
+    state_.origins.insert(state_.origins.end(), p.data(), p.data() + scene_.mesh.dimension());
+  state_.x = state_.origins;
+  state_.x.resize(state_.origins.size() + contact::drive_unknowns(scene_.tools).size(), 0.0);
+  trial_x_ = state_.x;
+  state_.velocity.assign(state_.origins.size(), 0.0);
+  state_.reactions.assign(state_.origins.size(), 0.0);
   make_terms();
   if (scene_.remesh)
     start_remeshing();
   start_stage(scene_.stages.front()); // only its tools have to lie right at the start
   if (surface_)
-    bring_to_touch(scene_, *surface_, x_);
+    bring_to_touch(scene_, *surface_, state_.x);
   check_overlap();
   if (contact_) {
-    contact_->start(x_, 0.0);
+    contact_->start(state_.x, 0.0);
     if (contact::Wear::wanted(scene_.tools))
       wear_ = std::make_unique<contact::Wear>(*surface_, scene_.tools, box_of(scene_.mesh.points));
     check_drives();
@@ -50,7 +50,7 @@ Process::~Process() = default;
 void Process::make_terms() {
   bulk_ =
       std::make_unique<mechanics::Bulk>(scene_.mesh, scene_.analysis, scene_.material, pattern_);
-  plastic_rate_.assign(bulk_->states().size(), 0.0);
+  state_.plastic_rate.assign(bulk_->states().size(), 0.0);
   newton_ = std::make_unique<mechanics::Newton>(
       pattern_, scene_.solver,
       mechanics::NewtonSettings{.tolerance = scene_.tolerance,
@@ -64,14 +64,14 @@ void Process::make_terms() {
     contact_ = std::make_unique<contact::ContactTerm>(*surface_, *bulk_, pattern_, scene_.tools,
                                                       4.0 * body_size(scene_.mesh), drive_scale());
     terms_.push_back(contact_.get());
-    narrow_ = std::make_unique<NarrowTools>(scene_, *surface_, x_);
+    narrow_ = std::make_unique<NarrowTools>(scene_, *surface_, state_.x);
   }
   const bool strikes =
       std::any_of(scene_.tools.begin(), scene_.tools.end(), [](const contact::Tool& tool) {
         return tool.motion.force && tool.motion.force->blow;
       });
   if (strikes) {
-    blows_ = std::make_unique<Blows>(scene_, *contact_, x0_.size());
+    blows_ = std::make_unique<Blows>(scene_, *contact_, state_.origins.size());
     terms_.push_back(&blows_->term());
   }
   grounded_ = free_rigid_motions(scene_);
@@ -88,9 +88,9 @@ void Process::make_terms() {
         share * body_stiffness() / scene_.mesh.n_points(), pattern_);
     terms_.push_back(grounding_.get());
   }
-  newton_->set_force_floor(force_floor(time_));
+  newton_->set_force_floor(force_floor(state_.time));
   constexpr double rounding = 1e-16; // of E times the volume: strains of 1e-8
-  energy_.nothing = rounding * scene_.material.elasticity.young * bulk_->reference_volume();
+  state_.energy.nothing = rounding * scene_.material.elasticity.young * bulk_->reference_volume();
 }
 
 double Process::body_stiffness() const {
@@ -146,13 +146,13 @@ void Process::check_overlap() const {
   std::vector<Complaint> complaints;
   for (std::size_t t = 0; t < scene_.tools.size(); ++t)
     if (contact_->acts(t, 0.0))
-      if (const std::string where = overlap(t, time_); !where.empty())
+      if (const std::string where = overlap(t, state_.time); !where.empty())
         complaints.push_back(
             {scene_.tools[t].said_at,
              fmt::format("the workpiece overlaps tool '{}' before the start: {}",
                          scene_.tools[t].name, where),
-             has_all_behind(scene_.tools[t], contact_->pose(t, time_, x_), *surface_, x_,
-                            body_size(scene_.mesh))
+             has_all_behind(scene_.tools[t], contact_->pose(t, state_.time, state_.x), *surface_,
+                            state_.x, body_size(scene_.mesh))
                  ? turned(scene_.tools[t])
                  : "move the tool or the workpiece apart, or give the tool touch = true"});
   if (!complaints.empty())
@@ -166,10 +166,10 @@ std::string Process::overlap(std::size_t tool, double time) const {
 
 bool Process::lies_within(std::size_t tool, double time) const {
   const mechanics::MeshLocator locator(scene_.mesh, positions());
-  const geometry::Pose pose = contact_->pose(tool, time, x_);
+  const geometry::Pose pose = contact_->pose(tool, time, state_.x);
   bool any = false;
   for (Index f = 0; f < surface_->n_faces(); ++f)
-    for (const Vec3& x : surface_->samples(x_, f, 1)) {
+    for (const Vec3& x : surface_->samples(state_.x, f, 1)) {
       const Vec3 at = pose.to_tool(x);
       geometry::Projection foot;
       scene_.tools[tool].surface->project(std::span(&at, 1), body_size(scene_.mesh),
@@ -192,11 +192,11 @@ std::string Process::depth_in(std::size_t tool, double time) const {
   // that was brought to the contact points of a face may lie deeper between them.
   const bool brought = tool < scene_.touch.size() && scene_.touch[tool] != 0;
   const double allowed_share = brought ? 0.5 : 0.02; // of the element beneath
-  const geometry::Pose pose = contact_->pose(tool, time, x_);
+  const geometry::Pose pose = contact_->pose(tool, time, state_.x);
   double deepest = 0.0;
   Vec3 at = Vec3::Zero();
   for (Index f = 0; f < surface_->n_faces(); ++f) {
-    std::vector<Vec3> points = surface_->samples(x_, f);
+    std::vector<Vec3> points = surface_->samples(state_.x, f);
     for (Vec3& p : points)
       p = pose.to_tool(p);
     std::vector<geometry::Projection> feet(points.size());

@@ -37,18 +37,18 @@ std::string Process::begin_blows(const Stage& stage) {
   if (!blows_ || stage.unload)
     return "";
   std::vector<Vec3> points(surface_->n_points());
-  surface_->positions(x_, points);
+  surface_->positions(state_.x, points);
   const int dim = scene_.mesh.dimension();
   for (Index f = 0; f < surface_->n_faces(); ++f)
     for (const Index node : surface_->scatter().nodes(f)) {
       Vec3& point = points.emplace_back(Vec3::Zero());
-      std::copy_n(x_.begin() + node * dim, dim, point.data());
+      std::copy_n(state_.x.begin() + node * dim, dim, point.data());
     }
-  return blows_->begin(stage, time_, points, x_);
+  return blows_->begin(stage, state_.time, points, state_.x);
 }
 
 /// (P.1), (P.11)
-IncrementLimits Process::limits(double length) const {
+IncrementControl::Limits Process::limits(double length) const {
   const IncrementLimits& given = scene_.increments;
   const bool strikes = blows_ && blows_->under_way();
   const double begins = strikes ? blows_->first_step() : HUGE_VAL;
@@ -67,18 +67,19 @@ double Process::longest_for_blows() const {
 }
 
 std::optional<double> Process::step_to_stop(double dt) const {
-  return blows_ ? blows_->step_to_stop({time_, time_ + dt, x_, trial_x_}) : std::nullopt;
+  return blows_ ? blows_->step_to_stop({state_.time, state_.time + dt, state_.x, trial_x_})
+                : std::nullopt;
 }
 
 bool Process::rests(const Stage& stage) const {
-  if (!blows_ || stage.unload || blows_->under_way() || time_ < fading_until_)
+  if (!blows_ || stage.unload || blows_->under_way() || state_.time < state_.leaving.fading_until)
     return false;
   bool struck = false;
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     const geometry::Motion& motion = scene_.tools[t].motion;
     struck = struck || (stage.tools[t] != 0 && motion.force && motion.force->blow);
   }
-  return struck && stands_still(stage, time_, stage.end);
+  return struck && stands_still(stage, state_.time, stage.end);
 }
 
 bool Process::stands_still(const Stage& stage, double from, double to) const {

@@ -32,20 +32,25 @@ void Process::draw_tools_back(double until) {
     return;
   }
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    contact::Tool& tool = scene_.tools[t];
-    if (!contact_->lies_on(t) || !contact_->acts(t, time_))
+    if (!contact_->lies_on(t) || !contact_->acts(t, state_.time))
       continue;
-    auto surface = std::make_unique<geometry::RetreatingSurface>(std::move(tool.surface));
-    retreating_.push_back({t, surface.get()});
-    tool.surface = std::move(surface);
-    tool.motion.rests_from = time_;
+    put_on_retreating_surface(t);
+    state_.leaving.retreating.push_back(t);
+    scene_.tools[t].motion.rests_from = state_.time;
     contact_->rest(t, true);
     stay[t] = 1;
   }
   contact_->enable(std::move(stay));
-  retreat_begins_ = time_;
-  retreat_ends_ = until;
-  fading_until_ = until;
+  state_.leaving.retreat_begins = state_.time;
+  state_.leaving.retreat_ends = until;
+  state_.leaving.fading_until = until;
+}
+
+void Process::put_on_retreating_surface(std::size_t tool) {
+  geometry::SurfacePtr& present = scene_.tools[tool].surface;
+  auto surface = std::make_unique<geometry::RetreatingSurface>(std::move(present));
+  retreating_.push_back({tool, surface.get()});
+  present = std::move(surface);
 }
 
 /// At first by less than what contact is pressed in by, at last by the size of the body: as the
@@ -54,12 +59,13 @@ void Process::draw_back_to(double time) {
   const double size = body_size(scene_.mesh);
   constexpr double least = 1e-7; // of the body
   const auto distance = [&](double t) {
-    const double share = (t - retreat_begins_) / (retreat_ends_ - retreat_begins_);
+    const double share = (t - state_.leaving.retreat_begins) /
+                         (state_.leaving.retreat_ends - state_.leaving.retreat_begins);
     return least * size * std::expm1(share * std::log1p(1.0 / least));
   };
   for (const Retreating& each : retreating_) {
     each.surface->set_distance(distance(time));
-    contact_->retreat(each.tool, distance(time) - distance(time_), distance(time));
+    contact_->retreat(each.tool, distance(time) - distance(state_.time), distance(time));
   }
 }
 
@@ -72,6 +78,13 @@ void Process::put_tools_back() {
     contact_->rest(each.tool, false);
   }
   retreating_.clear();
+  state_.leaving.retreating.clear();
+}
+
+void Process::add_fading(const LeavingTools::Forces& forces) {
+  fading_.push_back(mechanics::make_dead_load(
+      forces.nodal, TimeFunction({{forces.from, 1.0}, {forces.until, 0.0}})));
+  terms_.push_back(fading_.back().get());
 }
 
 void Process::release_tools(double next_time, double gone_time) {
@@ -82,14 +95,13 @@ void Process::release_tools(double next_time, double gone_time) {
       continue;
     // Its forces stay as they are and fade: equilibrium without them is reached on the way.
     const double stored = contact_->work().stored;
-    std::vector<double> forces = contact_->release(t);
-    tool_energy_ += stored - contact_->work().stored;
-    fading_.push_back(mechanics::make_dead_load(std::move(forces),
-                                                TimeFunction({{time_, 1.0}, {gone_time, 0.0}})));
-    terms_.push_back(fading_.back().get());
-    fading_until_ = gone_time;
-    last_step_.clear();
-    remembered_.clear();
+    const LeavingTools::Forces forces{contact_->release(t), state_.time, gone_time};
+    state_.works.tools_gone += stored - contact_->work().stored;
+    add_fading(forces);
+    state_.leaving.fading.push_back(forces);
+    state_.leaving.fading_until = gone_time;
+    state_.last_step.clear();
+    state_.snapshots.clear();
   }
 }
 

@@ -24,11 +24,11 @@ double Process::up_to_touch(double step) {
   // where points part miss in one direction. New meshes come where a tool touches anyhow, and where
   // driven tools will be is not known.
   constexpr int lately = 10;
-  if (!contact_ || last_step_.empty() || contact_->since_parting() < lately || scene_.remesh ||
-      x_.size() > x0_.size())
+  if (!contact_ || state_.last_step.empty() || contact_->since_parting() < lately ||
+      scene_.remesh || state_.x.size() > state_.origins.size())
     return step;
   const std::vector<double> x = foretold(step);
-  const mechanics::Trial trial{time_, time_ + step, x_, x, {}};
+  const mechanics::Trial trial{state_.time, state_.time + step, state_.x, x, {}};
   if (contact_->any_turns(trial))
     return step;
   contact_->foretell(x);

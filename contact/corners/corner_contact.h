@@ -29,6 +29,10 @@ struct CornerPress {
   Vec3 place = Vec3::Zero();      ///< of the tool, in space [mm]
   Vec3 force = Vec3::Zero();      ///< on the workpiece, in space [N]
   double mean_pressure = 0.0;     ///< over the increment, set when it is committed [MPa]
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(foot, traction, depth, area, place, force, mean_pressure);
+  }
 };
 
 /// How a place that moves with a tool does so for a unit rate of one of its free degrees of
@@ -51,6 +55,10 @@ public:
     double multiplier = 0.0; ///< of the trial [MPa]
     CornerPress committed{};
     CornerPress trial{};
+
+    template <class Archive> void fields(Archive& archive) {
+      archive(shape, history, strength, multiplier, committed, trial);
+    }
   };
   /// The trial and the tool in it.
   struct At {
@@ -92,6 +100,8 @@ public:
   void part();
   /// Takes the committed forces away and adds them to those on the nodes, shape (n_dofs) [N].
   void release(const ContactSurface& surface, std::span<double> forces);
+
+  template <class Archive> void fields(Archive& archive) { archive(corners_); }
 
 private:
   template <class Shape>

@@ -15,7 +15,7 @@ namespace {
 using billet::cross;
 
 /// Of the element beneath: deeper than that, a corner has not come through this face.
-constexpr double deepest = 0.5;
+constexpr double deepest_share = 0.5;
 /// Of the element beneath: larger roundings are left to contact points. Their centres are far
 /// enough outside of the metal for two places of a notch to be equally close. No ratio that a user
 /// would choose: rounding must not decide.
@@ -71,7 +71,7 @@ std::optional<CornerFoot> CornerSearch::find(const ContactSurface& surface,
       if (corner.radius > widest * depth_beneath)
         continue;
       const LineNodes<Shape> nodes = line_nodes<Shape>(surface, x, f);
-      const double reach = corner.radius + std::max(slack, deepest * depth_beneath);
+      const double reach = corner.radius + std::max(slack, deepest_share * depth_beneath);
       if ((corner.centre - nodes[0]).norm() > 2.0 * (nodes[1] - nodes[0]).norm() + reach)
         continue;
       const double xi = foot_on_line<Shape>(nodes, corner.centre);
@@ -101,7 +101,7 @@ std::optional<CornerFoot> CornerSearch::find(const ContactSurface& surface,
       }
       here.depth += corner.radius;
       here.facing = facing(corner, here.normal);
-      if (distance >= closest || here.facing == 0.0 || here.depth > deepest * depth_beneath)
+      if (distance >= closest || here.facing == 0.0 || here.depth > deepest_share * depth_beneath)
         continue;
       best = here;
       closest = distance;

@@ -30,6 +30,10 @@ struct CornerFoot {
   double depth; ///< of the corner in the workpiece [mm]
   double
       facing; ///< 1: the normal is one of the corner's; less at the sides beside it, 0 beyond [-]
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(face, xi, normal, depth, facing);
+  }
 };
 
 /// The contact point of the face that is closest to the corner's foot.

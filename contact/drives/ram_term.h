@@ -34,11 +34,15 @@ public:
   /// Where a tool's travel stands among the unknowns.
   [[nodiscard]] std::size_t unknown(std::size_t tool) const;
 
+  template <class Archive> void fields(Archive& archive) { archive(flights_); }
+
 private:
   struct Flight {
     std::size_t tool;
     std::size_t drive; ///< among the drives
     std::optional<Ram> ram;
+
+    template <class Archive> void fields(Archive& archive) { archive(tool, drive, ram); }
   };
 
   [[nodiscard]] Flight& flight(std::size_t tool);

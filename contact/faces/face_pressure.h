@@ -19,12 +19,18 @@ struct FaceCompliance {
   PointValues weights;     ///< shares of the points in the face's area, their sum is 1 [-]
   PointValues rise;        ///< pressure above the mean that asks for no gap; no mean [MPa]
   double multiplier = 0.0; ///< mean pressure that needs no penetration (C.20) [MPa]
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(mean, deviation, weights, rise, multiplier);
+  }
 };
 
 /// Pressures of a face's points and how they change with each other's gaps.
 struct FacePressure {
   PointValues pressure; ///< [MPa]
   PointMatrix d_gap;    ///< d pressure_i / d gap_j [MPa/mm]
+
+  template <class Archive> void fields(Archive& archive) { archive(pressure, d_gap); }
 };
 
 /// The pressures p >= 0 that with their gaps leave no point pressed in: the compliance is symmetric

@@ -59,6 +59,8 @@ public:
   /// [N mm]
   [[nodiscard]] double energy(const ContactSurface& surface, std::span<const double> x) const;
 
+  template <class Archive> void fields(Archive& archive) { archive(springs_); }
+
 private:
   /// Against the rest of the gap at one place of a face.
   struct Spring {
@@ -68,6 +70,10 @@ private:
     double stiffness; ///< [N/mm]
     double rest;      ///< of the gap when it was set, or the gap if that is more [mm]
     double along;     ///< what the nodes' positions along the normal made of it then [mm]
+
+    template <class Archive> void fields(Archive& archive) {
+      archive(face, place, normal, stiffness, rest, along);
+    }
   };
 
   template <class Visitor>

@@ -45,6 +45,11 @@ struct PointHistory {
   }
   /// What is added to the gap of the point that the surface gives [mm].
   [[nodiscard]] double added() const { return offset + level + relief; }
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(position, normal, shear, pressure, sliding, stiffness, multiplier, offset, level,
+            relief, faded, limit, slips);
+  }
 };
 
 /// Penalties of a point: pressure per penetration, shear per slip [MPa/mm].
@@ -67,6 +72,11 @@ struct Traction {
   /// The old shear in the new tangent plane, as far to the slip as it was when the increment began
   /// [MPa].
   Vec3 turned = Vec3::Zero();
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(status, pressure, shear, traction, dtraction_dx, dtraction_dp, dtraction_dk, slip,
+            limit, turned);
+  }
 };
 
 /// A pressure that follows from the gaps of all points of a face. (C.45)

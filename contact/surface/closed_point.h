@@ -30,6 +30,10 @@ struct ClosedPoint {
 
   /// Over the increment, by the trapezoidal rule [MPa].
   [[nodiscard]] double mean_pressure() const { return 0.5 * (pressure_old + pressure); }
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(point, from, to, foot, normal, touching, pressure_old, pressure, slip, sliding, area);
+  }
 };
 
 } // namespace billet::contact

@@ -36,6 +36,8 @@ namespace billet::contact {
 struct ToolLoad {
   Vec3 force = Vec3::Zero();  ///< of the workpiece on the tool [N]
   Vec3 torque = Vec3::Zero(); ///< about the tool's reference point [N mm]
+
+  template <class Archive> void fields(Archive& archive) { archive(force, torque); }
 };
 
 /// Contact results of one point, summed over the tools it touches, in space.
@@ -64,9 +66,18 @@ struct Penetration {
     Vec3 position = Vec3::Zero(); ///< in space [mm]
     std::size_t tool = 0;
     Index face = -1; ///< -1: no face is in a tool
+
+    template <class Archive> void fields(Archive& archive) {
+      archive(share, depth, position, tool, face);
+    }
   };
   Place relative;
   std::size_t queries = 0; ///< of tools' surfaces, for the cost
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(bound, share, sampled, at_points, pressed, share_pressed, position, tool, relative,
+            queries);
+  }
 };
 
 /// Energies and work of contact since the start.
@@ -79,6 +90,10 @@ struct ContactWork {
   double stored = 0.0; ///< in the penalties now [N mm]
   /// Done by raising penalties and multipliers, which work on what is pressed [N mm]. (C.23)
   double enforcement = 0.0;
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(external, friction, unseen, stored, enforcement);
+  }
 };
 
 /// Where contact stands at the end of an increment: what a term on another mesh of the same part
@@ -90,6 +105,10 @@ struct ContactState {
   double stiffening = 1.0;                                 ///< penalty over that of the case [-]
   std::vector<std::vector<PointHistory>> history;          ///< shape (n_tools, n_points)
   std::vector<std::vector<CornerContact::Corner>> corners; ///< of tools, shape (n_tools, theirs)
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(enabled, held, work, stiffening, history, corners);
+  }
 };
 
 /// How the free degrees of freedom of driven tools enter the equations: as lengths, so that one
@@ -266,6 +285,12 @@ public:
   /// (n_dofs) [N], and forgets its history. The penalties' energy goes with it.
   [[nodiscard]] std::vector<double> release(std::size_t tool);
 
+  template <class Archive> void fields(Archive& archive) {
+    archive(enabled_, since_parting_, held_, rests_, states_, positions_, foretold_,
+            foretold_positions_, areas_, touched_, loads_, closed_, work_, area_, stiffening_,
+            stiffening_old_, stiffening_next_);
+  }
+
 private:
   /// Changes of status that make a point restless: on its way to contact or to slip it changes once
   /// or twice.
@@ -276,6 +301,8 @@ private:
     Index face;
     FaceCompliance compliance;
     FacePressure now; ///< of the trial
+
+    template <class Archive> void fields(Archive& archive) { archive(face, compliance, now); }
   };
 
   /// Working memory of one tool; shape (n_points) each.
@@ -304,6 +331,12 @@ private:
     bool touches = false;       ///< in the committed state
     double retreat = 0.0;       ///< of its surface in the increment, along its normals [mm]
     double drawn_back = 0.0;    ///< likewise since it began to [mm]
+
+    template <class Archive> void fields(Archive& archive) {
+      archive(history, multiplier, touching, turn, trial, position, foot, changes, calmed,
+              queried_at, known_gap, force, rotation, committed_rotation, stored, stabilization,
+              corners, even, even_at, touches, retreat, drawn_back);
+    }
   };
 
   [[nodiscard]] Penalty penalty() const;

@@ -27,6 +27,8 @@ struct Ram {
   [[nodiscard]] double speed_after(double way, double dt) const { return 2.0 * way / dt - speed; }
   /// [N mm]
   [[nodiscard]] double energy() const { return 0.5 * mass * speed * speed; }
+
+  template <class Archive> void fields(Archive& archive) { archive(mass, speed, force); }
 };
 
 } // namespace billet::contact

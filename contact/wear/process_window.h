@@ -26,6 +26,10 @@ struct WindowRange {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
   double last_mean = 0.0; ///< over the area, in the last increment with contact (W.9)
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(mean, lowest, highest, last_mean);
+  }
 };
 
 /// The quantities of a window, in this order wherever there is a list of them.
@@ -68,6 +72,8 @@ public:
   /// Over all pairs; a point that touches two tools counts twice.
   [[nodiscard]] Window total() const { return total_.window(); }
 
+  template <class Archive> void fields(Archive& archive) { archive(tools_, total_); }
+
 private:
   using Values = std::array<double, n_window_quantities>;
 
@@ -80,6 +86,10 @@ private:
     void add(const Values& means, const Values& at_end, double area);
     void end(double dt);
     [[nodiscard]] Window window() const;
+
+    template <class Archive> void fields(Archive& archive) {
+      archive(time_, area_time_, weighted_, area_, by_area_, ranges_);
+    }
 
   private:
     double time_ = 0.0;

@@ -25,6 +25,8 @@ namespace billet::contact {
 struct WorkpieceWear {
   std::vector<double> depth; ///< at the contact points, shape (n_points) [mm]
   double volume = 0.0;       ///< [mm^3]
+
+  template <class Archive> void fields(Archive& archive) { archive(depth, volume); }
 };
 
 class Wear {
@@ -54,6 +56,10 @@ public:
   }
   /// Depth at the contact points by all tools, shape (n_points) [mm]; empty: not asked for.
   [[nodiscard]] std::vector<double> workpiece_depth() const;
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(last_, rotation_, maps_, workpiece_);
+  }
 
 private:
   /// The workpiece when an increment ends, a tool's place then, and by how much the workpiece has

@@ -60,6 +60,8 @@ public:
   /// Worn away in all [mm^3].
   [[nodiscard]] double volume() const;
 
+  template <class Archive> void fields(Archive& archive) { archive(corners_, nodes_); }
+
 private:
   /// A cell, or one that has been cut in two.
   struct Node {
@@ -67,6 +69,10 @@ private:
     std::size_t n_corners;
     double volume = 0.0;        ///< worn off it; of no meaning if it has been cut
     std::int32_t children = -1; ///< first of two that follow each other; -1: it is a cell
+
+    template <class Archive> void fields(Archive& archive) {
+      archive(first, n_corners, volume, children);
+    }
   };
   /// Half of space that a footprint, drawn out along the normal, lies in.
   struct HalfSpace {

@@ -17,13 +17,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace billet {
@@ -33,7 +34,9 @@ class ArchiveReader;
 
 /// What lists its fields.
 template <class T, class Archive>
-concept Archived = requires(T& value, Archive& archive) { value.fields(archive); };
+concept Archived = requires(T& value, Archive& archive) {
+  value.fields(archive);
+};
 
 /// Values whose bytes are their value: numbers, enumerations, flags.
 template <class T>
@@ -92,13 +95,19 @@ private:
     if (value)
       write(*value);
   }
-  template <class T> void write(const std::unique_ptr<T>& value) {
-    write(value != nullptr);
-    if (value)
-      write(*value);
+  template <class Key, class T> void write(const std::map<Key, T>& values) {
+    length(values.size());
+    for (const auto& [key, value] : values) {
+      write(key);
+      write(value);
+    }
+  }
+  template <class... T> void write(const std::variant<T...>& value) {
+    write(static_cast<std::uint64_t>(value.index()));
+    std::visit([this](const auto& held) { write(held); }, value);
   }
   template <class T>
-    requires Archived<T, ArchiveWriter>
+  requires Archived<T, ArchiveWriter>
   void write(const T& value) {
     const_cast<T&>(value).fields(*this); // NOLINT: one list serves both ways; this one only looks
   }
@@ -153,8 +162,8 @@ private:
       const auto columns = static_cast<Eigen::Index>(count());
       if ((Rows != Eigen::Dynamic && rows != Rows) ||
           (Columns != Eigen::Dynamic && columns != Columns) ||
-          (rows > 0 && static_cast<std::size_t>(columns) > left() / sizeof(Scalar) /
-                                                               static_cast<std::size_t>(rows)))
+          (rows > 0 && static_cast<std::size_t>(columns) >
+                           left() / sizeof(Scalar) / static_cast<std::size_t>(rows)))
         broken();
       value.resize(rows, columns);
     }
@@ -172,8 +181,10 @@ private:
       values.resize(n);
       raw(values.data(), n * sizeof(T));
     } else {
-      values.clear();
-      values.resize(n);
+      if (values.size() != n) { // else each keeps what is not among its fields
+        values.clear();
+        values.resize(n);
+      }
       for (T& value : values)
         read(value);
     }
@@ -189,25 +200,35 @@ private:
   template <class T> void read(std::optional<T>& value) {
     bool there = false;
     read(there);
-    value.reset();
-    if (there)
-      read(value.emplace());
-  }
-  template <class T> void read(std::unique_ptr<T>& value) {
-    bool there = false;
-    read(there);
-    value.reset();
-    if (there) {
-      auto made = std::make_unique<std::remove_const_t<T>>();
-      read(*made);
-      value = std::move(made);
+    if constexpr (std::default_initializable<T>) {
+      value.reset();
+      if (there)
+        read(value.emplace());
+    } else { // it has been made the same way
+      if (there != value.has_value())
+        broken();
+      if (there)
+        read(*value);
     }
   }
-  template <class T>
-    requires Archived<T, ArchiveReader>
-  void read(T& value) {
-    value.fields(*this);
+  template <class Key, class T> void read(std::map<Key, T>& values) {
+    values.clear();
+    for (std::size_t left = length(); left > 0; --left) {
+      Key key{};
+      read(key);
+      read(values[key]);
+    }
   }
+  template <class... T> void read(std::variant<T...>& value) {
+    const std::size_t index = count();
+    if (index >= sizeof...(T))
+      broken();
+    std::size_t i = 0;
+    (static_cast<void>(i++ == index && (read(value.template emplace<T>()), true)), ...);
+  }
+  template <class T>
+  requires Archived<T, ArchiveReader>
+  void read(T& value) { value.fields(*this); }
 
   std::string_view bytes_;
   std::size_t at_ = 0;

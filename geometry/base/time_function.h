@@ -18,6 +18,8 @@ public:
   [[nodiscard]] double integral(double time) const;
   [[nodiscard]] const std::vector<std::pair<double, double>>& points() const { return points_; }
 
+  template <class Archive> void fields(Archive& archive) { archive(points_); }
+
 private:
   std::vector<std::pair<double, double>> points_;
 };

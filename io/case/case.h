@@ -151,11 +151,19 @@ struct Remesh {
 
 enum class FieldSet { standard, all };
 
+/// When a run is stored to go on from.
+struct CheckpointInterval {
+  double length = 600.0;  ///< [s]; infinite: only at the end of stages, of the run, and at signals
+  bool wall_clock = true; ///< else time of the process
+
+  bool operator==(const CheckpointInterval&) const = default;
+};
+
 struct OutputSettings {
   std::optional<double> every; ///< a frame after this much time [s]; absent: 1/25 of the run
   std::vector<double> at;      ///< frames at exactly these times, increasing [s]
   std::variant<FieldSet, std::vector<std::string>> fields = FieldSet::standard;
-  std::optional<double> checkpoint_every; ///< [s]
+  CheckpointInterval checkpoint_every;
 
   bool operator==(const OutputSettings&) const = default;
 };

@@ -22,7 +22,6 @@ struct NotAvailable {
 constexpr std::array features{
     NotAvailable{"solver.accuracy", "draft"},
     NotAvailable{"solver.accuracy", "fine"},
-    NotAvailable{"output.checkpoint_every"},
 };
 
 bool has_value(const Node& node, std::string_view value) {

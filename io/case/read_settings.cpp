@@ -6,7 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace billet::io {
 
@@ -123,6 +129,29 @@ std::optional<std::vector<double>> as_times(const At& at) {
   return times;
 }
 
+/// A number is a time of the process, a text with a unit one of the wall clock.
+std::optional<CheckpointInterval> as_checkpoint_interval(const At& at) {
+  const std::string* const text = at.node.as<std::string>();
+  if (text == nullptr) {
+    const std::optional<double> time = as_number(at, positive_time);
+    return time ? std::optional(CheckpointInterval{*time, false}) : std::nullopt;
+  }
+  if (*text == "never")
+    return CheckpointInterval{HUGE_VAL, true};
+  constexpr std::array<std::pair<std::string_view, double>, 3> units{
+      {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}}};
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  std::string_view unit(end, static_cast<std::size_t>(text->data() + text->size() - end));
+  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+  for (const auto& [name, seconds] : units)
+    if (error == std::errc{} && unit == name && value > 0.0 && std::isfinite(value))
+      return CheckpointInterval{value * seconds, true};
+  at.complain_found("a time of the process (a number), a time of the wall clock such as "
+                    "\"10 min\" (s, min, h), or \"never\"");
+  return std::nullopt;
+}
+
 } // namespace
 
 std::optional<ContactSettings> as_contact(const At& at) {
@@ -196,7 +225,7 @@ std::optional<OutputSettings> as_output(const At& at) {
   table.optional("every", output.every, as_number, positive_time);
   table.optional("at", output.at, as_times);
   table.optional("fields", output.fields, as_fields);
-  table.optional("checkpoint_every", output.checkpoint_every, as_number, positive_time);
+  table.optional("checkpoint_every", output.checkpoint_every, as_checkpoint_interval);
   table.finish();
   return output;
 }

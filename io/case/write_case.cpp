@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace billet::io {
 
@@ -120,6 +121,17 @@ std::string remesh_text(const Remesh& remesh) {
   return table.on_lines();
 }
 
+std::string interval_text(const CheckpointInterval& interval) {
+  if (!interval.wall_clock)
+    return toml_text(interval.length);
+  if (std::isinf(interval.length))
+    return toml_text(std::string("never"));
+  constexpr double minute = 60.0;
+  const bool in_minutes = interval.length >= minute;
+  return toml_text(fmt::format("{} {}", interval.length / (in_minutes ? minute : 1.0),
+                               in_minutes ? "min" : "s"));
+}
+
 std::string output_text(const OutputSettings& output) {
   TomlTable table;
   add_if(table, "every", output.every);
@@ -129,7 +141,7 @@ std::string output_text(const OutputSettings& output) {
   table.add("fields", set != nullptr
                           ? word_text(*set, field_sets)
                           : toml_text(std::get<std::vector<std::string>>(output.fields)));
-  add_if(table, "checkpoint_every", output.checkpoint_every);
+  table.add("checkpoint_every", interval_text(output.checkpoint_every));
   return table.on_lines();
 }
 

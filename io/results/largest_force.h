@@ -12,6 +12,8 @@ namespace billet::io {
 struct LargestForce {
   Vec3 force = Vec3::Zero(); ///< as in history.csv [N]
   double time = 0.0;         ///< at the end of that increment [s]
+
+  template <class Archive> void fields(Archive& archive) { archive(force, time); }
 };
 
 /// Takes an increment in that has just been accepted; of equal forces the first stays.

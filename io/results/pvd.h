@@ -13,6 +13,12 @@ struct PvdEntry {
   double time;                ///< [s]
   std::string part;           ///< "workpiece", the name of a tool, ...
   std::filesystem::path file; ///< relative to the folder of the .pvd
+
+  template <class Archive> void fields(Archive& archive) {
+    std::string name = file.string();
+    archive(time, part, name);
+    file = name;
+  }
 };
 
 /// Rewrites the list, all at once; parts are numbered in the order of their first appearance.

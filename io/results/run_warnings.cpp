@@ -139,7 +139,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         process.scene().tools[overlap.first].name, process.scene().tools[overlap.second].name,
         overlap.depth, content_->units.length, overlap.place[0], overlap.place[1],
         overlap.place[2]));
-  for (const process::Process::Intruder& intruder : process.intruders())
+  for (const process::Intruder& intruder : process.intruders())
     lines.push_back(fmt::format(
         "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
         "on its way while it does not act, so let it begin where it is clear",

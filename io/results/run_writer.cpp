@@ -1,5 +1,6 @@
 #include "io/results/run_writer.h"
 
+#include "geometry/base/archive.h"
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "io/case/read_case.h"
@@ -8,12 +9,14 @@
 #include "io/results/full_cavity.h"
 #include "process/part_boundary.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <exception>
 #include <span>
 #include <string_view>
@@ -28,6 +31,9 @@ using nlohmann::ordered_json;
 
 /// Frames of a run whose case says nothing about them.
 constexpr double frames_by_default = 25.0;
+
+/// Of the length of a run: times that differ by no more are one.
+constexpr double rounding_of_time = 1e-9;
 
 std::string analysis_name(Analysis analysis) {
   constexpr std::array<const char*, 3> names{"plane-strain", "axisymmetric", "3d"};
@@ -290,6 +296,62 @@ bool lists_own_frames(const std::filesystem::path& pvd) {
   });
 }
 
+std::vector<std::string> iteration_columns() {
+  return {"increment", "time", "iteration", "residual", "correction", "step", "contact_changes"};
+}
+
+/// Number of a frame by the name of its file.
+int frame_number(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  return std::stoi(stem.substr(stem.find_last_of('_') + 1));
+}
+
+/// Removes what writers that were killed have left half-written.
+void remove_partial_files(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<fs::path> partial;
+  for (const fs::path& each : {folder, folder / "frames", folder / "checkpoints"})
+    for (const auto& entry : fs::directory_iterator(each, error))
+      if (entry.path().extension() == ".partial" &&
+          entry.path().filename().string().starts_with('.'))
+        partial.push_back(entry.path());
+  for (const fs::path& file : partial)
+    fs::remove(file, error);
+}
+
+/// Removes frames from a number on, and what a run leaves when it ends.
+void remove_later(const std::filesystem::path& folder, int first_frame) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for (const fs::path& file : {folder / "summary.json", folder / "failure" / "last_good.vtu",
+                               folder / "failure" / "post_mortem.txt"})
+    fs::remove(file, error);
+  fs::remove(folder / "failure", error);
+  std::vector<fs::path> later;
+  for (const auto& entry : fs::directory_iterator(folder / "frames"))
+    if (is_frame(entry.path()) && frame_number(entry.path()) >= first_frame)
+      later.push_back(entry.path());
+  for (const fs::path& file : later)
+    fs::remove(file, error);
+}
+
+std::string in_words(process::CheckpointReason reason) {
+  switch (reason) {
+  case process::CheckpointReason::due:
+    return "in the midst of the run";
+  case process::CheckpointReason::new_stage:
+    return "end of a stage";
+  case process::CheckpointReason::end:
+    return "end of the run";
+  case process::CheckpointReason::stopped:
+    return "stopped by a signal";
+  case process::CheckpointReason::failed:
+    return "an increment could not be solved";
+  }
+  return "";
+}
+
 /// Removes what an earlier run left, so that nothing of it passes for a result of this one; files
 /// that are not ours stay.
 void remove_earlier_run(const std::filesystem::path& folder) {
@@ -303,6 +365,8 @@ void remove_earlier_run(const std::filesystem::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder / "frames"))
     if (is_frame(entry.path()))
       old.push_back(entry.path());
+  for (const fs::path& file : checkpoints_of(folder))
+    old.push_back(file);
   std::error_code error;
   for (const fs::path& file : old)
     if (!fs::remove(file, error) && error && error != std::errc::no_such_file_or_directory)
@@ -317,17 +381,32 @@ void remove_earlier_run(const std::filesystem::path& folder) {
 RunWriter::RunWriter(std::filesystem::path folder,
                      std::string name,
                      const Case& content,
-                     RunFacts facts)
+                     RunFacts facts,
+                     const RunBeginning& beginning)
     : folder_(std::move(folder)), name_(std::move(name)), content_(&content),
       facts_(std::move(facts)), settings_{content.units, analysis_name(content.analysis),
                                           content.title},
-      every_(content.output.every.value_or(content.time.end / frames_by_default)) {
+      every_(content.output.every.value_or(content.time.end / frames_by_default)),
+      beginning_(beginning), stored_wall_(seconds_now()) {
   make_folder(folder_, Durable::yes);
   lock_.emplace(folder_);
   make_folder(folder_ / "frames");
   write_file(folder_ / "case.resolved.toml", resolved_toml(content));
+  if (beginning_.checkpoint != nullptr) {
+    ArchiveReader stored(beginning_.checkpoint->results);
+    fields(stored);
+  }
   // Only now that the folder has proved writable.
-  remove_earlier_run(folder_);
+  remove_partial_files(folder_);
+  if (beginning_.checkpoint != nullptr && beginning_.same_folder) {
+    remove_later(folder_, frames_);
+    remove_checkpoints_after(folder_, beginning_.checkpoint->increment);
+  } else {
+    remove_earlier_run(folder_);
+    entries_.clear();
+    frames_ = 0;
+    history_rows_ = iteration_rows_ = 0;
+  }
   synchronize(folder_); // lest a power cut bring an earlier summary back
 }
 
@@ -339,21 +418,81 @@ RunWriter::~RunWriter() {
   }
 }
 
+template <class Archive> void RunWriter::fields(Archive& archive) {
+  archive(scene_, log_size_, history_rows_, iteration_rows_, entries_, frames_, last_frame_, last_,
+          ledger_, complaints_, largest_forces_, largest_penetration_, largest_share_, unmet_,
+          most_missed_, most_missed_at_, worn_, squeezed_at_);
+}
+
 void RunWriter::started(const process::Process& process) {
+  if (beginning_.checkpoint == nullptr)
+    scene_ = scene_fingerprint(process.scene());
   if (process.scene().remesh) {
     ledger_ = ledger_header(process.scene());
     write_file(folder_ / "remesh.csv", ledger_);
   }
   history_.emplace(folder_ / "history.csv", history_columns(process.scene()));
-  iterations_.emplace(folder_ / "iterations.csv",
-                      std::vector<std::string>{"increment", "time", "iteration", "residual",
-                                               "correction", "step", "contact_changes"});
+  iterations_.emplace(folder_ / "iterations.csv", iteration_columns());
   write_frame(process);
 }
 
+void RunWriter::resumed(const process::Process& process) {
+  stored_at_ = process.time();
+  if (!beginning_.same_folder) {
+    started(process);
+    return;
+  }
+  if (process.scene().remesh)
+    write_file(folder_ / "remesh.csv", ledger_);
+  history_ =
+      CsvWriter::resume(folder_ / "history.csv", history_columns(process.scene()), history_rows_);
+  iterations_ = CsvWriter::resume(folder_ / "iterations.csv", iteration_columns(), iteration_rows_);
+  write_list();
+}
+
+bool RunWriter::wants_checkpoint(const process::Process& process,
+                                 process::CheckpointReason reason) {
+  reason_ = reason;
+  if (reason != process::CheckpointReason::due)
+    return true;
+  const CheckpointInterval& interval = content_->output.checkpoint_every;
+  if (interval.wall_clock)
+    return seconds_now() - stored_wall_ >= interval.length;
+  const double slack = rounding_of_time * content_->time.end;
+  return std::floor((process.time() + slack) / interval.length) >
+         std::floor((stored_at_ + slack) / interval.length);
+}
+
+void RunWriter::checkpoint(const process::Process& process, const std::string& stored) {
+  std::error_code error; // there is none where the run is not logged
+  const std::uintmax_t size = std::filesystem::file_size(folder_ / "run.log", error);
+  log_size_ = error ? 0 : size;
+  stored_at_ = process.time();
+  stored_wall_ = seconds_now();
+  ArchiveWriter results;
+  fields(results);
+  const std::time_t now = std::time(nullptr);
+  write_checkpoint(folder_, {.version = facts_.version,
+                             .title = content_->title,
+                             .reason = in_words(reason_),
+                             .written = fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(now)),
+                             .time = process.time(),
+                             .increment = process.increments(),
+                             .stage = process.stage(),
+                             .n_unknowns = process.positions().size(),
+                             .scene = scene_,
+                             .content = resolved_toml(*content_),
+                             .run = stored,
+                             .results = results.take()});
+}
+
+std::optional<std::uintmax_t> RunWriter::size_of_log() const {
+  const bool goes_on = beginning_.checkpoint != nullptr && beginning_.same_folder;
+  return goes_on ? std::optional(log_size_) : std::nullopt;
+}
+
 bool RunWriter::frame_due(double time) const {
-  constexpr double rounding = 1e-9;
-  const double slack = rounding * content_->time.end;
+  const double slack = rounding_of_time * content_->time.end;
   if (std::floor((time + slack) / every_) > std::floor((last_frame_ + slack) / every_))
     return true;
   for (const double at : content_->output.at)
@@ -365,6 +504,8 @@ bool RunWriter::frame_due(double time) const {
 void RunWriter::incremented(const process::Process& process,
                             const process::IncrementReport& report) {
   history_->row(history_row(process, report));
+  ++history_rows_;
+  iteration_rows_ += report.records.size();
   note_largest_forces(process, report.time, largest_forces_);
   for (const mechanics::IterationRecord& record : report.records)
     iterations_->row(std::array<double, 7>{static_cast<double>(report.increment), report.time,

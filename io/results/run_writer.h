@@ -9,6 +9,7 @@
 #pragma once
 
 #include "io/case/case.h"
+#include "io/results/checkpoint.h"
 #include "io/results/csv_writer.h"
 #include "io/results/folder_lock.h"
 #include "io/results/frames.h"
@@ -18,6 +19,7 @@
 #include "process/run_checks.h"
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,6 +35,13 @@ struct RunFacts {
   std::vector<std::string> warnings; ///< about the inputs
 };
 
+/// Where a run begins.
+struct RunBeginning {
+  /// What it goes on from; null: the start of its case.
+  const Checkpoint* checkpoint = nullptr;
+  bool same_folder = true; ///< it goes on with the tables and frames that are there
+};
+
 /// How a run ended, for the summary.
 struct RunEnd {
   std::string status; ///< "done", "failed-checks", "not-converged", "stopped"
@@ -44,13 +53,21 @@ class RunWriter final : public process::Observer {
 public:
   /// Makes the folder and writes the resolved case.
   /// @throws Error (Fault::input_output), also if another run writes there
-  RunWriter(std::filesystem::path folder, std::string name, const Case& content, RunFacts facts);
+  RunWriter(std::filesystem::path folder,
+            std::string name,
+            const Case& content,
+            RunFacts facts,
+            const RunBeginning& beginning = {});
   /// Lists the frames of a run that broke off.
   ~RunWriter() override;
   RunWriter(const RunWriter&) = delete;
   RunWriter& operator=(const RunWriter&) = delete;
 
   void started(const process::Process& process) override;
+  void resumed(const process::Process& process) override;
+  [[nodiscard]] bool wants_checkpoint(const process::Process& process,
+                                      process::CheckpointReason reason) override;
+  void checkpoint(const process::Process& process, const std::string& stored) override;
   void incremented(const process::Process& process,
                    const process::IncrementReport& report) override;
   void failed(const process::Process& process, const process::PostMortem& post) override;
@@ -60,6 +77,9 @@ public:
 
   /// Writes summary.json; last of all.
   void write_summary(const process::Process& process, const RunEnd& end);
+
+  /// How long run.log was when the run was stored; none: this run begins its log [byte].
+  [[nodiscard]] std::optional<std::uintmax_t> size_of_log() const;
 
   /// Of each tool, shape (n_tools); empty: there has been no increment.
   [[nodiscard]] const std::vector<LargestForce>& largest_forces() const { return largest_forces_; }
@@ -77,6 +97,9 @@ private:
   void synchronize_results() const;
   [[nodiscard]] bool frame_due(double time) const;
 
+  /// What of it a run goes on with.
+  template <class Archive> void fields(Archive& archive);
+
   std::filesystem::path folder_;
   std::optional<FolderLock> lock_; ///< outlives what writes there
   std::string name_;
@@ -84,6 +107,14 @@ private:
   RunFacts facts_;
   FrameSettings settings_;
   double every_;
+  RunBeginning beginning_;
+  double stored_at_ = 0.0;   ///< when the run was stored last, time of the process [s]
+  double stored_wall_ = 0.0; ///< likewise, of the wall clock [s]
+  process::CheckpointReason reason_ = process::CheckpointReason::due;
+  std::string scene_;            ///< its fingerprint at the start
+  std::uintmax_t log_size_ = 0;  ///< of run.log when the run was stored [byte]
+  std::size_t history_rows_ = 0; ///< in history.csv
+  std::size_t iteration_rows_ = 0;
   std::optional<CsvWriter> history_;
   std::optional<CsvWriter> iterations_;
   std::vector<PvdEntry> entries_;
@@ -104,6 +135,8 @@ private:
     bool met = false;
     double depth = 0.0; ///< of the deepest point of a face found in it [mm]
     double time = 0.0;  ///< when one was found first [s]
+
+    template <class Archive> void fields(Archive& archive) { archive(acts, met, depth, time); }
   };
   std::vector<Unmet> unmet_;    ///< shape (n_tools)
   double most_missed_ = 0.0;    ///< by the balance of energy in one increment [N mm]

@@ -104,6 +104,11 @@ public:
   /// Current volume [mm^3].
   [[nodiscard]] double volume(std::span<const double> x) const;
 
+  template <class Archive> void fields(Archive& archive) {
+    archive(volumes_, states_, trial_states_, temperatures_, shape_energies_, trial_shape_energies_,
+            trial_dt_, increments_, largest_plastic_increment_, plastic_work_);
+  }
+
 private:
   struct Scratch;
   /// Volumes of the points, shape (n_elements, points) [mm^3].

@@ -513,6 +513,11 @@ bool Newton::shorten_correction() {
   return true;
 }
 
+void Newton::forget() {
+  solver_.forget();
+  settled_ = false;
+}
+
 Index Newton::worst_unknown() const {
   Index worst = 0;
   double most = -1.0;

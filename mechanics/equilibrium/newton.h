@@ -93,6 +93,9 @@ public:
                                             std::vector<double>& x,
                                             Approach approach = Approach::directly);
 
+  /// Goes on as if this were its first call: what the next ones do depends on no earlier one.
+  void forget();
+
   /// Iterations of the last call, and of those that its solution came from.
   [[nodiscard]] const std::vector<IterationRecord>& records() const { return records_; }
   /// Residual of the last trial [N]; at prescribed unknowns: the force of the support.

@@ -161,6 +161,17 @@ void LinearSolver::set_alone(std::span<const char> alone) {
   elimination_.reset();
 }
 
+void LinearSolver::forget() {
+  last_ = nullptr;
+  wear_ = {};
+  held_ = Held::earlier;
+  symmetric_patience_ = {};
+  single_patience_ = {};
+  single_lu_serves_ = true;
+  first_.clear();
+  correction_ = 0.0;
+}
+
 template <class Make>
 Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorization, Make make) {
   if (!factorization) {

@@ -176,6 +176,10 @@ public:
                                                  std::span<double> x,
                                                  double tolerance);
 
+  /// Goes on as a new solver of the same pattern would: no factorization is held, and what has
+  /// served before is not known. What it has taken so far stays.
+  void forget();
+
   [[nodiscard]] const SolverWork& work() const { return work_; }
 
 private:

@@ -28,6 +28,8 @@ public:
   /// Work lost to it in an increment [N mm].
   [[nodiscard]] double work_in(const Trial& trial) const;
 
+  template <class Archive> void fields(Archive& archive) { archive(share_); }
+
 private:
   [[nodiscard]] double stiffness() const { return share_ * stiffness_; }
   /// Sum of the squares of what the nodes' unknowns have moved [mm^2].

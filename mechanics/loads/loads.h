@@ -27,6 +27,8 @@ public:
 
   void commit(const Trial& trial) final;
 
+  template <class Archive> void fields(Archive& archive) { archive(work_); }
+
 private:
   /// Force of the load on the nodes in a configuration, shape (n_dofs), added to `out` [N].
   virtual void add_force(double time, std::span<const double> x, std::span<double> out) const = 0;

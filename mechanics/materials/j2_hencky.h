@@ -44,6 +44,8 @@ struct Material {
 struct PointState {
   Mat3 b_e = Mat3::Identity(); ///< left elastic Cauchy-Green tensor [-], current axes
   double plastic_strain = 0.0; ///< accumulated [-]
+
+  template <class Archive> void fields(Archive& archive) { archive(b_e, plastic_strain); }
 };
 
 /// Points that are updated side by side: as many as the widest processors' vectors hold numbers, of

@@ -41,6 +41,8 @@ enum class ElementKind { quad4, quad8, tri6, hex8, hex20, tet4, tet10 };
 struct Face {
   Index element;            ///< the cell it belongs to
   std::vector<Index> nodes; ///< global node numbers
+
+  template <class Archive> void fields(Archive& archive) { archive(element, nodes); }
 };
 
 /// Points and cells of one kind.
@@ -58,6 +60,10 @@ struct Mesh {
   [[nodiscard]] std::span<const Index> cell(Index element) const {
     const auto n = static_cast<std::size_t>(nodes_per_element(kind));
     return std::span(cells).subspan(static_cast<std::size_t>(element) * n, n);
+  }
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(kind, points, cells, node_sets);
   }
 };
 

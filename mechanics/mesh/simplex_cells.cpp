@@ -27,8 +27,8 @@ using Triangle = std::array<Index, 3>;
 using Quadrilateral = std::array<Index, 4>;
 
 /// The two halves of a quadrilateral, cut from its lowest corner and turning as it does.
-std::array<Triangle, 2> halves(const Quadrilateral& quad, const Order& order) {
-  Quadrilateral q = quad;
+std::array<Triangle, 2> halves(const Quadrilateral& corners, const Order& order) {
+  Quadrilateral q = corners;
   std::rotate(q.begin(), std::min_element(q.begin(), q.end(), order), q.end());
   return {{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}};
 }

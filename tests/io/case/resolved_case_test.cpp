@@ -108,7 +108,7 @@ Case future_case() {
   content.contact.max_penetration = 1e-3;
   content.solver.accuracy = Accuracy::draft;
   content.remesh = Remesh{0.1, 1, 2, 0.5, 5, 4, 6, 4.5, "tet10", {"top"}};
-  content.output.checkpoint_every = 1;
+  content.output.checkpoint_every = {1.5, false};
   return content;
 }
 
