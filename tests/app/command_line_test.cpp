@@ -110,7 +110,8 @@ TEST_F(CommandLine, mistakes_end_with_status_2_and_say_what_to_do) {
            {{"run", "tiny.toml", "-o"}, "-o needs a value"},
            {{"run", "tiny.toml", "-o", ""}, "-o needs the name of a folder"},
            {{"run", "tiny.toml", "--set"}, "--set needs a value"},
-           {{"run", "tiny.toml", "--resume"}, "--resume is not available in this version"},
+           {{"run", "tiny.toml", "--resume", "--from", "x"}, "exclude each other"},
+           {{"run", "tiny.toml", "--from", "x@soon"}, "RESULTS or RESULTS@TIME, not 'x@soon'"},
            {{"info"}, "a file is missing"}}) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.status, 2) << outcome.err;
