@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 namespace billet::process {
@@ -32,6 +33,12 @@ template <class Archive, class Work> void work_fields(Archive& archive, Work& wo
           work.last_factor_bytes);
 }
 
+/// The states of those of the models that a run has.
+template <class Archive, class... Model>
+void archive_present(Archive& archive, const std::unique_ptr<Model>&... models) {
+  ((models ? archive(*models) : void()), ...);
+}
+
 [[noreturn]] void another_scene(const std::string& what) {
   throw Error(Fault::input_output, "", "the stored run has other " + what + " than this case",
               "resume it with the case that it was run with");
@@ -54,14 +61,7 @@ std::string Process::stored() const {
   for (const auto& load : fading_)
     archive(*load);
   archive(grounding_ != nullptr, contact_ != nullptr, blows_ != nullptr, wear_ != nullptr);
-  if (grounding_)
-    archive(*grounding_);
-  if (contact_)
-    archive(*contact_);
-  if (blows_)
-    archive(*blows_);
-  if (wear_)
-    archive(*wear_);
+  archive_present(archive, grounding_, contact_, blows_, wear_);
   const mechanics::SolverWork work = solver_work();
   work_fields(archive, work);
   archive(times_, times_before_ + seconds_now() - started_);
@@ -128,14 +128,7 @@ void Process::resume(std::string_view stored) {
   if (grounded != (grounding_ != nullptr) || touches != (contact_ != nullptr) ||
       strikes != (blows_ != nullptr) || wears != (wear_ != nullptr))
     another_scene("supports, tools, presses or laws of wear");
-  if (grounding_)
-    archive(*grounding_);
-  if (contact_)
-    archive(*contact_);
-  if (blows_)
-    archive(*blows_);
-  if (wear_)
-    archive(*wear_);
+  archive_present(archive, grounding_, contact_, blows_, wear_);
   work_fields(archive, earlier_work_);
   archive(earlier_times_, times_before_);
   if (!archive.at_end())

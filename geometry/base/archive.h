@@ -104,7 +104,7 @@ private:
   }
   template <class... T> void write(const std::variant<T...>& value) {
     write(static_cast<std::uint64_t>(value.index()));
-    std::visit([this](const auto& held) { write(held); }, value);
+    std::visit([this](const auto& held) { this->write(held); }, value);
   }
   template <class T>
   requires Archived<T, ArchiveWriter>
