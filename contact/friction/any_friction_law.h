@@ -11,6 +11,7 @@
 #include "contact/friction/tresca.h"
 #include "contact/friction/viscoplastic.h"
 
+#include <optional>
 #include <variant>
 
 namespace billet::contact {
@@ -31,14 +32,19 @@ using AnyFrictionLaw = OneOfFrictionLaws<Frictionless,
   return std::visit([&](const auto& one) { return one.slip_limit(at); }, law);
 }
 
+/// What a law takes for the strength of the material beneath; none: it does not ask for it.
+[[nodiscard]] std::optional<Strength> followed_strength(const AnyFrictionLaw& law);
+
 /// Whether a law asks for the strength of the material beneath.
 [[nodiscard]] inline bool follows_material(const AnyFrictionLaw& law) {
+  return followed_strength(law).has_value();
+}
+
+/// Whether the limit depends on how fast the point slides.
+[[nodiscard]] inline bool creeps(const AnyFrictionLaw& law) {
   return std::visit(
-      [](const auto& one) {
-        if constexpr (requires { one.follows_material(); })
-          return one.follows_material();
-        else
-          return false;
+      []<class Law>(const Law&) {
+        return requires { requires Law::creeps; };
       },
       law);
 }

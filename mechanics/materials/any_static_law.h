@@ -1,4 +1,5 @@
-// The flow laws that know no rate: what an overstress law may build on.
+// Every flow law that knows no rate: what an overstress law may build on. Adding such a law means
+// adding its name to this list.
 
 #pragma once
 
