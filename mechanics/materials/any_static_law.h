@@ -4,6 +4,7 @@
 #pragma once
 
 #include "mechanics/materials/flow_table.h"
+#include "mechanics/materials/hockett_sherby.h"
 #include "mechanics/materials/linear.h"
 #include "mechanics/materials/ludwik.h"
 #include "mechanics/materials/perfect.h"
@@ -16,7 +17,8 @@ namespace billet::mechanics {
 
 template <FlowLaw... Laws> using OneOfStaticLaws = std::variant<Laws...>;
 
-using AnyStaticLaw = OneOfStaticLaws<Perfect, Linear, Swift, Ludwik, Voce, FlowTable>;
+using AnyStaticLaw =
+    OneOfStaticLaws<Perfect, Linear, Swift, Ludwik, Voce, HockettSherby, FlowTable>;
 
 /// Yield stress and slope of whichever law it is.
 [[nodiscard]] inline FlowStress static_stress(const AnyStaticLaw& any, double plastic_strain) {
