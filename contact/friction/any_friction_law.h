@@ -5,6 +5,7 @@
 #include "contact/friction/asperity.h"
 #include "contact/friction/coulomb.h"
 #include "contact/friction/frictionless.h"
+#include "contact/friction/levanov.h"
 #include "contact/friction/shaw.h"
 #include "contact/friction/sticking.h"
 #include "contact/friction/thick_film.h"
@@ -22,6 +23,7 @@ using AnyFrictionLaw = OneOfFrictionLaws<Frictionless,
                                          Sticking,
                                          Coulomb,
                                          Tresca,
+                                         Levanov,
                                          Shaw,
                                          Asperity,
                                          ThickFilm,

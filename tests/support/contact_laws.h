@@ -92,6 +92,7 @@ inline std::vector<NamedLaw> every_law() {
                              {"coulomb quadratic", Coulomb{0.2, 5.0, Strength::yield, 5e-3}},
                              {"tresca", Tresca{0.5, 80.0}},
                              {"tresca of the material", Tresca{0.2, {}}},
+                             {"levanov", Levanov{0.5, {}}},
                              {"shaw", Shaw{80.0, 0.3}},
                              {"shaw of the material", Shaw{{}, 1.0, Flattening::bowden_tabor}},
                              {"asperity", Asperity{0.6, {}, 0.5}},
