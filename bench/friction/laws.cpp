@@ -21,7 +21,7 @@ constexpr double k = 300.0; // [MPa]
 Curves over_pressure() {
   return {{"coulomb, eq 3", Coulomb{0.15}},
           {"coulomb, eq 4", Coulomb{0.15, 100.0, k}},
-          {"coulomb, eq 5", Coulomb{0.15, 100.0, k, false, 2e-4}},
+          {"coulomb, eq 5", Coulomb{0.15, 100.0, k, 2e-4}},
           {"tresca, eq 7", Tresca{0.12, k}},
           {"shaw, eq 6, f = 0.3", Shaw{k, 0.3}},
           {"shaw, eq 6, Bowden-Tabor", Shaw{k, 0.0, Flattening::bowden_tabor}},

@@ -5,12 +5,14 @@
 #include "contact/friction/asperity.h"
 #include "contact/friction/coulomb.h"
 #include "contact/friction/frictionless.h"
+#include "contact/friction/levanov.h"
 #include "contact/friction/shaw.h"
 #include "contact/friction/sticking.h"
 #include "contact/friction/thick_film.h"
 #include "contact/friction/tresca.h"
 #include "contact/friction/viscoplastic.h"
 
+#include <optional>
 #include <variant>
 
 namespace billet::contact {
@@ -21,6 +23,7 @@ using AnyFrictionLaw = OneOfFrictionLaws<Frictionless,
                                          Sticking,
                                          Coulomb,
                                          Tresca,
+                                         Levanov,
                                          Shaw,
                                          Asperity,
                                          ThickFilm,
@@ -31,14 +34,19 @@ using AnyFrictionLaw = OneOfFrictionLaws<Frictionless,
   return std::visit([&](const auto& one) { return one.slip_limit(at); }, law);
 }
 
+/// What a law takes for the strength of the material beneath; none: it does not ask for it.
+[[nodiscard]] std::optional<Strength> followed_strength(const AnyFrictionLaw& law);
+
 /// Whether a law asks for the strength of the material beneath.
 [[nodiscard]] inline bool follows_material(const AnyFrictionLaw& law) {
+  return followed_strength(law).has_value();
+}
+
+/// Whether the limit depends on how fast the point slides.
+[[nodiscard]] inline bool creeps(const AnyFrictionLaw& law) {
   return std::visit(
-      [](const auto& one) {
-        if constexpr (requires { one.follows_material(); })
-          return one.follows_material();
-        else
-          return false;
+      []<class Law>(const Law&) {
+        return requires { requires Law::creeps; };
       },
       law);
 }

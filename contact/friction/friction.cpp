@@ -13,10 +13,6 @@ LimitAtSlip bounded(const LimitAtSlip& limit, const SlipState& at) {
   return limit;
 }
 
-bool creeps(const AnyFrictionLaw& law) {
-  return std::holds_alternative<ThickFilm>(law) || std::holds_alternative<Viscoplastic>(law);
-}
-
 } // namespace
 
 bool Friction::depends_on_slip() const {

@@ -24,12 +24,6 @@ struct FrictionTensor {
   Vec3 direction; ///< of the first axis, in the tool's frame; projected on the tangent plane
 };
 
-/// What "k of the material beneath" means.
-enum class Strength {
-  yield,     ///< its yield stress over sqrt(3)
-  von_mises, ///< its von Mises stress over sqrt(3): the paper's generalisation of eq 7
-};
-
 struct Friction;
 
 /// A law on its own. Whether a friction is a law must not be asked: the answer would depend on the
@@ -40,7 +34,6 @@ concept LoneFrictionLaw = !std::same_as<Law, Friction> && FrictionLaw<Law>;
 /// A law and its modifiers. Every law is a friction.
 struct Friction {
   AnyFrictionLaw law = Frictionless{};
-  Strength strength = Strength::yield;
   CoefficientTable evolution{}; ///< factor on the coefficient over the sliding distance
   CoefficientTable table{};     ///< in place of the coefficient, which is 1 then
   std::optional<FrictionTensor> tensor = std::nullopt;
@@ -51,6 +44,10 @@ struct Friction {
   Friction(AnyFrictionLaw one) : law(one) {} // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool follows_material() const { return contact::follows_material(law); }
+  /// What stands for the strength of the material beneath; none: nothing asks for it.
+  [[nodiscard]] std::optional<Strength> followed_strength() const {
+    return contact::followed_strength(law);
+  }
   /// Whether the limit depends on how far and how fast the point slides in the increment.
   [[nodiscard]] bool depends_on_slip() const;
 };

@@ -13,8 +13,18 @@
 
 #include <concepts>
 #include <string_view>
+#include <variant>
 
 namespace billet::contact {
+
+/// What "k of the material beneath" means.
+enum class Strength {
+  yield,     ///< its yield stress over sqrt(3)
+  von_mises, ///< its von Mises stress over sqrt(3): the paper's generalisation of eq 7
+};
+
+/// A shear strength: of the material beneath, or a stress [MPa].
+using ShearStrength = std::variant<Strength, double>;
 
 /// What a friction law may know about one contact point.
 struct InterfacePoint {
@@ -23,6 +33,16 @@ struct InterfacePoint {
   double speed = 0.0;  ///< of sliding, |v_t| [mm/s], >= 0
   double factor = 1.0; ///< on the law's coefficient [-]: its evolution, or a table in its place
 };
+
+/// The value of a strength at a point [MPa].
+[[nodiscard]] inline double stress(const ShearStrength& strength, const InterfacePoint& at) {
+  const double* const given = std::get_if<double>(&strength);
+  return given != nullptr ? *given : at.shear_yield;
+}
+
+[[nodiscard]] inline bool follows_material(const ShearStrength& strength) {
+  return std::holds_alternative<Strength>(strength);
+}
 
 /// Largest shear the interface carries, and its exact partial derivatives. (F.1)
 struct SlipLimit {
@@ -33,11 +53,13 @@ struct SlipLimit {
   double d_factor = 0.0;      ///< by the factor on the coefficient [MPa]
 };
 
-/// A value type that bounds the interface shear; `slip_limit` is pure, its slopes exact.
+/// A value type that bounds the interface shear; `slip_limit` is pure, its slopes exact. `name` and
+/// `parameters` (geometry/base/parameter.h) are those of case files.
 template <class Law>
 concept FrictionLaw = std::copyable<Law> && requires(const Law& law, const InterfacePoint& at) {
   { law.slip_limit(at) } -> std::same_as<SlipLimit>;
   { Law::name } -> std::convertible_to<std::string_view>;
+  Law::parameters;
 };
 
 } // namespace billet::contact

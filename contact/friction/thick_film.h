@@ -3,6 +3,10 @@
 #pragma once
 
 #include "contact/friction/friction_law.h"
+#include "geometry/base/parameter.h"
+
+#include <string_view>
+#include <tuple>
 
 namespace billet::contact {
 
@@ -12,6 +16,13 @@ struct ThickFilm {
   double film;      ///< thickness e [mm]
 
   static constexpr std::string_view name = "thick-film";
+  static constexpr bool creeps = true;
+  static constexpr std::tuple parameters{
+      Parameter{"viscosity", &ThickFilm::viscosity, quantity::viscosity, allowed::positive},
+      Parameter{"film", &ThickFilm::film, quantity::length, allowed::positive},
+  };
+
+  bool operator==(const ThickFilm&) const = default;
 
   [[nodiscard]] SlipLimit slip_limit(const InterfacePoint& at) const noexcept {
     const double slope = viscosity / film;

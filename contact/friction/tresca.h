@@ -3,26 +3,32 @@
 #pragma once
 
 #include "contact/friction/friction_law.h"
+#include "geometry/base/parameter.h"
 
-#include <optional>
+#include <string_view>
+#include <tuple>
 
 namespace billet::contact {
 
 /// tau_lim = m k. (F.4): the paper's eq 7.
 struct Tresca {
-  double m;                ///< share [-], 0 to 1
-  std::optional<double> k; ///< shear yield stress [MPa]; absent: of the material beneath
+  double m;        ///< share [-], 0 to 1
+  ShearStrength k; ///< [MPa]
 
   static constexpr std::string_view name = "tresca";
+  static constexpr std::tuple parameters{
+      Parameter{"m", &Tresca::m, quantity::number, allowed::fraction}.coefficient(),
+      Parameter{"k", &Tresca::k, quantity::stress, allowed::positive}.optional(),
+  };
 
-  [[nodiscard]] bool follows_material() const noexcept { return !k; }
+  bool operator==(const Tresca&) const = default;
 
   [[nodiscard]] SlipLimit slip_limit(const InterfacePoint& at) const noexcept {
     if (m == 0.0)
       return {0.0, 0.0};
-    const double strength = k.value_or(at.shear_yield);
+    const double strength = stress(k, at);
     const double share = m * at.factor;
-    return {share * strength, 0.0, k ? 0.0 : share, 0.0, m * strength};
+    return {share * strength, 0.0, follows_material(k) ? share : 0.0, 0.0, m * strength};
   }
 };
 

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "contact/friction/friction_law.h"
+#include "geometry/base/parameter.h"
 
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 namespace billet::contact {
 
@@ -18,7 +21,15 @@ struct Viscoplastic {
   double mv;   ///< exponent [-], 0 < mv <= 1
 
   static constexpr std::string_view name = "viscoplastic";
+  static constexpr bool creeps = true;
+  static constexpr std::tuple parameters{
+      Parameter{"beta", &Viscoplastic::beta, quantity::stress, allowed::not_negative},
+      Parameter{"v0", &Viscoplastic::v0, quantity::speed, allowed::positive},
+      Parameter{"mv", &Viscoplastic::mv, quantity::number, allowed::positive_fraction},
+  };
   static constexpr double start = 1e-3; ///< below this share of v0 the cubic holds [-]
+
+  bool operator==(const Viscoplastic&) const = default;
 
   [[nodiscard]] SlipLimit slip_limit(const InterfacePoint& at) const noexcept {
     const double w = at.speed / v0;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace billet::contact {
@@ -141,11 +142,12 @@ void ContactTerm::search(const Tool& tool, ToolState& state, const geometry::Pos
 }
 
 double ContactTerm::strength(const Friction& friction, std::size_t point) const {
-  if (!friction.follows_material())
+  const std::optional<Strength> followed = friction.followed_strength();
+  if (!followed)
     return 0.0;
   const std::size_t beneath = surface_->beneath(point);
-  const double stress = friction.strength == Strength::yield ? bulk_->trial_strength(beneath)
-                                                             : bulk_->trial_stress(beneath).stress;
+  const double stress = *followed == Strength::yield ? bulk_->trial_strength(beneath)
+                                                     : bulk_->trial_stress(beneath).stress;
   return stress / std::numbers::sqrt3;
 }
 

@@ -8,6 +8,7 @@
 
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace billet::contact {
@@ -81,12 +82,13 @@ void add_row(int dim, double dload, const StrengthGradient& gradient, mechanics:
 void ContactTerm::add_strength(const mechanics::Trial& trial, mechanics::System& system) const {
   StrengthGradient gradient(*bulk_, pattern_->dim);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
-    if (!tools_[t].friction.follows_material())
+    const std::optional<Strength> followed = tools_[t].friction.followed_strength();
+    if (!followed)
       continue;
     const ToolState& state = states_[t];
     for (std::size_t k = 0; k < state.trial.size(); ++k) {
       if (state.trial[k].dtraction_dk.isZero(0.0) ||
-          !gradient.evaluate(tools_[t].friction.strength, surface_->beneath(k), trial.x))
+          !gradient.evaluate(*followed, surface_->beneath(k), trial.x))
         continue;
       const Vec3 dT = state.rotation * state.trial[k].dtraction_dk;
       const PointShares shares = surface_->shares(trial.x, k);

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "contact/friction/any_friction_law.h"
 #include "io/case/case_common.h"
 
 #include <array>
@@ -229,92 +230,8 @@ struct ToolMotion {
   bool operator==(const ToolMotion&) const = default;
 };
 
-/// The shear yield stress of the material beneath.
-struct ShearYield {
-  bool operator==(const ShearYield&) const = default;
-};
-
-/// The von Mises stress of the material beneath over sqrt(3).
-struct VonMisesShear {
-  bool operator==(const VonMisesShear&) const = default;
-};
-
-/// A shear strength: that of the material beneath, or a stress [MPa].
-using ShearStrength = std::variant<ShearYield, VonMisesShear, double>;
-
-struct FrictionlessFriction {
-  bool operator==(const FrictionlessFriction&) const = default;
-};
-
-struct StickingFriction {
-  bool operator==(const StickingFriction&) const = default;
-};
-
-/// min(mu (p - threshold)+ + mu2 (p - threshold)+^2, cap).
-struct CoulombFriction {
-  double mu = 0.0;                  ///< [-]
-  double threshold = 0.0;           ///< [MPa]
-  double mu2 = 0.0;                 ///< [1/MPa]
-  std::optional<ShearStrength> cap; ///< absent: no cap
-
-  bool operator==(const CoulombFriction&) const = default;
-};
-
-/// m k.
-struct TrescaFriction {
-  double m = 0.0; ///< [-], 0 <= m <= 1
-  ShearStrength k = ShearYield{};
-
-  bool operator==(const TrescaFriction&) const = default;
-};
-
-/// How asperities are flattened by pressure.
-enum class RealContact { wanheim_bay, bowden_tabor };
-
-/// alpha(p) k.
-struct ShawFriction {
-  ShearStrength k = ShearYield{};
-  double f = 0.0; ///< asperity friction factor [-]
-  RealContact real_contact = RealContact::wanheim_bay;
-
-  bool operator==(const ShawFriction&) const = default;
-};
-
-/// m_local alpha(p) k.
-struct AsperityFriction {
-  double m_local = 0.0; ///< [-]
-  ShearStrength k = ShearYield{};
-  double f = 0.0; ///< asperity friction factor [-]
-  RealContact real_contact = RealContact::wanheim_bay;
-
-  bool operator==(const AsperityFriction&) const = default;
-};
-
-/// viscosity |v| / film.
-struct ThickFilmFriction {
-  double viscosity = 0.0; ///< [MPa s]
-  double film = 0.0;      ///< [mm]
-
-  bool operator==(const ThickFilmFriction&) const = default;
-};
-
-/// beta (|v| / v0)^mv.
-struct ViscoplasticFriction {
-  double beta = 0.0; ///< [MPa]
-  double v0 = 0.0;   ///< [mm/s]
-  double mv = 0.0;   ///< [-]
-
-  bool operator==(const ViscoplasticFriction&) const = default;
-};
-
-using FrictionLaw = std::variant<FrictionlessFriction,
-                                 StickingFriction,
-                                 CoulombFriction,
-                                 TrescaFriction,
-                                 ShawFriction,
-                                 AsperityFriction,
-                                 ThickFilmFriction,
-                                 ViscoplasticFriction>;
+/// The friction laws; their keys, units and bounds are listed in their headers.
+using FrictionLaw = contact::AnyFrictionLaw;
 
 /// A law's coefficient on a grid; an empty axis does not matter.
 struct FrictionTable {

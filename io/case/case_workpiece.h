@@ -1,11 +1,11 @@
 // The workpiece of a case: mesh, element, place; and the materials.
 //
-// Every flow law is a struct of its own with the keys of the case file as members; its keys, units
-// and bounds are listed once, in law_keys.h. Units: those of the case (mm, MPa, s, degC here).
+// Units: those of the case (mm, MPa, s, degC here).
 
 #pragma once
 
 #include "io/case/case_common.h"
+#include "mechanics/materials/any_flow_law.h"
 
 #include <array>
 #include <filesystem>
@@ -97,113 +97,8 @@ struct ElasticConstants {
   bool operator==(const ElasticConstants&) const = default;
 };
 
-/// sigma_0.
-struct PerfectFlow {
-  double yield = 0.0; ///< [MPa]
-
-  bool operator==(const PerfectFlow&) const = default;
-};
-
-/// sigma_0 + H eps.
-struct LinearFlow {
-  double yield = 0.0;     ///< [MPa]
-  double hardening = 0.0; ///< [MPa]
-
-  bool operator==(const LinearFlow&) const = default;
-};
-
-/// K (eps0 + eps)^n.
-struct SwiftFlow {
-  double K = 0.0;    ///< [MPa]
-  double eps0 = 0.0; ///< [-]
-  double n = 0.0;    ///< [-]
-
-  bool operator==(const SwiftFlow&) const = default;
-};
-
-/// sigma_0 + K eps^n.
-struct LudwikFlow {
-  double yield = 0.0; ///< [MPa]
-  double K = 0.0;     ///< [MPa]
-  double n = 0.0;     ///< [-]
-
-  bool operator==(const LudwikFlow&) const = default;
-};
-
-/// sigma_s - (sigma_s - sigma_0) exp(-b eps).
-struct VoceFlow {
-  double yield = 0.0;      ///< [MPa]
-  double saturation = 0.0; ///< [MPa], >= yield
-  double rate = 0.0;       ///< [-]
-
-  bool operator==(const VoceFlow&) const = default;
-};
-
-/// Linear between points (plastic strain [-], yield stress [MPa]), the last value kept.
-struct TableFlow {
-  std::vector<std::pair<double, double>> points; ///< strains increase, from 0 or more
-
-  bool operator==(const TableFlow&) const = default;
-};
-
-/// sigma_0 + sqrt(3) K (sqrt(3) rate)^m (eps0 + eps)^n.
-struct NortonHoffFlow {
-  double K = 0.0;     ///< [MPa s^m]
-  double m = 0.0;     ///< [-]
-  double n = 0.0;     ///< [-]
-  double eps0 = 0.0;  ///< [-]
-  double yield = 0.0; ///< [MPa]
-
-  bool operator==(const NortonHoffFlow&) const = default;
-};
-
-using RateIndependentFlow =
-    std::variant<PerfectFlow, LinearFlow, SwiftFlow, LudwikFlow, VoceFlow, TableFlow>;
-
-/// rate = (1/eta) <sigma / sigma_y - 1>^(1/m).
-struct PerzynaFlow {
-  RateIndependentFlow base; ///< sigma_y
-  double eta = 0.0;         ///< [s]
-  double m = 0.0;           ///< [-]
-
-  bool operator==(const PerzynaFlow&) const = default;
-};
-
-/// (A + B eps^n)(1 + C ln(rate/rate0)+)(1 - T*^m).
-struct JohnsonCookFlow {
-  double A = 0.0;      ///< [MPa]
-  double B = 0.0;      ///< [MPa]
-  double n = 0.0;      ///< [-]
-  double C = 0.0;      ///< [-]
-  double rate0 = 0.0;  ///< [1/s]
-  double m = 0.0;      ///< [-]
-  double T_room = 0.0; ///< [degC]
-  double T_melt = 0.0; ///< [degC]
-
-  bool operator==(const JohnsonCookFlow&) const = default;
-};
-
-/// The formula of the guide, temperature in degC.
-struct HanselSpittelFlow {
-  double A = 0.0; ///< [MPa, with the rates and temperatures of the formula]
-  double m1 = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0, m5 = 0.0, m7 = 0.0, m8 = 0.0, m9 = 0.0;
-  double m6 = 0.0;       ///< reserved by the formula's numbering; must be 0
-  double eps_min = 0.01; ///< strains below this count as this [-]
-  double eps_max = 0.0;  ///< strains above this count as this; 0: the formula goes on [-]
-
-  bool operator==(const HanselSpittelFlow&) const = default;
-};
-
-using FlowLaw = std::variant<PerfectFlow,
-                             LinearFlow,
-                             SwiftFlow,
-                             LudwikFlow,
-                             VoceFlow,
-                             TableFlow,
-                             NortonHoffFlow,
-                             PerzynaFlow,
-                             JohnsonCookFlow,
-                             HanselSpittelFlow>;
+/// The flow laws of metals; their keys, units and bounds are listed in their headers.
+using FlowLaw = mechanics::AnyPlasticLaw;
 
 struct Material {
   std::string library; ///< name in material_library.h that gave what the case does not; empty: none

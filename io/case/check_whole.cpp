@@ -64,13 +64,18 @@ void check_material(const At& root, const Case& content) {
 bool asks_temperature(const std::optional<FlowLaw>& flow) {
   if (!flow)
     return false;
-  if (const auto* const hot = std::get_if<HanselSpittelFlow>(&*flow))
-    return hot->m1 != 0.0 || hot->m5 != 0.0 || hot->m8 != 0.0 || hot->m9 != 0.0;
-  return std::holds_alternative<JohnsonCookFlow>(*flow);
+  return std::visit(
+      [](const auto& law) {
+        if constexpr (requires { law.asks_temperature(); })
+          return law.asks_temperature();
+        else
+          return false;
+      },
+      *flow);
 }
 
 /// What Hensel's and Spittel's formula must not be asked.
-void check_range(const At& at, const HanselSpittelFlow& law, double T) {
+void check_range(const At& at, const mechanics::HanselSpittel& law, double T) {
   if (law.m9 != 0.0 && T <= 0.0)
     at.complain(fmt::format("T^m9 needs a temperature above 0 degC, the case has {}", T));
   if (law.m3 + law.m8 * T < 0.0)
@@ -85,7 +90,7 @@ void settle_hardness(Case& content) {
   if (found == content.materials.end() || found->second.hardness || !found->second.flow ||
       !content.temperature)
     return;
-  const auto* const law = std::get_if<JohnsonCookFlow>(&*found->second.flow);
+  const auto* const law = std::get_if<mechanics::JohnsonCook>(&*found->second.flow);
   if (law == nullptr || !(law->T_melt > law->T_room))
     return; // complained about already
   const double T = (*content.temperature - law->T_room) / (law->T_melt - law->T_room);
@@ -111,7 +116,7 @@ void check_temperature(const At& root, const Case& content) {
     return;
   }
   if (found->second.flow)
-    if (const auto* const law = std::get_if<HanselSpittelFlow>(&*found->second.flow))
+    if (const auto* const law = std::get_if<mechanics::HanselSpittel>(&*found->second.flow))
       check_range(at, *law, *content.temperature);
 }
 

@@ -1,27 +1,22 @@
 #include "io/case/initial_yield.h"
 
-#include <cmath>
 #include <variant>
 
 namespace billet::io {
 
 namespace {
 
-double yield_of(const PerfectFlow& law) { return law.yield; }
-double yield_of(const LinearFlow& law) { return law.yield; }
-double yield_of(const SwiftFlow& law) { return law.K * std::pow(law.eps0, law.n); }
-double yield_of(const LudwikFlow& law) { return law.yield; }
-double yield_of(const VoceFlow& law) { return law.yield; }
-double yield_of(const TableFlow& law) {
-  return law.points.empty() ? 0.0 : law.points.front().second;
+template <mechanics::FlowLaw Law> double yield_of(const Law& law) {
+  return law.flow_stress(0.0).stress;
 }
-double yield_of(const NortonHoffFlow& law) { return law.yield; }
-double yield_of(const PerzynaFlow& law) {
-  return std::visit([](const auto& base) { return yield_of(base); }, law.base);
+
+/// That of laws that know the temperature depends on the case's: check_whole.cpp.
+template <mechanics::RateFlowLaw Law> double yield_of(const Law& law) {
+  if constexpr (requires { law.asks_temperature(); })
+    return 0.0;
+  else
+    return law.flow_stress({0.0, 0.0, 0.0}).stress;
 }
-// That of Johnson and Cook depends on the temperature of the case: check_whole.cpp.
-double yield_of(const JohnsonCookFlow& /*law*/) { return 0.0; }
-double yield_of(const HanselSpittelFlow& /*law*/) { return 0.0; }
 
 } // namespace
 

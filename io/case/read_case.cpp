@@ -1,8 +1,8 @@
 #include "io/case/read_case.h"
 
-#include "io/case/law_keys.h"
 #include "io/case/read_parts.h"
 #include "io/case/setting_words.h"
+#include "io/case/values.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Supports and loads.
 
-#include "io/case/law_keys.h"
 #include "io/case/read_parts.h"
+#include "io/case/values.h"
 
 #include <array>
 

@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
 #include <vector>
 
 namespace billet::io {
@@ -116,12 +120,57 @@ std::optional<FrictionTable> as_friction_table(const At& at) {
   return result;
 }
 
-/// 'real_contact', and 'f' where that asks for it.
-void read_real_contact(TableReader& table, RealContact& real_contact, double& f) {
-  table.optional("real_contact", real_contact,
-                 [](const At& at) { return as_word(at, real_contacts); });
-  if (real_contact == RealContact::wanheim_bay)
-    table.required("f", f, as_number, fraction_number);
+/// A coefficient of a law: what a table may stand in place of.
+struct Coefficient {
+  std::string_view key;
+  double most; ///< that is allowed
+};
+
+/// A coefficient that has a largest value is a share of the metal's k.
+bool is_share(const Coefficient& coefficient) { return std::isfinite(coefficient.most); }
+
+template <class Parameter>
+void add_coefficient(const Parameter& parameter, std::optional<Coefficient>& into) {
+  if constexpr (requires { parameter.is_coefficient; })
+    if (parameter.is_coefficient)
+      into = Coefficient{parameter.key, parameter.bounds.high};
+}
+
+template <contact::FrictionLaw Law> std::optional<Coefficient> coefficient_of(const Law& /*law*/) {
+  std::optional<Coefficient> found;
+  std::apply([&](const auto&... parameters) { (add_coefficient(parameters, found), ...); },
+             Law::parameters);
+  return found;
+}
+
+std::optional<Coefficient> coefficient_of(const FrictionLaw& any) {
+  return std::visit([](const auto& law) { return coefficient_of(law); }, any);
+}
+
+std::size_t n_parameters(const FrictionLaw& any) {
+  return std::visit(
+      []<class Law>(const Law&) { return std::tuple_size_v<decltype(Law::parameters)>; }, any);
+}
+
+template <class... Laws>
+std::vector<std::optional<Coefficient>> coefficients(const std::variant<Laws...>* /*any*/) {
+  return {coefficient_of(Laws{})...};
+}
+
+/// The keys of those coefficients that do, once each: "'mu', 'm' and 'm_local'".
+template <class Does> std::string keys_of_coefficients(std::string_view quote, const Does& does) {
+  std::vector<std::string> keys;
+  for (const std::optional<Coefficient>& one :
+       coefficients(static_cast<const FrictionLaw*>(nullptr))) {
+    if (!one || !does(*one))
+      continue;
+    const std::string key = fmt::format("{0}{1}{0}", quote, one->key);
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      keys.push_back(key);
+  }
+  const std::string last = keys.back();
+  keys.pop_back();
+  return fmt::format("{} and {}", fmt::join(keys, ", "), last);
 }
 
 /// The largest factor by which an evolution multiplies a law's shear.
@@ -134,10 +183,10 @@ double most_factor(const Friction& friction) {
   return most;
 }
 
-/// The largest coefficient of a table, or the one that stands in its place.
-double most_coefficient(const Friction& friction, double alone) {
+/// The largest coefficient of a table, or the factor 1 on that of the law.
+double most_of_table(const Friction& friction) {
   const std::vector<double>& values = friction.table.values;
-  return values.empty() ? alone : *std::max_element(values.begin(), values.end());
+  return values.empty() ? 1.0 : *std::max_element(values.begin(), values.end());
 }
 
 /// The largest share of the law's shear that slides of any direction meet.
@@ -151,24 +200,23 @@ double most_of_tensor(const Friction& friction) {
   return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4.0 * det * det))));
 }
 
+/// The largest share of the metal's k that a law carries, its coefficient times a factor; 0 where
+/// it knows another strength, or none: a number for k may be that of a film, no more is known of
+/// it.
+double most_share(const FrictionLaw& law, double factor) {
+  constexpr double k = 1.0, enormous = 1e100; // of k
+  return follows_material(law) ? slip_limit(law, {enormous, k, 0.0, factor}).shear : 0.0;
+}
+
 /// No modifier asks for more shear than the metal carries.
 void refuse_beyond_strength(TableReader& table, const Friction& friction) {
-  // A number for k may be that of a film: no more is known of it.
-  const auto is_of_metal = [](const ShearStrength& k) {
-    return !std::holds_alternative<double>(k);
-  };
-  double share = 0.0; // of k, at most
-  if (const auto* const tresca = std::get_if<TrescaFriction>(&friction.law))
-    share = is_of_metal(tresca->k) ? most_coefficient(friction, tresca->m) : 0.0;
-  else if (const auto* const asperity = std::get_if<AsperityFriction>(&friction.law))
-    share = is_of_metal(asperity->k) ? most_coefficient(friction, asperity->m_local) : 0.0;
-  else if (const auto* const shaw = std::get_if<ShawFriction>(&friction.law))
-    share = is_of_metal(shaw->k) ? 1.0 : 0.0;
-  else if (const auto* const coulomb = std::get_if<CoulombFriction>(&friction.law))
-    share = coulomb->cap && is_of_metal(*coulomb->cap) ? 1.0 : 0.0;
+  const double share = most_share(friction.law, most_of_table(friction));
+  if (!(share > 0.0))
+    return;
   constexpr double rounding = 1e-12;
-  const bool is_capped = std::holds_alternative<CoulombFriction>(friction.law); // after the factor
-  const double factor = is_capped ? 1.0 : most_factor(friction);
+  // A cap holds after the factor.
+  const double factor =
+      most_share(friction.law, most_of_table(friction) * most_factor(friction)) / share;
   const double most = share * factor * most_of_tensor(friction);
   if (!(most > 1.0 + rounding))
     return;
@@ -194,46 +242,27 @@ void refuse_unfit(TableReader& table, const Friction& friction) {
     if (const std::optional<At> at = table.find(key))
       at->complain(std::string(why));
   };
-  const bool has_coefficient = std::holds_alternative<CoulombFriction>(law) ||
-                               std::holds_alternative<TrescaFriction>(law) ||
-                               std::holds_alternative<AsperityFriction>(law);
-  if (!has_coefficient)
-    refuse("table", "the law has no coefficient in whose place it could stand; 'mu', 'm' and "
-                    "'m_local' are coefficients");
+  const std::optional<Coefficient> coefficient = coefficient_of(law);
+  if (!coefficient)
+    refuse("table",
+           fmt::format("the law has no coefficient in whose place it could stand; {} are "
+                       "coefficients",
+                       keys_of_coefficients("'", [](const Coefficient&) { return true; })));
   if (table.find("table"))
     refuse("mu2", "does not go together with 'table', which holds the whole coefficient");
-  if (std::holds_alternative<TrescaFriction>(law) || std::holds_alternative<AsperityFriction>(law))
+  if (coefficient && is_share(*coefficient))
     for (const double value : friction.table.values)
-      if (value > 1.0) {
-        refuse("table",
-               fmt::format("found {}, but m and m_local are shares of k: at most 1", value));
+      if (value > coefficient->most) {
+        refuse("table", fmt::format("found {}, but {} are shares of k: at most {}", value,
+                                    keys_of_coefficients("", is_share), coefficient->most));
         break;
       }
-  if (std::holds_alternative<FrictionlessFriction>(law) ||
-      std::holds_alternative<StickingFriction>(law))
+  if (n_parameters(law) == 0)
     for (const std::string_view key : {"tensor", "direction", "evolution"})
       refuse(key, "the law has nothing that it could change");
 }
 
 } // namespace
-
-void read_more(TableReader& table, CoulombFriction& law) {
-  table.optional("cap", law.cap, as_shear_strength);
-}
-
-void read_more(TableReader& table, TrescaFriction& law) {
-  table.optional("k", law.k, as_shear_strength);
-}
-
-void read_more(TableReader& table, ShawFriction& law) {
-  table.required("k", law.k, as_shear_strength);
-  read_real_contact(table, law.real_contact, law.f);
-}
-
-void read_more(TableReader& table, AsperityFriction& law) {
-  table.required("k", law.k, as_shear_strength);
-  read_real_contact(table, law.real_contact, law.f);
-}
 
 std::optional<Friction> as_friction(const At& at) {
   if (at.node.as<Table>() == nullptr) {

@@ -38,38 +38,6 @@ std::optional<FlowLaw> as_flow(const At& at) {
   return flow;
 }
 
-} // namespace
-
-void read_more(TableReader& table, VoceFlow& law) {
-  const std::optional<At> at = table.find("saturation");
-  if (at && law.saturation > 0.0 && law.saturation < law.yield)
-    at->complain_found(fmt::format("no less than the yield stress {}", law.yield));
-}
-
-void read_more(TableReader& table, TableFlow& law) {
-  table.required("points", law.points, as_pairs, not_negative_number, positive_stress);
-}
-
-void read_more(TableReader& table, PerzynaFlow& law) {
-  std::optional<TableReader> base = table.require_table("base");
-  if (base && base->is_table() && read_law(*base, law.base))
-    base->finish();
-}
-
-void read_more(TableReader& table, JohnsonCookFlow& law) {
-  const std::optional<At> at = table.find("T_melt");
-  if (at && table.find("T_room") && law.T_melt <= law.T_room)
-    at->complain_found(fmt::format("more than T_room = {}", law.T_room));
-}
-
-void read_more(TableReader& table, HanselSpittelFlow& law) {
-  const std::optional<At> at = table.find("eps_max");
-  if (at && law.eps_max > 0.0 && law.eps_max <= law.eps_min)
-    at->complain_found(fmt::format("more than eps_min = {}", law.eps_min));
-}
-
-namespace {
-
 std::optional<std::string> as_library_name(const At& at) {
   std::vector<std::string> names;
   for (const LibraryMaterial& known : material_library())

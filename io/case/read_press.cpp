@@ -1,7 +1,7 @@
 // Presses: a crank, a hammer, a screw.
 
-#include "io/case/law_keys.h"
 #include "io/case/read_parts.h"
+#include "io/case/values.h"
 
 #include <array>
 #include <cmath>

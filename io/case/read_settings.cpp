@@ -1,8 +1,8 @@
 // Contact, time, solver, remeshing and output.
 
-#include "io/case/law_keys.h"
 #include "io/case/read_parts.h"
 #include "io/case/setting_words.h"
+#include "io/case/values.h"
 
 #include <fmt/format.h>
 

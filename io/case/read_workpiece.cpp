@@ -1,6 +1,6 @@
-#include "io/case/law_keys.h"
 #include "io/case/one_kind.h"
 #include "io/case/read_parts.h"
+#include "io/case/values.h"
 
 #include <fmt/format.h>
 

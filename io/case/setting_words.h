@@ -24,8 +24,8 @@ inline constexpr std::array contact_integrators{
     Word<ContactIntegrator>{"midpoint", ContactIntegrator::midpoint},
     Word<ContactIntegrator>{"exact", ContactIntegrator::exact}};
 inline constexpr std::array real_contacts{
-    Word<RealContact>{"wanheim-bay", RealContact::wanheim_bay},
-    Word<RealContact>{"bowden-tabor", RealContact::bowden_tabor}};
+    Word<contact::Flattening>{"wanheim-bay", contact::Flattening::wanheim_bay},
+    Word<contact::Flattening>{"bowden-tabor", contact::Flattening::bowden_tabor}};
 inline constexpr std::array linear_solvers{
     Word<LinearSolverChoice>{"auto", LinearSolverChoice::automatic},
     Word<LinearSolverChoice>{"cholmod", LinearSolverChoice::cholmod},

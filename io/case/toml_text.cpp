@@ -80,10 +80,11 @@ std::string toml_text(const Where& where) {
   return toml_text(std::string_view(text));
 }
 
-std::string toml_text(const ShearStrength& strength) {
+std::string toml_text(const contact::ShearStrength& strength) {
   if (const double* const value = std::get_if<double>(&strength))
     return toml_text(*value);
-  return std::holds_alternative<VonMisesShear>(strength) ? "\"von-mises\"" : "\"shear-yield\"";
+  return std::get<contact::Strength>(strength) == contact::Strength::von_mises ? "\"von-mises\""
+                                                                               : "\"shear-yield\"";
 }
 
 std::string toml_text(const Vec3& vector, int size) {

@@ -70,11 +70,8 @@ bool is_part_of_name(char c) {
 
 } // namespace
 
-bool Bounds::admit(double value) const {
-  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
-}
-
-std::string Bounds::text() const {
+std::string bounds_text(const Bounds& bounds) {
+  const auto& [low, high, low_open, high_open] = bounds;
   const bool has_low = std::isfinite(low);
   const bool has_high = std::isfinite(high);
   if (has_low && has_high)
@@ -89,7 +86,7 @@ std::optional<double> as_number(const At& at, const Number& kind) {
   const std::optional<double> value = finite_number(at, kind);
   if (!value || kind.bounds.admit(*value))
     return value;
-  at.complain_found(kind.bounds.text());
+  at.complain_found(bounds_text(kind.bounds));
   return std::nullopt;
 }
 

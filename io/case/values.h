@@ -4,12 +4,12 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "io/case/table_reader.h"
 #include "io/case/units.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,28 +19,30 @@
 
 namespace billet::io {
 
-/// Admissible values: low <= v <= high, without the ends where these are open.
-struct Bounds {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;
-  bool high_open = false;
+using allowed::above_absolute_zero;
+using allowed::any_value;
+using allowed::fraction;
+using allowed::not_negative;
+using allowed::positive;
 
-  [[nodiscard]] bool admit(double value) const;
-  [[nodiscard]] std::string text() const;
-};
-
-inline constexpr Bounds any_value{};
-inline constexpr Bounds positive{0.0, std::numeric_limits<double>::infinity(), true, false};
-inline constexpr Bounds not_negative{0.0};
-inline constexpr Bounds fraction{0.0, 1.0};
-inline constexpr Bounds above_absolute_zero{-273.15};
+/// The words for bounds in messages: "a value > 0".
+[[nodiscard]] std::string bounds_text(const Bounds& bounds);
 
 /// A kind of number: what it measures and what is allowed.
 struct Number {
   Quantity measured = quantity::number;
   Bounds bounds = any_value;
 };
+
+inline constexpr Number positive_number{quantity::number, positive};
+inline constexpr Number not_negative_number{quantity::number, not_negative};
+inline constexpr Number fraction_number{quantity::number, fraction};
+inline constexpr Number positive_stress{quantity::stress, positive};
+inline constexpr Number not_negative_stress{quantity::stress, not_negative};
+inline constexpr Number any_length{quantity::length, any_value};
+inline constexpr Number positive_length{quantity::length, positive};
+inline constexpr Number positive_time{quantity::duration, positive};
+inline constexpr Number not_negative_time{quantity::duration, not_negative};
 
 [[nodiscard]] std::optional<double> as_number(const At& at, const Number& kind);
 [[nodiscard]] std::optional<std::string> as_text(const At& at);
@@ -97,7 +99,8 @@ struct LengthUnit {
 [[nodiscard]] std::optional<Where> as_where(const At& at);
 
 /// A stress, "shear-yield" or "von-mises".
-[[nodiscard]] std::optional<ShearStrength> as_shear_strength(const At& at);
+[[nodiscard]] std::optional<contact::ShearStrength> as_shear_strength(const At& at,
+                                                                      const Number& kind);
 
 /// A word of the case file and what it stands for.
 template <class Value> struct Word {

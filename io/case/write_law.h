@@ -1,32 +1,63 @@
-// Writes a law with all its keys; the mirror of read_law.h.
+// Writes a law with all its parameters; the mirror of read_law.h.
 
 #pragma once
 
-#include "io/case/law_keys.h"
+#include "io/case/setting_words.h"
 #include "io/case/toml_text.h"
+
+#include <optional>
+#include <tuple>
+#include <variant>
 
 namespace billet::io {
 
-/// What a law has besides numbers; most have nothing.
-template <class Law> void write_more(TomlTable& /*table*/, const Law& /*law*/) {}
+// Texts of the members of laws, besides those of toml_text.h.
+[[nodiscard]] std::string toml_text(const mechanics::AnyStaticLaw& law);
+[[nodiscard]] inline std::string toml_text(contact::Flattening flattening) {
+  return word_text(flattening, real_contacts);
+}
+[[nodiscard]] inline std::string toml_text(const std::optional<contact::ShearStrength>& strength) {
+  return toml_text(strength.value()); // where it is absent nothing is written
+}
 
-void write_more(TomlTable& table, const TableFlow& law);
-void write_more(TomlTable& table, const PerzynaFlow& law);
-void write_more(TomlTable& table, const CoulombFriction& law);
-void write_more(TomlTable& table, const TrescaFriction& law);
-void write_more(TomlTable& table, const ShawFriction& law);
-void write_more(TomlTable& table, const AsperityFriction& law);
+/// Writes one parameter, unless it is absent.
+template <class Law, class Value>
+void write_parameter(TomlTable& table, const Law& law, const Parameter<Law, Value>& parameter) {
+  if (parameter.presence != Presence::absent || law.*parameter.member != Law{}.*parameter.member)
+    table.add(parameter.key, toml_text(law.*parameter.member));
+}
 
-/// Writes the name and the keys of a law, without its coefficient where a table stands in its
-/// place. Numbers that may be absent and are 0 are left out: they
-/// say nothing, and some are not available in every version.
+template <class Law, class Value, class Choice>
+void write_parameter(TomlTable& table,
+                     const Law& law,
+                     const ConditionalParameter<Law, Value, Choice>& conditional) {
+  if (conditional.counts(law))
+    write_parameter(table, law, conditional.parameter);
+}
+
+template <class Parameter> bool is_coefficient(const Parameter& parameter) {
+  if constexpr (requires { parameter.is_coefficient; })
+    return parameter.is_coefficient;
+  return false;
+}
+
+/// Writes the name and the parameters of a law, without its coefficient where a table stands in its
+/// place.
 template <class Law>
 void write_law(TomlTable& table, const Law& law, bool with_coefficient = true) {
-  table.add("law", toml_text(LawKeys<Law>::name));
-  for (const auto& key : LawKeys<Law>::keys)
-    if ((key.is_required || law.*key.member != 0.0) && (with_coefficient || !key.is_coefficient))
-      table.add(key.key, toml_text(law.*key.member));
-  write_more(table, law);
+  table.add("law", toml_text(Law::name));
+  const auto write = [&](const auto& parameter) {
+    if (with_coefficient || !is_coefficient(parameter))
+      write_parameter(table, law, parameter);
+  };
+  std::apply([&](const auto&... parameters) { (write(parameters), ...); }, Law::parameters);
+}
+
+/// A law of a variant as a table on one line.
+template <class... Laws> std::string law_text(const std::variant<Laws...>& any) {
+  TomlTable table;
+  std::visit([&](const auto& law) { write_law(table, law); }, any);
+  return table.on_one_line();
 }
 
 } // namespace billet::io

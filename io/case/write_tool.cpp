@@ -200,12 +200,6 @@ std::string motion_text(const ToolMotion& motion, int size) {
   return table.on_one_line();
 }
 
-void write_real_contact(TomlTable& table, RealContact real_contact, double f) {
-  table.add("real_contact", word_text(real_contact, real_contacts));
-  if (real_contact == RealContact::wanheim_bay)
-    table.add("f", toml_text(f));
-}
-
 /// Values of a table as lists within lists, one level for each axis that is given.
 std::string nested(std::span<const double> values, std::span<const std::size_t> sizes) {
   if (sizes.size() == 1)
@@ -250,23 +244,6 @@ std::string friction_text(const Friction& friction, int size) {
 }
 
 } // namespace
-
-void write_more(TomlTable& table, const CoulombFriction& law) {
-  if (law.threshold == 0.0)
-    table.add("threshold", toml_text(law.threshold));
-  if (law.cap)
-    table.add("cap", toml_text(*law.cap));
-}
-
-void write_more(TomlTable& table, const TrescaFriction& law) { table.add("k", toml_text(law.k)); }
-void write_more(TomlTable& table, const ShawFriction& law) {
-  table.add("k", toml_text(law.k));
-  write_real_contact(table, law.real_contact, law.f);
-}
-void write_more(TomlTable& table, const AsperityFriction& law) {
-  table.add("k", toml_text(law.k));
-  write_real_contact(table, law.real_contact, law.f);
-}
 
 std::string toml_text(const Tool& tool, int size) {
   TomlTable table;

@@ -65,19 +65,9 @@ std::string mesh_text(const StepMesh& mesh, int /*size*/) {
   return table.on_one_line();
 }
 
-template <class AnyLaw> std::string law_text(const AnyLaw& any) {
-  TomlTable table;
-  std::visit([&](const auto& law) { write_law(table, law); }, any);
-  return table.on_one_line();
-}
-
 } // namespace
 
-void write_more(TomlTable& table, const TableFlow& law) {
-  table.add("points", toml_text(law.points));
-}
-
-void write_more(TomlTable& table, const PerzynaFlow& law) { table.add("base", law_text(law.base)); }
+std::string toml_text(const mechanics::AnyStaticLaw& law) { return law_text(law); }
 
 std::string toml_text(const Material& material) {
   TomlTable elastic;

@@ -1,7 +1,7 @@
 // Slips that the numbers of a case alone tell.
 
 #include "geometry/base/angle.h"
-#include "io/case/law_keys.h"
+#include "io/case/case.h"
 #include "io/slips/slip.h"
 #include "io/slips/slips.h"
 
@@ -10,9 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <variant>
 
 namespace billet::io {
@@ -44,33 +47,52 @@ struct KeyedStress {
   double value;
 };
 
-/// Stresses among the numbers of a law.
-template <class Law> std::vector<KeyedStress> stresses_of(const Law& law) {
-  std::vector<KeyedStress> stresses;
-  for (const auto& key : LawKeys<Law>::keys)
-    if (key.kind.measured.dimension == quantity::stress.dimension && law.*key.member > 0.0)
-      stresses.push_back({key.key, law.*key.member});
-  return stresses;
+using KeyedStresses = std::vector<KeyedStress>;
+
+template <class AnyLaw> void add_stresses_of(const AnyLaw& any, KeyedStresses& stresses);
+
+// Stresses that one parameter of a law gives.
+void add_stresses(std::string_view key, const Quantity& measured, double value, KeyedStresses& to) {
+  if (measured.dimension == quantity::stress.dimension && value > 0.0)
+    to.push_back({key, value});
 }
-std::vector<KeyedStress> stresses_of(const TableFlow& law) {
+void add_stresses(std::string_view /*key*/,
+                  const Quantity& /*measured*/,
+                  const std::vector<std::pair<double, double>>& points,
+                  KeyedStresses& to) {
   double most = 0.0;
-  for (const auto& [strain, stress] : law.points)
+  for (const auto& [strain, stress] : points)
     most = std::max(most, stress);
-  return {{"the largest stress of its points", most}};
+  to.push_back({"the largest stress of its points", most});
 }
-std::vector<KeyedStress> stresses_of(const PerzynaFlow& law) {
-  return std::visit([](const auto& base) { return stresses_of(base); }, law.base);
+void add_stresses(std::string_view /*key*/,
+                  const Quantity& /*measured*/,
+                  const mechanics::AnyStaticLaw& base,
+                  KeyedStresses& to) {
+  add_stresses_of(base, to);
 }
-// Its A stands for a stress at no degree and a rate of one.
-std::vector<KeyedStress> stresses_of(const HanselSpittelFlow& /*law*/) { return {}; }
+
+/// Stresses among the parameters of a law.
+template <class AnyLaw> void add_stresses_of(const AnyLaw& any, KeyedStresses& stresses) {
+  const auto add = [&]<class Law>(const Law& law) {
+    const auto add_one = [&](const auto& parameter) {
+      add_stresses(parameter.key, parameter.measured, law.*parameter.member, stresses);
+    };
+    // The A of Hensel and Spittel stands for a stress at no degree and a rate of one.
+    if constexpr (!std::same_as<Law, mechanics::HanselSpittel>)
+      std::apply([&](const auto&... parameters) { (add_one(parameters), ...); }, Law::parameters);
+  };
+  std::visit(add, any);
+}
 
 /// A metal flows at a thousandth of its modulus; its theoretical strength is a tenth of it.
 Slip odd_strength(const std::string& name, const Material& material, const UnitSystem& units) {
   constexpr double least = 1e-6, most = 0.1;
   if (!material.flow)
     return std::nullopt;
-  for (const KeyedStress& stress :
-       std::visit([](const auto& law) { return stresses_of(law); }, *material.flow)) {
+  KeyedStresses stresses;
+  add_stresses_of(*material.flow, stresses);
+  for (const KeyedStress& stress : stresses) {
     const double ratio = stress.value / material.elastic.young;
     const bool may_be_small = stress.key == "hardening" || stress.key == "B";
     if (ratio > most || (ratio < least && !may_be_small))
@@ -86,7 +108,7 @@ Slip odd_strength(const std::string& name, const Material& material, const UnitS
 /// Metals on tools have 0.02 to 0.6; above 1 metal shears before it slides.
 Slip large_friction(const Tool& tool) {
   constexpr double most = 1.0, per_cent = 0.01;
-  const auto* const coulomb = std::get_if<CoulombFriction>(&tool.friction.law);
+  const auto* const coulomb = std::get_if<contact::Coulomb>(&tool.friction.law);
   if (coulomb == nullptr)
     return std::nullopt;
   const std::vector<double>& table = tool.friction.table.values;

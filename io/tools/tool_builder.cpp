@@ -152,62 +152,6 @@ struct FacingRule {
       "the facets of a tool face out of it; flip = true turns them round";
 };
 
-/// A strength given as a stress; none: that of the material.
-std::optional<double> stress_of(const ShearStrength& strength) {
-  const double* stress = std::get_if<double>(&strength);
-  return stress != nullptr ? std::optional(*stress) : std::nullopt;
-}
-
-contact::Flattening flattening(RealContact real_contact) {
-  return real_contact == RealContact::wanheim_bay ? contact::Flattening::wanheim_bay
-                                                  : contact::Flattening::bowden_tabor;
-}
-
-/// Builds the law of each kind of friction.
-struct FrictionMaker {
-  contact::AnyFrictionLaw operator()(const FrictionlessFriction&) const {
-    return contact::Frictionless{};
-  }
-  contact::AnyFrictionLaw operator()(const StickingFriction&) const { return contact::Sticking{}; }
-  contact::AnyFrictionLaw operator()(const CoulombFriction& f) const {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    const std::optional<double> cap = f.cap ? stress_of(*f.cap) : std::optional(none);
-    return contact::Coulomb{f.mu, f.threshold, cap.value_or(none), !cap, f.mu2};
-  }
-  contact::AnyFrictionLaw operator()(const TrescaFriction& f) const {
-    return contact::Tresca{f.m, stress_of(f.k)};
-  }
-  contact::AnyFrictionLaw operator()(const ShawFriction& f) const {
-    return contact::Shaw{stress_of(f.k), f.f, flattening(f.real_contact)};
-  }
-  contact::AnyFrictionLaw operator()(const AsperityFriction& f) const {
-    return contact::Asperity{f.m_local, stress_of(f.k), f.f, flattening(f.real_contact)};
-  }
-  contact::AnyFrictionLaw operator()(const ThickFilmFriction& f) const {
-    return contact::ThickFilm{f.viscosity, f.film};
-  }
-  contact::AnyFrictionLaw operator()(const ViscoplasticFriction& f) const {
-    return contact::Viscoplastic{f.beta, f.v0, f.mv};
-  }
-};
-
-/// What a law means by the strength of the material.
-struct StrengthOf {
-  static contact::Strength of(const ShearStrength& strength) {
-    return std::holds_alternative<VonMisesShear>(strength) ? contact::Strength::von_mises
-                                                           : contact::Strength::yield;
-  }
-  contact::Strength operator()(const CoulombFriction& f) const {
-    return f.cap ? of(*f.cap) : contact::Strength::yield;
-  }
-  contact::Strength operator()(const TrescaFriction& f) const { return of(f.k); }
-  contact::Strength operator()(const ShawFriction& f) const { return of(f.k); }
-  contact::Strength operator()(const AsperityFriction& f) const { return of(f.k); }
-  template <class Other> contact::Strength operator()(const Other&) const {
-    return contact::Strength::yield;
-  }
-};
-
 contact::CoefficientTable evolution_of(const Friction& friction) {
   if (friction.evolution.empty())
     return {};
@@ -221,8 +165,7 @@ contact::CoefficientTable evolution_of(const Friction& friction) {
 }
 
 contact::Friction friction_of(const Friction& friction) {
-  contact::Friction result = std::visit(FrictionMaker{}, friction.law);
-  result.strength = std::visit(StrengthOf{}, friction.law);
+  contact::Friction result = friction.law;
   result.evolution = evolution_of(friction);
   const FrictionTable& table = friction.table;
   if (!table.values.empty())

@@ -1,8 +1,10 @@
-// The flow laws that know no rate: what an overstress law may build on.
+// Every flow law that knows no rate: what an overstress law may build on. Adding such a law means
+// adding its name to this list.
 
 #pragma once
 
 #include "mechanics/materials/flow_table.h"
+#include "mechanics/materials/hockett_sherby.h"
 #include "mechanics/materials/linear.h"
 #include "mechanics/materials/ludwik.h"
 #include "mechanics/materials/perfect.h"
@@ -15,7 +17,8 @@ namespace billet::mechanics {
 
 template <FlowLaw... Laws> using OneOfStaticLaws = std::variant<Laws...>;
 
-using AnyStaticLaw = OneOfStaticLaws<Perfect, Linear, Swift, Ludwik, Voce, FlowTable>;
+using AnyStaticLaw =
+    OneOfStaticLaws<Perfect, Linear, Swift, Ludwik, Voce, HockettSherby, FlowTable>;
 
 /// Yield stress and slope of whichever law it is.
 [[nodiscard]] inline FlowStress static_stress(const AnyStaticLaw& any, double plastic_strain) {

@@ -20,11 +20,13 @@ struct FlowStress {
   double slope;  ///< d sigma_y / d plastic strain [MPa]; may be infinite at zero strain
 };
 
-/// A value type that gives the yield stress; `flow_stress` is pure, its slope exact.
+/// A value type that gives the yield stress; `flow_stress` is pure, its slope exact. `name` and
+/// `parameters` (geometry/base/parameter.h) are those of case files.
 template <class Law>
 concept FlowLaw = std::copyable<Law> && requires(const Law& law, double plastic_strain) {
   { law.flow_stress(plastic_strain) } -> std::same_as<FlowStress>;
   { Law::name } -> std::convertible_to<std::string_view>;
+  Law::parameters;
 };
 
 /// How fast and how hot the metal flows.
@@ -47,6 +49,7 @@ template <class Law>
 concept RateFlowLaw = std::copyable<Law> && requires(const Law& law, const FlowPoint& at) {
   { law.flow_stress(at) } -> std::same_as<RateFlowStress>;
   { Law::name } -> std::convertible_to<std::string_view>;
+  Law::parameters;
 };
 
 } // namespace billet::mechanics

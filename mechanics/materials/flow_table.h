@@ -2,10 +2,13 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "mechanics/materials/flow_law.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,13 +19,18 @@ struct FlowTable {
   std::vector<std::pair<double, double>> points; ///< strains strictly increasing from 0 [-, MPa]
 
   static constexpr std::string_view name = "table";
+  static constexpr std::tuple parameters{
+      Parameter{"points", &FlowTable::points, quantity::stress, allowed::positive},
+  };
+
+  bool operator==(const FlowTable&) const = default;
 
   [[nodiscard]] FlowStress flow_stress(double plastic_strain) const noexcept {
     const auto above = std::upper_bound(
         points.begin(), points.end(), plastic_strain,
         [](double strain, const std::pair<double, double>& point) { return strain < point.first; });
     if (above == points.end())
-      return {points.back().second, 0.0};
+      return {points.empty() ? 0.0 : points.back().second, 0.0};
     if (above == points.begin())
       return {points.front().second, 0.0};
     const auto& [e0, s0] = *std::prev(above);

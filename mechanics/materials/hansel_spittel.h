@@ -2,11 +2,14 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "mechanics/materials/flow_law.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <tuple>
 
 namespace billet::mechanics {
 
@@ -19,11 +22,30 @@ namespace billet::mechanics {
 /// that falls with the rate has no solution.
 struct HanselSpittel {
   double A; ///< [MPa, with rates in 1/s and temperatures in degC]
-  double m1, m2, m3, m4, m5, m7, m8, m9;
-  double eps_min;                                           ///< [-], > 0
+  double m1 = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0, m5 = 0.0, m7 = 0.0, m8 = 0.0, m9 = 0.0;
+  double eps_min = 0.01;                                    ///< [-], > 0
   double eps_max = std::numeric_limits<double>::infinity(); ///< [-], > eps_min
+  double m6 = 0.0; ///< reserved by the numbering of the formula
 
   static constexpr std::string_view name = "hansel-spittel";
+  static constexpr std::tuple parameters{
+      Parameter{"A", &HanselSpittel::A, quantity::stress, allowed::positive},
+      Parameter{"m1", &HanselSpittel::m1}.or_absent(),
+      Parameter{"m2", &HanselSpittel::m2}.or_absent(),
+      Parameter{"m3", &HanselSpittel::m3}.or_absent(),
+      Parameter{"m4", &HanselSpittel::m4}.or_absent(),
+      Parameter{"m5", &HanselSpittel::m5}.or_absent(),
+      Parameter{"m6", &HanselSpittel::m6, quantity::number, Bounds{0.0, 0.0}}.or_absent(),
+      Parameter{"m7", &HanselSpittel::m7}.or_absent(),
+      Parameter{"m8", &HanselSpittel::m8}.or_absent(),
+      Parameter{"m9", &HanselSpittel::m9}.or_absent(),
+      Parameter{"eps_min", &HanselSpittel::eps_min, quantity::number, allowed::positive}.optional(),
+      Parameter{"eps_max", &HanselSpittel::eps_max, quantity::number, allowed::positive}
+          .or_absent()
+          .more_than(&HanselSpittel::eps_min, "more than eps_min ="),
+  };
+
+  bool operator==(const HanselSpittel&) const = default;
 
   [[nodiscard]] RateFlowStress flow_stress(const FlowPoint& at) const noexcept {
     const double T = at.temperature;
@@ -41,6 +63,10 @@ struct HanselSpittel {
     if (p > 0.0)
       by_rate = at.rate > 0.0 ? p * stress / at.rate : p * warm * strained * std::pow(0.0, p - 1.0);
     return {stress, relative * stress, by_rate};
+  }
+
+  [[nodiscard]] bool asks_temperature() const noexcept {
+    return m1 != 0.0 || m5 != 0.0 || m8 != 0.0 || m9 != 0.0;
   }
 
   /// The exponent of the rate [-].

@@ -2,10 +2,13 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "mechanics/materials/flow_law.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 namespace billet::mechanics {
 
@@ -25,8 +28,22 @@ struct JohnsonCook {
   double T_melt; ///< [degC], > T_room
 
   static constexpr std::string_view name = "johnson-cook";
+  static constexpr std::tuple parameters{
+      Parameter{"A", &JohnsonCook::A, quantity::stress, allowed::positive},
+      Parameter{"B", &JohnsonCook::B, quantity::stress, allowed::not_negative},
+      Parameter{"n", &JohnsonCook::n, quantity::number, allowed::not_negative},
+      Parameter{"C", &JohnsonCook::C, quantity::number, allowed::not_negative},
+      Parameter{"rate0", &JohnsonCook::rate0, quantity::rate, allowed::positive},
+      Parameter{"m", &JohnsonCook::m, quantity::number, allowed::positive},
+      Parameter{"T_room", &JohnsonCook::T_room, quantity::temperature,
+                allowed::above_absolute_zero},
+      Parameter{"T_melt", &JohnsonCook::T_melt, quantity::temperature, allowed::above_absolute_zero}
+          .more_than(&JohnsonCook::T_room, "more than T_room ="),
+  };
   /// Share of the strength at T_room that is left at T_melt and above [-].
   static constexpr double melt_floor = 1e-6;
+
+  bool operator==(const JohnsonCook&) const = default;
 
   [[nodiscard]] RateFlowStress flow_stress(const FlowPoint& at) const noexcept {
     const double power = n == 0.0 ? 1.0 : std::pow(at.plastic_strain, n);
@@ -37,6 +54,8 @@ struct JohnsonCook {
     return {hardened * (1.0 + rise), soft * slope * (1.0 + rise),
             at.rate > rate0 ? hardened * C / at.rate : 0.0};
   }
+
+  [[nodiscard]] bool asks_temperature() const noexcept { return true; }
 
   /// The factor of the temperature [-].
   [[nodiscard]] double softening(double temperature) const noexcept {

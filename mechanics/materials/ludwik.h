@@ -2,9 +2,12 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "mechanics/materials/flow_law.h"
 
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 namespace billet::mechanics {
 
@@ -15,6 +18,13 @@ struct Ludwik {
   double n;     ///< exponent [-]
 
   static constexpr std::string_view name = "ludwik";
+  static constexpr std::tuple parameters{
+      Parameter{"yield", &Ludwik::yield, quantity::stress, allowed::positive},
+      Parameter{"K", &Ludwik::K, quantity::stress, allowed::not_negative},
+      Parameter{"n", &Ludwik::n, quantity::number, allowed::positive},
+  };
+
+  bool operator==(const Ludwik&) const = default;
 
   [[nodiscard]] FlowStress flow_stress(double plastic_strain) const noexcept {
     if (n == 0.0)

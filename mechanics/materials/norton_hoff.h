@@ -2,10 +2,13 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "mechanics/materials/flow_law.h"
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <tuple>
 
 namespace billet::mechanics {
 
@@ -14,13 +17,22 @@ namespace billet::mechanics {
 /// With m < 1 the slope by the rate is infinite at rate zero; without `yield` the metal flows under
 /// any stress.
 struct NortonHoff {
-  double K;     ///< consistency [MPa s^m]
-  double m;     ///< sensitivity to the rate [-], in (0, 1]
-  double n;     ///< hardening exponent [-]
-  double eps0;  ///< pre-strain [-]
-  double yield; ///< sigma_0 [MPa], >= 0
+  double K;           ///< consistency [MPa s^m]
+  double m;           ///< sensitivity to the rate [-], in (0, 1]
+  double n = 0.0;     ///< hardening exponent [-]
+  double eps0 = 0.0;  ///< pre-strain [-]
+  double yield = 0.0; ///< sigma_0 [MPa], >= 0
 
   static constexpr std::string_view name = "norton-hoff";
+  static constexpr std::tuple parameters{
+      Parameter{"K", &NortonHoff::K, quantity::stress, allowed::positive},
+      Parameter{"m", &NortonHoff::m, quantity::number, allowed::positive_fraction},
+      Parameter{"n", &NortonHoff::n, quantity::number, allowed::not_negative}.or_absent(),
+      Parameter{"eps0", &NortonHoff::eps0, quantity::number, allowed::not_negative}.or_absent(),
+      Parameter{"yield", &NortonHoff::yield, quantity::stress, allowed::not_negative}.or_absent(),
+  };
+
+  bool operator==(const NortonHoff&) const = default;
 
   [[nodiscard]] RateFlowStress flow_stress(const FlowPoint& at) const noexcept {
     const double strain = eps0 + at.plastic_strain;

@@ -2,10 +2,13 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "mechanics/materials/any_static_law.h"
 #include "mechanics/materials/flow_law.h"
 
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 namespace billet::mechanics {
 
@@ -18,6 +21,13 @@ struct Perzyna {
   double m;          ///< [-], > 0
 
   static constexpr std::string_view name = "perzyna";
+  static constexpr std::tuple parameters{
+      Parameter{"eta", &Perzyna::eta, quantity::duration, allowed::positive},
+      Parameter{"m", &Perzyna::m, quantity::number, allowed::positive},
+      Parameter{"base", &Perzyna::base},
+  };
+
+  bool operator==(const Perzyna&) const = default;
 
   [[nodiscard]] RateFlowStress flow_stress(const FlowPoint& at) const noexcept {
     const FlowStress yield = static_stress(base, at.plastic_strain);

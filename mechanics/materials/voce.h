@@ -2,9 +2,12 @@
 
 #pragma once
 
+#include "geometry/base/parameter.h"
 #include "mechanics/materials/flow_law.h"
 
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 namespace billet::mechanics {
 
@@ -15,6 +18,15 @@ struct Voce {
   double rate;       ///< b [-]
 
   static constexpr std::string_view name = "voce";
+  static constexpr std::tuple parameters{
+      Parameter{"yield", &Voce::yield, quantity::stress, allowed::positive},
+      Parameter{"saturation", &Voce::saturation, quantity::stress, allowed::positive}.no_less_than(
+          &Voce::yield,
+          "no less than the yield stress"),
+      Parameter{"rate", &Voce::rate, quantity::number, allowed::not_negative},
+  };
+
+  bool operator==(const Voce&) const = default;
 
   [[nodiscard]] FlowStress flow_stress(double plastic_strain) const noexcept {
     const double missing = (saturation - yield) * std::exp(-rate * plastic_strain);

@@ -151,13 +151,10 @@ TEST_P(WholeTangent, AgreesWithDifferencesOfSofterContact) {
 
 // Strengths that follow metal whose flow stress depends on rate and temperature.
 TEST_P(WholeTangent, AgreesWithDifferencesOverRateDependentMetal) {
-  Friction yield = Tresca{0.4, {}};
-  Friction mises = yield;
-  mises.strength = Strength::von_mises;
   for (const support::NamedMaterial& metal : support::every_material())
     if (mechanics::follows_rate(metal.material.flow))
-      for (const Friction& friction : {yield, mises})
-        check({metal.name, friction}, {}, 0.05, metal.material);
+      for (const Strength strength : {Strength::yield, Strength::von_mises})
+        check({metal.name, Tresca{0.4, strength}}, {}, 0.05, metal.material);
   const auto [kind, form, curved] = GetParam();
   std::printf("%-20s %-10s %-6s stick %3d slip %3d: largest error %.1e (<= 1e-6)\n",
               body_kinds()[static_cast<std::size_t>(kind)].name().c_str(),

@@ -59,9 +59,7 @@ using NamedLaw = std::pair<std::string, Friction>;
 
 /// Whether a law carries shear at rest: the others creep.
 inline bool carries_at_rest(const Friction& friction) {
-  return !std::holds_alternative<Frictionless>(friction.law) &&
-         !std::holds_alternative<ThickFilm>(friction.law) &&
-         !std::holds_alternative<Viscoplastic>(friction.law);
+  return !std::holds_alternative<Frictionless>(friction.law) && !creeps(friction.law);
 }
 
 /// Laws with what modifies them.
@@ -76,13 +74,11 @@ inline std::vector<NamedLaw> modified_laws() {
   anisotropic.tensor = FrictionTensor{(Mat2() << 0.1, 0.02, -0.05, 0.3).finished(), direction};
   Friction creeping = Viscoplastic{60.0, 0.1, 0.3};
   creeping.tensor = FrictionTensor{(Mat2() << 0.5, 0.1, 0.1, 1.0).finished(), direction};
-  Friction mises = Tresca{0.3, {}};
-  mises.strength = Strength::von_mises;
   return {{"coulomb evolving", evolving},
           {"coulomb by table", tabled},
           {"coulomb anisotropic", anisotropic},
           {"viscoplastic anisotropic", creeping},
-          {"tresca of von Mises", mises}};
+          {"tresca of von Mises", Tresca{0.3, Strength::von_mises}}};
 }
 
 /// Every law of the program, with the branches of each, and laws with modifiers.
@@ -92,10 +88,11 @@ inline std::vector<NamedLaw> every_law() {
                              {"coulomb", Coulomb{0.3}},
                              {"coulomb threshold", Coulomb{0.3, 20.0}},
                              {"coulomb capped", Coulomb{0.3, 0.0, 25.0}},
-                             {"coulomb capped at k", Coulomb{0.6, 0.0, 1e9, true}},
-                             {"coulomb quadratic", Coulomb{0.2, 5.0, 1e9, true, 5e-3}},
+                             {"coulomb capped at k", Coulomb{0.6, 0.0, Strength::yield}},
+                             {"coulomb quadratic", Coulomb{0.2, 5.0, Strength::yield, 5e-3}},
                              {"tresca", Tresca{0.5, 80.0}},
                              {"tresca of the material", Tresca{0.2, {}}},
+                             {"levanov", Levanov{0.5, {}}},
                              {"shaw", Shaw{80.0, 0.3}},
                              {"shaw of the material", Shaw{{}, 1.0, Flattening::bowden_tabor}},
                              {"asperity", Asperity{0.6, {}, 0.5}},

@@ -35,6 +35,7 @@ inline std::vector<NamedMaterial> every_material() {
       {"", {steel, Swift{700.0, 0.01, 0.2}}},
       {"", {steel, Ludwik{250.0, 600.0, 0.4}}},
       {"", {steel, Voce{250.0, 450.0, 12.0}}},
+      {"", {steel, HockettSherby{250.0, 600.0, 3.0, 0.6}}},
       {"", {steel, FlowTable{{{0.0, 300.0}, {0.05, 380.0}, {0.2, 420.0}, {1.0, 340.0}}}}},
       {"", {steel, NortonHoff{100.0, 0.15, 0.1, 0.01, 50.0}}},
       {"", {steel, Perzyna{Swift{700.0, 0.01, 0.2}, 0.02, 0.3}}},

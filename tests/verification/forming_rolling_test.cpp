@@ -70,8 +70,9 @@ Scene rolled_strip(const Pass& pass) {
   scene.material = {{pass.young, poisson},
                     mechanics::Perfect{0.5 * pass.twice_shear_yield * std::numbers::sqrt3}};
   scene.supports.push_back(held(scene.mesh, 1, 0.0));
-  contact::Tool roll = moving_tool("roll", geometry::make_circle(centre, pass.radius, false),
-                                   Vec3::Zero(), contact::Coulomb{pass.mu, 0.0, 1e9, true});
+  contact::Tool roll =
+      moving_tool("roll", geometry::make_circle(centre, pass.radius, false), Vec3::Zero(),
+                  contact::Coulomb{pass.mu, 0.0, contact::Strength::yield});
   roll.motion.rotation =
       geometry::Rotation{centre, Vec3::UnitZ(), TimeFunction(pass.speed / pass.radius)};
   roll.reference = centre;

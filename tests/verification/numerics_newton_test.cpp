@@ -105,13 +105,12 @@ std::vector<LawCase> law_cases() {
   Friction anisotropic = Coulomb{1.0};
   anisotropic.tensor =
       FrictionTensor{(Mat2() << 0.05, 0.02, -0.02, 0.25).finished(), Vec3(1, 1, 0)};
-  Friction mises = Tresca{0.4, {}};
-  mises.strength = Strength::von_mises;
+  const Friction mises = Tresca{0.4, Strength::von_mises};
   const ElementKind plane = ElementKind::quad4;
   const ElementKind solid = ElementKind::hex8;
   return {{"sticking", plane, Sticking{}},
-          {"coulomb capped at k", plane, Coulomb{0.3, 0.0, 1e9, true}},
-          {"coulomb quadratic", plane, Coulomb{0.1, 50.0, 1e9, true, 1e-4}},
+          {"coulomb capped at k", plane, Coulomb{0.3, 0.0, Strength::yield}},
+          {"coulomb quadratic", plane, Coulomb{0.1, 50.0, Strength::yield, 1e-4}},
           {"tresca of the material", plane, Tresca{0.4, {}}},
           {"tresca of von Mises", plane, mises},
           {"shaw", plane, Shaw{{}, 0.4}},
@@ -153,12 +152,10 @@ void check_flow_law(ElementKind kind,
                     const support::NamedMaterial& named,
                     contact::Strength strength) {
   constexpr double order = 1.8;
-  contact::Friction friction = contact::Tresca{0.4, {}};
-  friction.strength = strength;
   // In larger steps the middle order of the plane kinds scatters from 1.7 to 2, and so it does
   // where springs of mixed faces (C.44) begin and end to press, which is no change of a contact
   // point.
-  Scene scene = indentation(kind, 80, friction);
+  Scene scene = indentation(kind, 80, contact::Tresca{0.4, strength});
   scene.contact.form = contact::Form::compatible;
   scene.material = named.material;
   const FinishedRun done = run(std::move(scene));

@@ -219,7 +219,7 @@ TEST(UnevenPressure, HasTheTangentOfDifferences) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     for (const bool all_press : {true, false}) {
       ContactBench bench = on_floor(body, form);
-      bench.tools[0].friction = Coulomb{0.3, {}};
+      bench.tools[0].friction = Coulomb{0.3};
       const double depth = 500.0 / bench.surface.penalty().normal;
       const std::vector<double> x = waved(bench, depth, 0.4 * depth);
       for (int increment = 1; increment <= 3; ++increment)

@@ -32,8 +32,8 @@ TEST(Asperity, IsCoulombAtLowAndTrescaAtHighPressure) {
 
 TEST(Asperity, FollowsTheMaterialBeneathUnlessGivenAStress) {
   const Asperity follows{0.6, {}, 0.3};
-  EXPECT_TRUE(follows.follows_material());
-  EXPECT_FALSE((Asperity{0.6, k, 0.3}).follows_material());
+  EXPECT_TRUE(follows_material(follows.k));
+  EXPECT_FALSE(follows_material((Asperity{0.6, k, 0.3}).k));
   EXPECT_EQ(follows.slip_limit({400.0, k}).shear,
             (Asperity{0.6, k, 0.3}.slip_limit({400.0, 1.0}).shear));
   EXPECT_EQ(follows.slip_limit({400.0, 0.0}).shear, 0.0) << "no NaN where there is no strength";

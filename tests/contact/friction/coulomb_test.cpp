@@ -19,8 +19,8 @@ TEST(Coulomb, HasTheSpotValuesOfThePaper) {
 
 TEST(Coulomb, HasTheSpotValuesOfSecondOrder) {
   // VALIDATION FRI-02, eq 5: phi_1 = .15, phi_2 = 2e-4 / MPa, capped at k.
-  const Coulomb law{0.15, 0.0, k, false, 2e-4};
-  const Coulomb above{0.15, 100.0, k, false, 2e-4};
+  const Coulomb law{0.15, 0.0, k, 2e-4};
+  const Coulomb above{0.15, 100.0, k, 2e-4};
   for (const auto& [p, without, with_threshold] :
        std::vector<std::array<double, 3>>{{0, 0, 0},
                                           {50, 8, 0},
@@ -45,12 +45,9 @@ TEST(Coulomb, CarriesNothingBelowItsThresholdPressure) {
 TEST(Coulomb, IsCappedByAStressOrByTheShearYieldStress) {
   EXPECT_EQ((Coulomb{0.5, 0.0, 200.0}.slip_limit({1000.0, k}).shear), 200.0);
   EXPECT_EQ((Coulomb{0.5, 0.0, 200.0}.slip_limit({1000.0, k}).d_pressure), 0.0);
-  const Coulomb at_yield{0.5, 0.0, 1e9, true};
+  const Coulomb at_yield{0.5, 0.0, Strength::yield};
   EXPECT_EQ(at_yield.slip_limit({1000.0, k}).shear, k);
   EXPECT_EQ(at_yield.slip_limit({1000.0, 250.0}).shear, 250.0) << "the cap follows the material";
-  const Coulomb both{0.5, 0.0, 200.0, true};
-  EXPECT_EQ(both.slip_limit({1000.0, k}).shear, 200.0) << "the smaller cap counts";
-  EXPECT_EQ(both.slip_limit({1000.0, 90.0}).shear, 90.0);
 }
 
 TEST(Coulomb, GivesItsSlopeExactlyOnEveryBranch) {
@@ -59,15 +56,15 @@ TEST(Coulomb, GivesItsSlopeExactlyOnEveryBranch) {
   expect_exact_slope(Coulomb{0.3}, pressures, k);
   expect_exact_slope(Coulomb{0.3, 100.0}, pressures, k);
   expect_exact_slope(Coulomb{0.5, 0.0, 200.0}, pressures, k);
-  expect_exact_slope(Coulomb{0.5, 100.0, 200.0, true}, pressures, 60.0);
-  expect_exact_slope(Coulomb{0.15, 100.0, k, false, 2e-4}, pressures, k);
+  expect_exact_slope(Coulomb{0.5, 100.0, Strength::yield}, pressures, 60.0);
+  expect_exact_slope(Coulomb{0.15, 100.0, k, 2e-4}, pressures, k);
 }
 
 TEST(Coulomb, NeverFallsWithThePressure) {
   expect_monotone_limit(Coulomb{0.3}, k);
   expect_monotone_limit(Coulomb{10.0, 50.0, 700.0}, k);
-  expect_monotone_limit(Coulomb{0.5, 100.0, 1e9, true}, k);
-  expect_monotone_limit(Coulomb{0.15, 100.0, k, false, 2e-4}, k);
+  expect_monotone_limit(Coulomb{0.5, 100.0, Strength::yield}, k);
+  expect_monotone_limit(Coulomb{0.15, 100.0, k, 2e-4}, k);
 }
 
 TEST(Coulomb, IsFrictionlessWithoutACoefficient) {

@@ -1,7 +1,6 @@
 // The library of materials: read with every unit system, overridden, and what its flow stresses
 // are.
 
-#include "io/case/law_keys.h"
 #include "io/case/material_library.h"
 #include "tests/io/case/case_text.h"
 #include "tests/support/figures.h"
@@ -51,13 +50,13 @@ TEST(MaterialLibrary, converts_the_stresses_of_each_law) {
     return stress_of(*material(named(name), "m-N-s-Pa-degC").flow) /
            stress_of(*material(named(name)).flow);
   };
-  EXPECT_NEAR(ratio("c15-cold", [](const FlowLaw& f) { return std::get<SwiftFlow>(f).K; }), 1e6,
-              1.);
-  EXPECT_NEAR(ratio("4340", [](const FlowLaw& f) { return std::get<JohnsonCookFlow>(f).B; }), 1e6,
-              1.);
-  EXPECT_NEAR(
-      ratio("rail-steel-hot", [](const FlowLaw& f) { return std::get<HanselSpittelFlow>(f).A; }),
-      1e6, 1.);
+  EXPECT_NEAR(ratio("c15-cold", [](const FlowLaw& f) { return std::get<mechanics::Swift>(f).K; }),
+              1e6, 1.);
+  EXPECT_NEAR(ratio("4340", [](const FlowLaw& f) { return std::get<mechanics::JohnsonCook>(f).B; }),
+              1e6, 1.);
+  EXPECT_NEAR(ratio("rail-steel-hot",
+                    [](const FlowLaw& f) { return std::get<mechanics::HanselSpittel>(f).A; }),
+              1e6, 1.);
 }
 
 TEST(MaterialLibrary, own_keys_stand_also_within_elastic_and_flow) {
@@ -66,14 +65,14 @@ TEST(MaterialLibrary, own_keys_stand_also_within_elastic_and_flow) {
                                       "flow = { A = 100, C = 0 }\nheating = 0.9\n");
   EXPECT_EQ(changed.elastic.young, 130e3);
   EXPECT_EQ(changed.elastic.poisson, 0.34);
-  const auto law = std::get<JohnsonCookFlow>(*changed.flow);
+  const auto law = std::get<mechanics::JohnsonCook>(*changed.flow);
   EXPECT_EQ(law.A, 100.0);
   EXPECT_EQ(law.B, 292.0);
   EXPECT_EQ(law.C, 0.0);
   EXPECT_EQ(changed.heating, 0.9);
   const Material other =
       material(named("ofhc-copper") + "flow = { law = \"perfect\", yield = 300 }\n");
-  EXPECT_EQ(*other.flow, FlowLaw(PerfectFlow{300}));
+  EXPECT_EQ(*other.flow, FlowLaw(mechanics::Perfect{300}));
 }
 
 TEST(MaterialLibrary, says_where_the_case_names_it_when_its_keys_do_not_fit) {
@@ -109,13 +108,13 @@ double shida(double carbon, double strain, double rate, double celsius) {
 
 TEST(MaterialLibrary, hot_steels_end_where_their_data_do) {
   for (const auto& [name, strain] : {std::pair("c45-hot", 1.0), std::pair("rail-steel-hot", 0.7)}) {
-    const auto law = std::get<HanselSpittelFlow>(*material(named(name)).flow);
+    const auto law = std::get<mechanics::HanselSpittel>(*material(named(name)).flow);
     EXPECT_EQ(law.eps_max, strain) << name;
   }
 }
 
 TEST(MaterialLibrary, hot_rail_steel_is_shidas_formula_within_the_stated_range) {
-  const auto law = std::get<HanselSpittelFlow>(*material(named("rail-steel-hot")).flow);
+  const auto law = std::get<mechanics::HanselSpittel>(*material(named("rail-steel-hot")).flow);
   double worst = 0.0;
   for (const double strain : {0.05, 0.1, 0.2, 0.3, 0.5, 0.7})
     for (const double rate : {0.1, 1.0, 10.0, 100.0})

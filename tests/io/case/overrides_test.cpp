@@ -16,8 +16,8 @@ TEST(Overrides, change_values_by_dotted_keys) {
       read(plane_case, {"tool.punch.friction.m=0.2", "contact.penalty=1e4", "title=a new title",
                         "stage.press.tools=[\"punch\"]", "support.1.fix = [\"x\"]",
                         "load.0.pressure=5 MPa", "tool.\"roll\".friction.mu = 0.3 # more"});
-  EXPECT_EQ(std::get<TrescaFriction>(content.tools[0].friction.law).m, 0.2);
-  EXPECT_EQ(std::get<CoulombFriction>(content.tools[1].friction.law).mu, 0.3);
+  EXPECT_EQ(std::get<contact::Tresca>(content.tools[0].friction.law).m, 0.2);
+  EXPECT_EQ(std::get<contact::Coulomb>(content.tools[1].friction.law).mu, 0.3);
   EXPECT_EQ(content.contact.penalty, 1e4);
   EXPECT_EQ(content.title, "a new title");
   EXPECT_EQ(content.stages[0].tools->size(), 1U);

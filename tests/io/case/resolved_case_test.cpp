@@ -120,11 +120,11 @@ TEST(ResolvedCase, keeps_rate_laws_temperature_and_heating) {
   lead.heat_capacity = 1.3e8;
   lead.heating = 0.9;
   for (const FlowLaw& flow :
-       {FlowLaw(NortonHoffFlow{1, 0.1, 0.2, 0.3, 4}),
-        FlowLaw(PerzynaFlow{SwiftFlow{1, 0.1, 0.2}, 3, 4}),
-        FlowLaw(JohnsonCookFlow{1, 2, 3, 4, 5, 6, 20, 6000}),
-        FlowLaw(HanselSpittelFlow{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0.02}),
-        FlowLaw(HanselSpittelFlow{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0.02, 1.5})}) {
+       {FlowLaw(mechanics::NortonHoff{1, 0.1, 0.2, 0.3, 4}),
+        FlowLaw(mechanics::Perzyna{mechanics::Swift{1, 0.1, 0.2}, 3, 4}),
+        FlowLaw(mechanics::JohnsonCook{1, 2, 3, 4, 5, 6, 20, 6000}),
+        FlowLaw(mechanics::HanselSpittel{1, 2, 3, 4, 5, 6, 7, 8, 9, 0.02}),
+        FlowLaw(mechanics::HanselSpittel{1, 2, 3, 4, 5, 6, 7, 8, 9, 0.02, 1.5})}) {
     lead.flow = flow;
     expect_round_trip(content);
   }
@@ -132,20 +132,20 @@ TEST(ResolvedCase, keeps_rate_laws_temperature_and_heating) {
 
 TEST(ResolvedCase, keeps_every_friction) {
   Case content = read(space_case);
-  content.tools[0].friction.law = ShawFriction{3.0, 0.5, RealContact::wanheim_bay};
+  content.tools[0].friction.law = contact::Shaw{3.0, 0.5, contact::Flattening::wanheim_bay};
   content.tools[0].friction.tensor = {{{1, 0}, {0, 2}}};
   content.tools[0].friction.direction = Vec3(1, 0, 0);
   content.tools[1].friction.law =
-      AsperityFriction{0.1, VonMisesShear{}, 0.0, RealContact::bowden_tabor};
+      contact::Asperity{0.1, contact::Strength::von_mises, 0.0, contact::Flattening::bowden_tabor};
   content.tools[1].friction.evolution = {{0, 1}, {1, 2}};
-  content.tools[2].friction.law = ThickFilmFriction{1, 2};
-  content.tools[3].friction.law = ViscoplasticFriction{1, 2, 0.5};
+  content.tools[2].friction.law = contact::ThickFilm{1, 2};
+  content.tools[3].friction.law = contact::Viscoplastic{1, 2, 0.5};
   content.contact.integrator = ContactIntegrator::midpoint;
   content.contact.substeps = 5;
   expect_round_trip(content);
-  content.tools[2].friction.law = CoulombFriction{1.0, 0.0, 0.0, {}};
+  content.tools[2].friction.law = contact::Coulomb{1.0};
   content.tools[2].friction.table = {{0, 100}, {1, 2, 3}, {}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
-  content.tools[3].friction.law = TrescaFriction{1.0, ShearYield{}};
+  content.tools[3].friction.law = contact::Tresca{1.0, {}};
   content.tools[3].friction.table = {{}, {}, {0, 5}, {0.1, 0.2}};
   content.contact.integrator = ContactIntegrator::exact;
   content.contact.substeps.reset();
