@@ -68,6 +68,11 @@ std::string Process::stored() const {
   return archive.take();
 }
 
+std::string Process::store() {
+  newton_->forget();
+  return stored();
+}
+
 void Process::take_part(StoredPart part) {
   terms_.clear();
   loads_.clear();
@@ -150,8 +155,7 @@ void Process::write_checkpoint(const std::vector<Observer*>& observers, Checkpoi
     return;
   take_times();
   const Stopwatch timed(times_.output);
-  newton_->forget();
-  const std::string bytes = stored();
+  const std::string bytes = store();
   for (Observer* observer : wanting)
     observer->checkpoint(*this, bytes);
 }

@@ -383,7 +383,9 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   const auto parts_in_rows = [&] { return in_rows > 0 && !retreating_.empty(); };
   while (state_.time < stage.end) {
     write_checkpoint(observers, CheckpointReason::due);
-    if (stop_requested(observers))
+    // Not between the tries of an increment: the linear solver, which forgets where the run is
+    // stored, would go another way than without a stop.
+    if (failures == 0 && stop_requested(observers))
       return RunStatus::stopped;
     if (failures == 0 && flies(stage, length)) {
       if (fly(stage, observers) && state_.time < stage.end) { // as if the stage began here
@@ -468,8 +470,6 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
       wary = failures > 0 ? increments_wary : std::max(0, wary - 1);
       failures = refusals = 0;
       tried.clear();
-      if (stop_requested(observers))
-        return RunStatus::stopped;
       // While forces fade no mesh is made, so one that is due then comes before tools return.
       const bool goes_on =
           state_.time < stage.end || (stage.unload && &stage != &scene_.stages.back());

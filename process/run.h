@@ -63,15 +63,16 @@ public:
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// The run as it is between two increments, in bytes: what `resume` goes on from.
-  [[nodiscard]] std::string stored() const;
+  /// The run as it is between two increments, in bytes: what `resume` goes on from. The linear solver
+  /// forgets, as it has where a run is resumed, so that both go on with the same bits.
+  [[nodiscard]] std::string store();
   /// Goes on from where another run of the same scene was stored; before `run`.
   ///
   /// The scene may differ in what is still to come: later stages, the end, settings of the solver.
   /// @throws Error (Fault::input_output) if the bytes are not those of such a run
   void resume(std::string_view stored);
 
-  /// Runs to the end, or to where it cannot go on.
+  /// Runs to the end, or to where it cannot go on or an observer stops it; called again it goes on.
   RunStatus run(const std::vector<Observer*>& observers);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -425,8 +426,8 @@ private:
   /// Magnitudes of the forces on all tools; empty: there is no contact. [N]
   [[nodiscard]] std::vector<double> forces_on_tools() const;
   void notify(const std::vector<Observer*>& observers, const IncrementReport& report);
-  /// Hands the run as it is now to the observers that want it. The linear solver forgets, as it has
-  /// where a run is resumed, so that both go on with the same bits.
+  [[nodiscard]] std::string stored() const;
+  /// Hands the run as it is now to the observers that want it.
   void write_checkpoint(const std::vector<Observer*>& observers, CheckpointReason reason);
   /// Puts a stored part in the place of the present one, with all that is built on a mesh.
   void take_part(StoredPart part);

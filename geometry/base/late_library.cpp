@@ -14,13 +14,26 @@ namespace billet {
 
 namespace {
 
-/// Opens a library that stands beside the program, or where the program's own libraries are looked
+/// Folder of the program, or of the library that this is part of.
+std::filesystem::path folder_of_this() {
+  ::Dl_info info{};
+  std::error_code none;
+  if (::dladdr(reinterpret_cast<void*>(&late_symbol), &info) != 0 && info.dli_fname != nullptr)
+    return std::filesystem::absolute(info.dli_fname, none).parent_path();
+  return {};
+}
+
+/// Opens a library that stands next to the program, or next to the library that this is part of, or
+/// where the program's own libraries are looked
 /// for: sanitizers stand between and do not know of those places.
 void* opened(const char* library) {
   std::error_code none;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
   void* const beside = ::dlopen((program.parent_path() / library).c_str(), RTLD_LAZY | RTLD_LOCAL);
-  return beside != nullptr ? beside : ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+  if (beside != nullptr)
+    return beside;
+  void* const beside_this = ::dlopen((folder_of_this() / library).c_str(), RTLD_LAZY | RTLD_LOCAL);
+  return beside_this != nullptr ? beside_this : ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
 }
 
 /// The loader tells reasons in words alone.
