@@ -122,6 +122,7 @@ std::string Process::remesh(const std::string& cause,
   report.seconds = seconds_now() - begun - output;
   times_.output += output;
   times_.remeshing += exchanged - begun - output; // the balance counts with the other solutions
+  between_increments_ = true;
   state_.record.remeshings.push_back(report);
   for (Observer* observer : observers)
     observer->remeshed(*this, report);

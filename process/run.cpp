@@ -107,6 +107,7 @@ bool Process::touched() const {
 }
 
 bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
+  between_increments_ = false;
   systems_before_try_ = solver_work().systems;
   trial_x_ = state_.x;
   if (!state_.last_step.empty() && approach != mechanics::Approach::gently) {
@@ -216,6 +217,7 @@ void Process::accept(double dt) {
     state_.leaving.flow_in_fading += state_.energy.plastic - plastic;
   state_.springs_back = state_.energy.external < external;
   account_contact(dt);
+  between_increments_ = true;
 }
 
 void Process::commit(double dt) {
@@ -382,11 +384,13 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
   constexpr int increments_wary = 20;
   const auto parts_in_rows = [&] { return in_rows > 0 && !retreating_.empty(); };
   while (state_.time < stage.end) {
-    write_checkpoint(observers, CheckpointReason::due);
     // Not between the tries of an increment: the linear solver, which forgets where the run is
     // stored, would go another way than without a stop.
-    if (failures == 0 && stop_requested(observers))
-      return RunStatus::stopped;
+    if (between_increments_) {
+      write_checkpoint(observers, CheckpointReason::due);
+      if (stop_requested(observers))
+        return RunStatus::stopped;
+    }
     if (failures == 0 && flies(stage, length)) {
       if (fly(stage, observers) && state_.time < stage.end) { // as if the stage began here
         begin_increments(stage, state_.time);

@@ -63,8 +63,8 @@ public:
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// The run as it is between two increments, in bytes: what `resume` goes on from. The linear solver
-  /// forgets, as it has where a run is resumed, so that both go on with the same bits.
+  /// The run as it is between two increments, in bytes: what `resume` goes on from. The linear
+  /// solver forgets, as it has where a run is resumed, so that both go on with the same bits.
   [[nodiscard]] std::string store();
   /// Goes on from where another run of the same scene was stored; before `run`.
   ///
@@ -466,6 +466,7 @@ private:
   double started_ = 0.0;
   double times_before_ = 0.0; ///< of the run before it was resumed [s]
   bool resumed_ = false;
+  bool between_increments_ = true; ///< nothing has been tried since the last one was accepted
 };
 
 } // namespace billet::process
