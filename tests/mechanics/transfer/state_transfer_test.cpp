@@ -224,8 +224,9 @@ std::function<Mat3(const Vec3&)> turning_strain(bool planar,
 }
 
 TEST(StateTransfer, no_stress_is_above_the_flow_stress_and_no_strain_below_zero) {
-  // Entries of b_e are near 1: their last digit is worth some E eps of stress.
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * support::steel.young;
+  // Entries of b_e are near 1: their last digit is worth some E eps of stress. 4.2 of them have
+  // been seen, without fused multiply-adds.
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * support::steel.young;
   for (const auto& entry : support::every_material()) {
     if (!support::yields(entry.material))
       continue;
@@ -470,7 +471,7 @@ double seconds_of_transfer(ElementKind kind, std::array<int, 3> old, std::array<
 
 // Measured on two cores shared with others: 13 to 30 ms in the plane, 0.7 to 1.4 s in space. The
 // bounds leave room for a slower machine, none for a search through all points.
-TEST(StateTransfer, takes_milliseconds_in_the_plane_and_a_second_in_space) {
+TEST(StateTransferLong, takes_milliseconds_in_the_plane_and_a_second_in_space) {
   constexpr double plane = 0.3;
   constexpr double space = 10.0;
   EXPECT_LE(seconds_of_transfer(ElementKind::quad4, {27, 28, 1}, {32, 32, 1}), plane);
