@@ -139,14 +139,14 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         process.scene().tools[overlap.first].name, process.scene().tools[overlap.second].name,
         overlap.depth, content_->units.length, overlap.place[0], overlap.place[1],
         overlap.place[2]));
-  for (const process::Intruder& intruder : process.intruders())
+  for (const process::InitialPenetration& penetration : process.initial_penetrations())
     lines.push_back(fmt::format(
         "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
         "on its way while it does not act, so let it begin where it is clear",
-        process.scene().tools[intruder.tool].name, intruder.time, content_->units.time,
-        intruder.where,
-        process.time() <= intruder.time ? "it could not be pushed out in one increment"
-                                        : "it was pushed out in one increment"));
+        process.scene().tools[penetration.tool].name, penetration.time, content_->units.time,
+        penetration.where,
+        process.time() <= penetration.time ? "it could not be pushed out in one increment"
+                                           : "it was pushed out in one increment"));
   for (const process::Lap& lap : process.laps())
     lines.push_back(fmt::format(
         "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "

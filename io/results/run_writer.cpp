@@ -6,12 +6,12 @@
 #include "io/case/read_case.h"
 #include "io/results/advice.h"
 #include "io/results/atomic_file.h"
+#include "io/results/earlier_results.h"
 #include "io/results/full_cavity.h"
 #include "process/part_boundary.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -26,8 +26,6 @@
 namespace billet::io {
 
 namespace {
-
-using nlohmann::ordered_json;
 
 /// Frames of a run whose case says nothing about them.
 constexpr double frames_by_default = 25.0;
@@ -93,98 +91,6 @@ std::vector<double> history_row(const process::Process& process,
   return row;
 }
 
-ordered_json energy_json(const process::EnergyBalance& e) {
-  return {{"external_work", e.external},       {"elastic_energy", e.elastic},
-          {"plastic_work", e.plastic},         {"friction_work", e.friction},
-          {"contact_energy", e.contact},       {"grounding_work", e.grounding},
-          {"enforcement_work", e.enforcement}, {"lost_in_remeshing", e.remeshing},
-          {"relative_error", e.error()}};
-}
-
-ordered_json wear_json(const process::Process& process, std::size_t tool) {
-  const contact::WearMap& map = *process.wear()->map(tool);
-  const double strokes = process.scene().tools[tool].wear->strokes;
-  const std::optional<contact::WearCell> deepest = map.deepest();
-  const double depth = deepest ? deepest->depth : 0.0;
-  ordered_json json{{"volume", map.volume()}, {"largest_depth", depth}};
-  if (deepest) {
-    const Vec3 at = deepest->shape.middle();
-    const Vec3 now = process.contact()->pose(tool, process.time(), process.unknowns()).to_space(at);
-    json["at"] = {now[0], now[1], now[2]};
-    json["at_in_tool_frame"] = {at[0], at[1], at[2]};
-  }
-  json["strokes"] = strokes;
-  json["volume_extrapolated"] = strokes * map.volume();
-  json["largest_depth_extrapolated"] = strokes * depth;
-  if (const auto& workpiece = process.wear()->workpiece(tool))
-    json["workpiece"] = {
-        {"volume", workpiece->volume},
-        {"largest_depth", *std::max_element(workpiece->depth.begin(), workpiece->depth.end())}};
-  return json;
-}
-
-/// Of a pair that never touched only that.
-ordered_json window_json(const contact::Window& window) {
-  ordered_json json{{"contact_time", window.contact_time}};
-  if (window.contact_time > 0.0) {
-    json["mean_area"] = window.mean_area;
-    for (std::size_t q = 0; q < contact::n_window_quantities; ++q) {
-      const contact::WindowRange& range = window.ranges[q];
-      json[std::string(contact::window_names[q])] = {{"mean", range.mean},
-                                                     {"lowest", range.lowest},
-                                                     {"highest", range.highest},
-                                                     {"last_mean", range.last_mean}};
-    }
-  }
-  return json;
-}
-
-ordered_json largest_force_json(const LargestForce& largest) {
-  const Vec3& force = largest.force;
-  return {
-      {"value", force.norm()}, {"vector", {force[0], force[1], force[2]}}, {"time", largest.time}};
-}
-
-ordered_json tools_json(const process::Process& process, std::span<const LargestForce> largest) {
-  ordered_json tools = ordered_json::object();
-  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
-    const contact::ToolLoad& load = process.contact()->loads()[t];
-    const geometry::Motion& motion = process.scene().tools[t].motion;
-    const Vec3 way = motion.translation(process.time(), process.driven(t));
-    const Vec3& offset = process.scene().tools[t].motion.offset;
-    tools[process.scene().tools[t].name] = {
-        {"force", {load.force[0], load.force[1], load.force[2]}},
-        {"largest_force", largest_force_json(t < largest.size() ? largest[t] : LargestForce{})},
-        {"torque", {load.torque[0], load.torque[1], load.torque[2]}},
-        {"displacement", {way[0], way[1], way[2]}},
-        {"turned", motion.angle(process.time(), process.driven(t))},
-        {"touch_offset", {offset[0], offset[1], offset[2]}}};
-    if (const double error = process.scene().tools[t].chord_error; error > 0.0)
-      tools[process.scene().tools[t].name]["chord_error"] = error;
-    if (process.wear() != nullptr && process.wear()->map(t))
-      tools[process.scene().tools[t].name]["wear"] = wear_json(process, t);
-    tools[process.scene().tools[t].name]["process_window"] = window_json(process.window().tool(t));
-  }
-  return tools;
-}
-
-ordered_json blows_json(const process::Process& process) {
-  ordered_json blows = ordered_json::array();
-  for (const process::BlowReport& blow : process.blows())
-    blows.push_back({{"tool", process.scene().tools[blow.tool].name},
-                     {"stage", blow.stage},
-                     {"begun", blow.begun},
-                     {"time", blow.time},
-                     {"energy", blow.energy},
-                     {"driven", blow.driven},
-                     {"energy_used", blow.used},
-                     {"energy_left", blow.left},
-                     {"stroke", blow.stroke},
-                     {"end_speed", blow.speed},
-                     {"over", blow.over}});
-  return blows;
-}
-
 /// A cell of a table, quoted: causes are free text.
 std::string quoted(std::string text) {
   for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
@@ -220,120 +126,8 @@ std::string ledger_row(const process::RemeshReport& r) {
   return line + "\n";
 }
 
-ordered_json remeshings_json(const process::Process& process) {
-  double volume = 0.0;
-  double work = 0.0;
-  double force = 0.0;
-  double unbalanced = 0.0;
-  for (const process::RemeshReport& r : process.remeshings()) {
-    volume = std::max(volume, r.volume.change());
-    work = std::max(work, r.work_change());
-    force = std::max(force, r.force_jump());
-    unbalanced += r.balanced ? 0.0 : 1.0;
-  }
-  return {{"number", process.remeshings().size()},  {"largest_change_of_volume", volume},
-          {"largest_change_of_plastic_work", work}, {"largest_force_jump", force},
-          {"without_equilibrium", unbalanced},      {"refused", process.refusals().size()}};
-}
-
-ordered_json timings_json(const process::PhaseTimes& t) {
-  return {{"total", t.total},
-          {"search", t.search},
-          {"contact", t.contact},
-          {"elements", t.elements},
-          {"assembly", t.assembly},
-          {"analysis", t.analysis},
-          {"factorization", t.factorization},
-          {"solve", t.solve},
-          {"certificate", t.certificate},
-          {"output", t.output},
-          {"remeshing", t.remeshing},
-          {"rest", t.rest()}};
-}
-
-ordered_json solver_json(const mechanics::SolverWork& work) {
-  constexpr double giga = 1e9;
-  constexpr double mega = 1e6;
-  return {{"systems", work.systems},
-          {"factorizations", work.factorizations},
-          {"substitutions", work.substitutions},
-          {"reused", work.reused},
-          {"nearly_symmetric", work.nearly_symmetric},
-          {"gigaflop", work.flops / giga},
-          {"gigaflop_per_second",
-           work.factorization > 0.0 ? work.flops / giga / work.factorization : 0.0},
-          {"last",
-           {{"method", work.last_method},
-            {"gigaflop", work.last_flops / giga},
-            {"megabytes", work.last_factor_bytes / mega}}}};
-}
-
-/// A file such as workpiece_0012.vtu, as write_frame calls them.
-bool is_frame(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
-  const std::size_t number = name.find_last_of('_');
-  const std::size_t dot = name.find_last_of('.');
-  if (number == std::string::npos || dot == std::string::npos || dot < number + 2)
-    return false;
-  const std::string_view part = std::string_view(name).substr(0, number);
-  const std::string_view digits = std::string_view(name).substr(number + 1, dot - number - 1);
-  const std::string_view suffix = std::string_view(name).substr(dot);
-  return (part == "workpiece" || part == "contact" || part.starts_with("tool-")) &&
-         digits.find_first_not_of("0123456789") == std::string_view::npos &&
-         (suffix == ".vtu" || suffix == ".vtp");
-}
-
-/// Whether a list for ParaView is of frames of this folder alone, as a run writes it.
-bool lists_own_frames(const std::filesystem::path& pvd) {
-  std::vector<PvdEntry> entries;
-  try {
-    entries = read_pvd(pvd);
-  } catch (const Error&) {
-    return false; // somebody else's
-  }
-  return !entries.empty() && std::all_of(entries.begin(), entries.end(), [](const PvdEntry& entry) {
-    return *entry.file.begin() == "frames" && is_frame(entry.file);
-  });
-}
-
 std::vector<std::string> iteration_columns() {
   return {"increment", "time", "iteration", "residual", "correction", "step", "contact_changes"};
-}
-
-/// Number of a frame by the name of its file.
-int frame_number(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
-  return std::stoi(stem.substr(stem.find_last_of('_') + 1));
-}
-
-/// Removes what writers that were killed have left half-written.
-void remove_partial_files(const std::filesystem::path& folder) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  std::vector<fs::path> partial;
-  for (const fs::path& each : {folder, folder / "frames", folder / "checkpoints"})
-    for (const auto& entry : fs::directory_iterator(each, error))
-      if (entry.path().extension() == ".partial" &&
-          entry.path().filename().string().starts_with('.'))
-        partial.push_back(entry.path());
-  for (const fs::path& file : partial)
-    fs::remove(file, error);
-}
-
-/// Removes frames from a number on, and what a run leaves when it ends.
-void remove_later(const std::filesystem::path& folder, int first_frame) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  for (const fs::path& file : {folder / "summary.json", folder / "failure" / "last_good.vtu",
-                               folder / "failure" / "post_mortem.txt"})
-    fs::remove(file, error);
-  fs::remove(folder / "failure", error);
-  std::vector<fs::path> later;
-  for (const auto& entry : fs::directory_iterator(folder / "frames"))
-    if (is_frame(entry.path()) && frame_number(entry.path()) >= first_frame)
-      later.push_back(entry.path());
-  for (const fs::path& file : later)
-    fs::remove(file, error);
 }
 
 std::string in_words(process::CheckpointReason reason) {
@@ -350,30 +144,6 @@ std::string in_words(process::CheckpointReason reason) {
     return "an increment could not be solved";
   }
   return "";
-}
-
-/// Removes what an earlier run left, so that nothing of it passes for a result of this one; files
-/// that are not ours stay.
-void remove_earlier_run(const std::filesystem::path& folder) {
-  namespace fs = std::filesystem;
-  std::vector<fs::path> old{folder / "summary.json", folder / "run.log", folder / "remesh.csv",
-                            folder / "failure" / "last_good.vtu",
-                            folder / "failure" / "post_mortem.txt"};
-  for (const auto& entry : fs::directory_iterator(folder)) // the case may have had another name
-    if (entry.path().extension() == ".pvd" && lists_own_frames(entry.path()))
-      old.push_back(entry.path());
-  for (const auto& entry : fs::directory_iterator(folder / "frames"))
-    if (is_frame(entry.path()))
-      old.push_back(entry.path());
-  for (const fs::path& file : checkpoints_of(folder))
-    old.push_back(file);
-  std::error_code error;
-  for (const fs::path& file : old)
-    if (!fs::remove(file, error) && error && error != std::errc::no_such_file_or_directory)
-      throw Error(Fault::input_output, file.string(),
-                  "of an earlier run, cannot be removed: " + error.message(),
-                  "choose another folder with -o");
-  fs::remove(folder / "failure", error); // stays if it holds anything of the user's
 }
 
 } // namespace
@@ -634,62 +404,13 @@ void RunWriter::write_summary(const process::Process& process, const RunEnd& end
   if (entries_.size() > n_listed_)
     write_list();
   synchronize_results();
-  const mechanics::Mesh& mesh = process.scene().mesh;
-  ordered_json summary;
-  summary["title"] = content_->title;
-  summary["status"] = end.status;
-  summary["exit_status"] = end.exit_status;
-  summary["billet"] = facts_.version;
-  summary["units"] = content_->units.name;
-  summary["analysis"] = settings_.analysis;
-  summary["element"] = mechanics::name(mesh.kind);
-  summary["elements"] = mesh.n_elements();
-  summary["nodes"] = mesh.n_points();
-  summary["unknowns"] = mesh.n_points() * mesh.dimension();
-  summary["threads"] = facts_.threads;
-  summary["blas_kernels"] = facts_.blas_core;
-  summary["time"] = process.time();
-  summary["increments"] = process.increments();
-  summary["iterations"] = process.iterations();
-  summary["cutbacks"] = process.cutbacks();
-  summary["iterations_of_failed_tries"] = process.wasted_iterations();
-  summary["iterations_on_new_meshes"] = process.remeshing_iterations();
-  if (last_) {
-    summary["volume"] = last_->volume;
-    summary["max_plastic_strain"] = last_->max_plastic_strain;
-    summary["min_quality"] = last_->min_quality;
-    summary["penetration"] = {
-        {"last", last_->max_penetration},
-        {"largest", largest_penetration_},
-        {"largest_share_of_element", largest_share_},
-        {"last_sampled", last_->penetration.sampled},
-        {"last_at_contact_points", last_->penetration.at_points},
-        {"penalty_raised_by", process.contact() != nullptr ? process.contact()->stiffening() : 1.0},
-        {"how", "upper bound over every point of every face"}};
-  }
-  summary["energy"] = energy_json(process.energy());
-  if (!process.blows().empty()) {
-    summary["blows"] = blows_json(process);
-    summary["ended_by"] = process.energy_used_up() ? "energy used up" : "end of time";
-  }
-  if (process.scene().remesh)
-    summary["remeshings"] = remeshings_json(process);
-  summary["grounded_rigid_motions"] = process.grounded_motions();
-  summary["tools"] = tools_json(process, largest_forces_);
-  if (!process.scene().tools.empty())
-    summary["process_window"] = window_json(process.window().total());
   std::vector<std::string> warnings = facts_.warnings;
   for (std::string& line : this->warnings(process))
     warnings.push_back(std::move(line));
-  summary["warnings"] = warnings;
-  summary["failed_checks"] = ordered_json::array();
-  for (const process::FailedCheck& check : end.failed)
-    summary["failed_checks"].push_back({{"check", check.name}, {"what", check.what}});
-  if (post_)
-    summary["failure"] = {{"time", post_->time}, {"reason", post_->reason}};
-  summary["seconds"] = timings_json(process.times());
-  summary["linear_solver"] = solver_json(process.solver_work());
-  write_file(folder_ / "summary.json", summary.dump(2) + "\n", Durable::yes);
+  const std::string text = summary_text(
+      process, {content_->title, content_->units.name, settings_.analysis, facts_, end, last_,
+                largest_penetration_, largest_share_, largest_forces_, std::move(warnings), post_});
+  write_file(folder_ / "summary.json", text, Durable::yes);
 }
 
 } // namespace billet::io

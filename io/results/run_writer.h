@@ -13,10 +13,9 @@
 #include "io/results/csv_writer.h"
 #include "io/results/folder_lock.h"
 #include "io/results/frames.h"
-#include "io/results/largest_force.h"
 #include "io/results/pvd.h"
+#include "io/results/summary.h"
 #include "process/run.h"
-#include "process/run_checks.h"
 
 #include <cmath>
 #include <cstdint>
@@ -27,26 +26,11 @@
 
 namespace billet::io {
 
-/// Facts about the program and the machine for the summary.
-struct RunFacts {
-  std::string version;   ///< of billet
-  std::string blas_core; ///< kernels OpenBLAS chose
-  int threads = 1;
-  std::vector<std::string> warnings; ///< about the inputs
-};
-
 /// Where a run begins.
 struct RunBeginning {
   /// What it goes on from; null: the start of its case.
   const Checkpoint* checkpoint = nullptr;
   bool same_folder = true; ///< it goes on with the tables and frames that are there
-};
-
-/// How a run ended, for the summary.
-struct RunEnd {
-  std::string status; ///< "done", "failed-checks", "not-converged", "stopped"
-  int exit_status = 0;
-  std::vector<process::FailedCheck> failed; ///< checks
 };
 
 class RunWriter final : public process::Observer {

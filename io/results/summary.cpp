@@ -1,0 +1,211 @@
+#include "io/results/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace billet::io {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json energy_json(const process::EnergyBalance& e) {
+  return {{"external_work", e.external},       {"elastic_energy", e.elastic},
+          {"plastic_work", e.plastic},         {"friction_work", e.friction},
+          {"contact_energy", e.contact},       {"grounding_work", e.grounding},
+          {"enforcement_work", e.enforcement}, {"lost_in_remeshing", e.remeshing},
+          {"relative_error", e.error()}};
+}
+
+ordered_json wear_json(const process::Process& process, std::size_t tool) {
+  const contact::WearMap& map = *process.wear()->map(tool);
+  const double strokes = process.scene().tools[tool].wear->strokes;
+  const std::optional<contact::WearCell> deepest = map.deepest();
+  const double depth = deepest ? deepest->depth : 0.0;
+  ordered_json json{{"volume", map.volume()}, {"largest_depth", depth}};
+  if (deepest) {
+    const Vec3 at = deepest->shape.middle();
+    const Vec3 now = process.contact()->pose(tool, process.time(), process.unknowns()).to_space(at);
+    json["at"] = {now[0], now[1], now[2]};
+    json["at_in_tool_frame"] = {at[0], at[1], at[2]};
+  }
+  json["strokes"] = strokes;
+  json["volume_extrapolated"] = strokes * map.volume();
+  json["largest_depth_extrapolated"] = strokes * depth;
+  if (const auto& workpiece = process.wear()->workpiece(tool))
+    json["workpiece"] = {
+        {"volume", workpiece->volume},
+        {"largest_depth", *std::max_element(workpiece->depth.begin(), workpiece->depth.end())}};
+  return json;
+}
+
+/// Of a pair that never touched only that.
+ordered_json window_json(const contact::Window& window) {
+  ordered_json json{{"contact_time", window.contact_time}};
+  if (window.contact_time > 0.0) {
+    json["mean_area"] = window.mean_area;
+    for (std::size_t q = 0; q < contact::n_window_quantities; ++q) {
+      const contact::WindowRange& range = window.ranges[q];
+      json[std::string(contact::window_names[q])] = {{"mean", range.mean},
+                                                     {"lowest", range.lowest},
+                                                     {"highest", range.highest},
+                                                     {"last_mean", range.last_mean}};
+    }
+  }
+  return json;
+}
+
+ordered_json largest_force_json(const LargestForce& largest) {
+  const Vec3& force = largest.force;
+  return {
+      {"value", force.norm()}, {"vector", {force[0], force[1], force[2]}}, {"time", largest.time}};
+}
+
+ordered_json tools_json(const process::Process& process, std::span<const LargestForce> largest) {
+  ordered_json tools = ordered_json::object();
+  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
+    const contact::ToolLoad& load = process.contact()->loads()[t];
+    const geometry::Motion& motion = process.scene().tools[t].motion;
+    const Vec3 way = motion.translation(process.time(), process.driven(t));
+    const Vec3& offset = process.scene().tools[t].motion.offset;
+    tools[process.scene().tools[t].name] = {
+        {"force", {load.force[0], load.force[1], load.force[2]}},
+        {"largest_force", largest_force_json(t < largest.size() ? largest[t] : LargestForce{})},
+        {"torque", {load.torque[0], load.torque[1], load.torque[2]}},
+        {"displacement", {way[0], way[1], way[2]}},
+        {"turned", motion.angle(process.time(), process.driven(t))},
+        {"touch_offset", {offset[0], offset[1], offset[2]}}};
+    if (const double error = process.scene().tools[t].chord_error; error > 0.0)
+      tools[process.scene().tools[t].name]["chord_error"] = error;
+    if (process.wear() != nullptr && process.wear()->map(t))
+      tools[process.scene().tools[t].name]["wear"] = wear_json(process, t);
+    tools[process.scene().tools[t].name]["process_window"] = window_json(process.window().tool(t));
+  }
+  return tools;
+}
+
+ordered_json blows_json(const process::Process& process) {
+  ordered_json blows = ordered_json::array();
+  for (const process::BlowReport& blow : process.blows())
+    blows.push_back({{"tool", process.scene().tools[blow.tool].name},
+                     {"stage", blow.stage},
+                     {"begun", blow.begun},
+                     {"time", blow.time},
+                     {"energy", blow.energy},
+                     {"driven", blow.driven},
+                     {"energy_used", blow.used},
+                     {"energy_left", blow.left},
+                     {"stroke", blow.stroke},
+                     {"end_speed", blow.speed},
+                     {"over", blow.over}});
+  return blows;
+}
+
+ordered_json remeshings_json(const process::Process& process) {
+  double volume = 0.0;
+  double work = 0.0;
+  double force = 0.0;
+  double unbalanced = 0.0;
+  for (const process::RemeshReport& r : process.remeshings()) {
+    volume = std::max(volume, r.volume.change());
+    work = std::max(work, r.work_change());
+    force = std::max(force, r.force_jump());
+    unbalanced += r.balanced ? 0.0 : 1.0;
+  }
+  return {{"number", process.remeshings().size()},  {"largest_change_of_volume", volume},
+          {"largest_change_of_plastic_work", work}, {"largest_force_jump", force},
+          {"without_equilibrium", unbalanced},      {"refused", process.refusals().size()}};
+}
+
+ordered_json timings_json(const process::PhaseTimes& t) {
+  return {{"total", t.total},
+          {"search", t.search},
+          {"contact", t.contact},
+          {"elements", t.elements},
+          {"assembly", t.assembly},
+          {"analysis", t.analysis},
+          {"factorization", t.factorization},
+          {"solve", t.solve},
+          {"certificate", t.certificate},
+          {"output", t.output},
+          {"remeshing", t.remeshing},
+          {"rest", t.rest()}};
+}
+
+ordered_json solver_json(const mechanics::SolverWork& work) {
+  constexpr double giga = 1e9;
+  constexpr double mega = 1e6;
+  return {{"systems", work.systems},
+          {"factorizations", work.factorizations},
+          {"substitutions", work.substitutions},
+          {"reused", work.reused},
+          {"nearly_symmetric", work.nearly_symmetric},
+          {"gigaflop", work.flops / giga},
+          {"gigaflop_per_second",
+           work.factorization > 0.0 ? work.flops / giga / work.factorization : 0.0},
+          {"last",
+           {{"method", work.last_method},
+            {"gigaflop", work.last_flops / giga},
+            {"megabytes", work.last_factor_bytes / mega}}}};
+}
+
+} // namespace
+
+std::string summary_text(const process::Process& process, const SummaryFacts& about) {
+  const mechanics::Mesh& mesh = process.scene().mesh;
+  ordered_json summary;
+  summary["title"] = about.title;
+  summary["status"] = about.end.status;
+  summary["exit_status"] = about.end.exit_status;
+  summary["billet"] = about.facts.version;
+  summary["units"] = about.units;
+  summary["analysis"] = about.analysis;
+  summary["element"] = mechanics::name(mesh.kind);
+  summary["elements"] = mesh.n_elements();
+  summary["nodes"] = mesh.n_points();
+  summary["unknowns"] = mesh.n_points() * mesh.dimension();
+  summary["threads"] = about.facts.threads;
+  summary["blas_kernels"] = about.facts.blas_core;
+  summary["time"] = process.time();
+  summary["increments"] = process.increments();
+  summary["iterations"] = process.iterations();
+  summary["cutbacks"] = process.cutbacks();
+  summary["iterations_of_failed_tries"] = process.wasted_iterations();
+  summary["iterations_on_new_meshes"] = process.remeshing_iterations();
+  if (about.last) {
+    summary["volume"] = about.last->volume;
+    summary["max_plastic_strain"] = about.last->max_plastic_strain;
+    summary["min_quality"] = about.last->min_quality;
+    summary["penetration"] = {
+        {"last", about.last->max_penetration},
+        {"largest", about.largest_penetration},
+        {"largest_share_of_element", about.largest_share},
+        {"last_sampled", about.last->penetration.sampled},
+        {"last_at_contact_points", about.last->penetration.at_points},
+        {"penalty_raised_by", process.contact() != nullptr ? process.contact()->stiffening() : 1.0},
+        {"how", "upper bound over every point of every face"}};
+  }
+  summary["energy"] = energy_json(process.energy());
+  if (!process.blows().empty()) {
+    summary["blows"] = blows_json(process);
+    summary["ended_by"] = process.energy_used_up() ? "energy used up" : "end of time";
+  }
+  if (process.scene().remesh)
+    summary["remeshings"] = remeshings_json(process);
+  summary["grounded_rigid_motions"] = process.grounded_motions();
+  summary["tools"] = tools_json(process, about.largest_forces);
+  if (!process.scene().tools.empty())
+    summary["process_window"] = window_json(process.window().total());
+  summary["warnings"] = about.warnings;
+  summary["failed_checks"] = ordered_json::array();
+  for (const process::FailedCheck& check : about.end.failed)
+    summary["failed_checks"].push_back({{"check", check.name}, {"what", check.what}});
+  if (about.post)
+    summary["failure"] = {{"time", about.post->time}, {"reason", about.post->reason}};
+  summary["seconds"] = timings_json(process.times());
+  summary["linear_solver"] = solver_json(process.solver_work());
+  return summary.dump(2) + "\n";
+}
+
+} // namespace billet::io
