@@ -4,6 +4,8 @@
 #include "geometry/base/stopwatch.h"
 #include "process/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -116,6 +118,13 @@ void Process::resume(std::string_view stored) {
     another_scene("tools");
   for (contact::Tool& tool : scene_.tools)
     archive(tool.motion.offset, tool.motion.rests_from);
+  if (state.progress.stage >= scene_.stages.size() ||
+      state.time > scene_.stages[state.progress.stage].end)
+    throw Error(Fault::case_file, "",
+                fmt::format("the stored run is at time {:.6g}, beyond the end that the case gives "
+                            "to its run or stage",
+                            state.time),
+                "give a later end, or go on from an earlier checkpoint");
   state_ = std::move(state);
   trial_x_ = std::move(trial_x);
   std::uint64_t n_loads = 0;

@@ -127,7 +127,7 @@ std::string interval_text(const CheckpointInterval& interval) {
   if (std::isinf(interval.length))
     return toml_text(std::string("never"));
   constexpr double minute = 60.0;
-  const bool in_minutes = interval.length >= minute;
+  const bool in_minutes = std::fmod(interval.length, minute) == 0.0;
   return toml_text(fmt::format("{} {}", interval.length / (in_minutes ? minute : 1.0),
                                in_minutes ? "min" : "s"));
 }

@@ -77,6 +77,14 @@ TEST_F(Resume, RefusesACaseThatHasChanged) {
   EXPECT_EQ(whole_file(results("out") / "summary.json"), before);
 }
 
+TEST_F(Resume, RefusesAnEndThatIsBehind) {
+  ASSERT_EQ(start(stored_often, {"-o", "out"}).status, 0);
+  const Outcome outcome =
+      start(edited(stored_often, {{"end = 0.1", "end = 0.05"}}), {"-o", "out", "--resume"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_TRUE(outcome.says("is at time 0.1, beyond the end")) << outcome.err;
+}
+
 TEST_F(Resume, TakesTheCheckpointBeforeADamagedOne) {
   ASSERT_EQ(start(stored_often, {"-o", "out"}).status, 0);
   std::map<fs::path, std::string> before;

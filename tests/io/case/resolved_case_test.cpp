@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace billet::io::resolved_case_test {
 namespace {
 
@@ -158,6 +160,17 @@ TEST(ResolvedCase, keeps_remeshing) {
   expect_round_trip(content);
   content.remesh = Remesh{0.1 + 0.2, 1.0 / 3.0, 2, 0.25, 4, 3, 6, 5, "tri6", {"top", "a rim"}};
   expect_round_trip(content);
+}
+
+TEST(ResolvedCase, keeps_intervals_of_checkpoints) {
+  Case content = read(plane_case);
+  for (const CheckpointInterval& interval :
+       {CheckpointInterval{}, CheckpointInterval{90.0, true}, CheckpointInterval{100.0 / 3.0, true},
+        CheckpointInterval{7200.0, true}, CheckpointInterval{HUGE_VAL, true},
+        CheckpointInterval{0.1, false}}) {
+    content.output.checkpoint_every = interval;
+    expect_round_trip(content);
+  }
 }
 
 TEST(ResolvedCase, is_well_formed_even_where_this_version_cannot_run_it) {
