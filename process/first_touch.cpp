@@ -67,7 +67,7 @@ FirstTouch Process::poor_first_touch(double dt) const {
       state_.leaving.fading_until > state_.time || just_meshed ||
       state_.mesh.refused_increment == state_.increment)
     return {};
-  const std::vector<double> ahead = foretold(dt);
+  const std::vector<double> ahead = predicted(dt);
   const std::span<const double> nodes = std::span(ahead).first(state_.origins.size());
   std::vector<int> touching(scene_.contact_faces.size(), -1);
   const PartBoundary untouched = part_boundary(scene_, nodes, touching, {});

@@ -48,7 +48,7 @@ double longest_component(std::span<const double> v) {
 
 } // namespace
 
-/// The part goes along with its carrier: the first guess (P.2), and what contact foretells.
+/// The part goes along with its carrier: the first guess (P.2), and what contact predicts.
 void Process::guess_flight(const Vec3& shift, double dt) {
   const int dim = scene_.mesh.dimension();
   state_.last_step.assign(state_.x.size(), 0.0);
@@ -80,7 +80,7 @@ bool Process::try_flight(double dt, std::string& why) {
   const double step_dt = state_.last_dt;
   guess_flight(shift, dt);
   if (contact_)
-    contact_->foretell(trial_x_);
+    contact_->predict(trial_x_);
   newton_->set_force_floor(force_floor(state_.time + dt));
   const auto outcome = newton_->solve(terms_, prescribed(state_.time + dt), state_.time,
                                       state_.time + dt, state_.x, trial_x_);

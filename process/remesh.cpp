@@ -171,7 +171,7 @@ double Process::flowing_energy() const {
   return energy;
 }
 
-void Process::remember() {
+void Process::take_snapshot() {
   if (state_.time < state_.leaving.fading_until)
     return; // a new mesh does not know the forces of tools that have left
   // What the transfer has left too low is back where it was after that much flow.

@@ -32,9 +32,9 @@ constexpr double worth_while = 1.5;
 /// A mesh has to have lost this share of its first quality before it is replaced.
 constexpr double worn_share = 0.7;
 
-/// One that is nearly due does not go into an increment at whose end it is foretold to be worse
+/// One that is nearly due does not go into an increment at whose end it is predicted to be worse
 /// than this share of the quality it is replaced at: force and shape there are those of bad
-/// elements. What is foretold of better ones says little.
+/// elements. What is predicted of better ones says little.
 constexpr double worse_share = 0.9, nearly_due = 1.1;
 
 /// Elements longer than so many times their width, and twice as long as when the mesh was new,

@@ -66,7 +66,7 @@ mechanics::Prescribed Process::prescribed(double time) const {
 
 int Process::spent() const { return static_cast<int>(solver_work().systems - systems_before_try_); }
 
-std::vector<double> Process::foretold(double dt) const {
+std::vector<double> Process::predicted(double dt) const {
   std::vector<double> x = trial_x_; // driven tools go on only if they have moved in this stage
   for (std::size_t i = 0; i < state_.velocity.size(); ++i)
     x[i] = state_.x[i] + dt * state_.velocity[i];
@@ -118,7 +118,7 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
   if (passes_through(dt, why))
     return false;
   if (contact_)
-    contact_->foretell(foretold(dt));
+    contact_->predict(predicted(dt));
   newton_->set_force_floor(force_floor(state_.time + dt));
   draw_back_to(state_.time + dt);
   auto outcome = newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
@@ -158,19 +158,19 @@ bool Process::try_softened(double dt, bool patiently, std::string& why) {
        {mechanics::Approach::softly, mechanics::Approach::gently})
     if (may_help() && try_increment(dt, approach, why))
       return true;
-  if (may_help() && try_calmed(dt, mechanics::Approach::directly, why))
+  if (may_help() && try_friction_limited(dt, mechanics::Approach::directly, why))
     return true;
   // Metal that snaps off an edge has far to go in any increment.
   return patiently && may_help() &&
          (try_increment(dt, mechanics::Approach::patiently, why) ||
-          try_calmed(dt, mechanics::Approach::patiently, why));
+          try_friction_limited(dt, mechanics::Approach::patiently, why));
 }
 
-bool Process::try_calmed(double dt, mechanics::Approach approach, std::string& why) {
+bool Process::try_friction_limited(double dt, mechanics::Approach approach, std::string& why) {
   // Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
   // does not.
-  constexpr int most_rounds = 4; // calm points may leave others restless
-  for (int round = 0; round < most_rounds && contact_->restart_calmed(); ++round) {
+  constexpr int most_rounds = 4; // calm points may leave others chattering
+  for (int round = 0; round < most_rounds && contact_->restart_friction_limited(); ++round) {
     if (solve_increment(dt, approach, why))
       return true;
     if (refused_as_too_deep_ || refused_inside_out_)
@@ -182,7 +182,7 @@ bool Process::try_calmed(double dt, mechanics::Approach approach, std::string& w
 std::string Process::chattering_points() {
   if (!contact_)
     return {};
-  const std::vector<contact::ContactTerm::Restless> points = contact_->restless();
+  const std::vector<contact::ContactTerm::ChatteringPoint> points = contact_->chattering();
   if (points.empty())
     return {};
   chattering_ = points;
@@ -195,7 +195,7 @@ std::string Process::chattering_points() {
 
 void Process::accept(double dt) {
   if (scene_.remesh) {
-    remember();
+    take_snapshot();
     note_forces();
   }
   const bool fades = state_.time < state_.leaving.fading_until;
@@ -379,18 +379,19 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     constexpr int many = 6;
     return in_vain == many || 0.5 * step < limit.min;
   };
+  constexpr int long_to_wait = 3;  // tries of an increment, for a signal
   constexpr int many_failures = 2; // of an increment: then a driven tool is held in places (P.32)
   // An increment has been refused lately: for so many more they end before touches.
   constexpr int increments_wary = 20;
   const auto parts_in_rows = [&] { return in_rows > 0 && !retreating_.empty(); };
   while (state_.time < stage.end) {
-    // Not between the tries of an increment: the linear solver, which forgets where the run is
-    // stored, would go another way than without a stop.
-    if (between_increments_) {
+    if (between_increments_)
       write_checkpoint(observers, CheckpointReason::due);
-      if (stop_requested(observers))
-        return RunStatus::stopped;
-    }
+    // The linear solver, which forgets where the run is stored, would go another way from between
+    // the tries of an increment than without a stop. One that is refused again and again takes
+    // long.
+    if ((between_increments_ || failures >= long_to_wait) && stop_requested(observers))
+      return RunStatus::stopped;
     if (failures == 0 && flies(stage, length)) {
       if (fly(stage, observers) && state_.time < stage.end) { // as if the stage began here
         begin_increments(stage, state_.time);
@@ -416,7 +417,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     const double gone =
         stage.unload ? stage.end : std::min(state_.time + fade_share * length, stage.end);
     release_tools(state_.time + step, gone);
-    meet_newcomers(stage, state_.time + step);
+    activate_tools(stage, state_.time + step);
     std::string why = leap(scene_, stage, state_.time, state_.time + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
     if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
@@ -519,7 +520,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     }
     if (control.exhausted() || refusals == most_refusals ||
         state_.mesh.turned_inside_out >= most_turned) {
-      why += intruders_now();
+      why += initial_penetrations_now();
       if (!refused_as_too_deep_ && !refused_inside_out_)
         why += unbalanced_loads(state_.time + step);
       if (!unmeshed.empty())

@@ -121,7 +121,9 @@ public:
   /// Meshes that were wanted and could not be made, in their order.
   [[nodiscard]] std::span<const Refusal> refusals() const { return state_.record.refusals; }
   /// Tools that began to act where the workpiece was.
-  [[nodiscard]] std::span<const Intruder> intruders() const { return state_.record.intruders; }
+  [[nodiscard]] std::span<const InitialPenetration> initial_penetrations() const {
+    return state_.record.initial_penetrations;
+  }
   [[nodiscard]] const DeepestTool& deepest_tool() const { return state_.record.deepest_tool; }
   /// Where tools touch now; in the plane only.
   [[nodiscard]] std::vector<ContactZone> zones_of_contact() const;
@@ -197,7 +199,7 @@ private:
   void release_tools(double next_time, double gone_time);
   [[nodiscard]] mechanics::Prescribed prescribed(double time) const;
   /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
-  [[nodiscard]] std::vector<double> foretold(double dt) const;
+  [[nodiscard]] std::vector<double> predicted(double dt) const;
   /// The step, or as much of it as passes before more of the part comes to touch. (P.27)
   [[nodiscard]] double up_to_touch(double step);
   /// Whether the run is in a flight, or one begins now. (P.31)
@@ -234,7 +236,8 @@ private:
   /// @param patiently  with as many iterations as it takes, in the end
   [[nodiscard]] bool try_softened(double dt, bool patiently, std::string& why);
   /// Likewise, with less friction where points go from stick to slip and back.
-  [[nodiscard]] bool try_calmed(double dt, mechanics::Approach approach, std::string& why);
+  [[nodiscard]] bool
+  try_friction_limited(double dt, mechanics::Approach approach, std::string& why);
   /// Likewise, the tool that a load drives held in one place after the other, until the part bears
   /// the load. (P.32)
   [[nodiscard]] bool try_held_tool(double dt, std::string& why);
@@ -277,11 +280,11 @@ private:
   [[nodiscard]] std::string chattering_points();
   /// Tools that begin to act by `until`, in the midst of the run: those under a force come to
   /// touch, others that lie in the workpiece are noted.
-  void meet_newcomers(const Stage& stage, double until);
+  void activate_tools(const Stage& stage, double until);
   void come_to_touch(std::size_t tool, double time);
-  void note_intruder(std::size_t tool);
+  void note_initial_penetration(std::size_t tool);
   /// Those that the increment that could not be solved would have met, for its post-mortem.
-  [[nodiscard]] std::string intruders_now() const;
+  [[nodiscard]] std::string initial_penetrations_now() const;
   enum class Progress { easy, laboured, none };
   /// Takes a softer penalty where iterations are many and penetrations needlessly small, and back.
   void adapt_penalty(Progress progress);
@@ -366,7 +369,7 @@ private:
   /// Elastic energy of shape of the points that flow [N mm].
   [[nodiscard]] double flowing_energy() const;
   /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
-  void remember();
+  void take_snapshot();
   /// Finds equilibrium on the new mesh. (P.17), (P.19)
   void settle(const CarriedOver& carried, std::span<const double> forces, RemeshReport& report);
   /// Largest change of a tool's force over the largest of those before [-].
@@ -453,10 +456,10 @@ private:
   std::unique_ptr<mechanics::Newton> newton_;
   std::unique_ptr<contact::Wear> wear_;
   std::vector<double> trial_x_;
-  bool refused_as_too_deep_ = false;                       ///< the last try
-  bool refused_inside_out_ = false;                        ///< likewise
-  bool hardly_touches_ = false;                            ///< forces count as none in this try
-  std::vector<contact::ContactTerm::Restless> chattering_; ///< of the last try that had any
+  bool refused_as_too_deep_ = false; ///< the last try
+  bool refused_inside_out_ = false;  ///< likewise
+  bool hardly_touches_ = false;      ///< forces count as none in this try
+  std::vector<contact::ContactTerm::ChatteringPoint> chattering_; ///< of the last try that had any
   long systems_before_try_ = 0;
   int grounded_ = 0;
   mechanics::SolverWork earlier_work_; ///< on earlier meshes

@@ -157,7 +157,7 @@ bool Process::try_held_tool(double dt, std::string& why) {
   const auto held_at = [&](double travel,
                            const std::vector<double>& guess) -> std::optional<HeldPlace> {
     contact_->restart();
-    contact_->foretell(foretold(dt));
+    contact_->predict(predicted(dt));
     trial_x_ = guess;
     trial_x_[drive] = travel;
     mechanics::Prescribed held = prescribed(state_.time + dt);

@@ -57,7 +57,7 @@ struct Refusal {
 };
 
 /// A tool that began to act where the workpiece was.
-struct Intruder {
+struct InitialPenetration {
   std::size_t tool = 0;
   double time = 0.0; ///< at the end of that increment [s]
   std::string where; ///< how deep, and at which place
@@ -216,14 +216,14 @@ struct Record {
   contact::ProcessWindow window;
   std::vector<RemeshReport> remeshings;
   std::vector<Refusal> refusals;
-  std::vector<Intruder> intruders;
+  std::vector<InitialPenetration> initial_penetrations;
   std::vector<std::string> events; ///< of the last increment
   std::string penalty_event;       ///< a change of the penalty since then
   std::string refusal_event;       ///< a remeshing that was refused since then
 
   template <class Archive> void fields(Archive& archive) {
     archive(penetration, deepest_tool, narrow_radius, trial_quality, window, remeshings, refusals,
-            intruders, events, penalty_event, refusal_event);
+            initial_penetrations, events, penalty_event, refusal_event);
   }
 };
 

@@ -27,11 +27,11 @@ double Process::up_to_touch(double step) {
   if (!contact_ || state_.last_step.empty() || contact_->since_parting() < lately ||
       scene_.remesh || state_.x.size() > state_.origins.size())
     return step;
-  const std::vector<double> x = foretold(step);
+  const std::vector<double> x = predicted(step);
   const mechanics::Trial trial{state_.time, state_.time + step, state_.x, x, {}};
   if (contact_->any_turns(trial))
     return step;
-  contact_->foretell(x);
+  contact_->predict(x);
   return step * share_up_to_touch(contact_->touches(trial));
 }
 

@@ -288,7 +288,7 @@ Traction traction(const Friction& friction,
   SlipState state{holding, at.strength, old.sliding, at.dt};
   if (!old.closed() && rubs)
     state.dt *= at.touching;
-  if ((!old.closed() && rubs) || at.calmed)
+  if ((!old.closed() && rubs) || at.friction_limited)
     state.steepest = 1.0;
   out.limit = limit_at(friction, state, 0.0).shear;
   if (!rubs)

@@ -5,7 +5,7 @@
 // follows from the penetration itself, not from an accumulated increment; shear is an elastic
 // stick stress, turned with the normal, and kept within the law's limit (stick_slip.h). A point
 // that touches within the increment rubs from then on: over the share of the way that its motion
-// foretells, with a limit of no more than the pressure. A share that followed the gap of the trial
+// predicts, with a limit of no more than the pressure. A share that followed the gap of the trial
 // would let the shear grow faster than the pressure and destroy uniqueness. A point that has slid a
 // long way turns its shear round within a small part of that way: beside a neutral point a sharper
 // turn would be a jump.
@@ -99,7 +99,7 @@ struct InterfaceInput {
   double touching = 0.0; ///< share of the increment in which a point that was open rubs (C.42) [-]
   std::optional<SharedPressure> shared = std::nullopt; ///< in place of the point's own
   Vec3 turn = Vec3::Zero(); ///< of the tool against the face in the increment, tool frame [rad]
-  bool calmed = false;      ///< no more shear than pressure, as where a point touches (F.3)
+  bool friction_limited = false; ///< no more shear than pressure, as where a point touches (F.3)
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.

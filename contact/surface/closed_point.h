@@ -20,7 +20,7 @@ struct ClosedPoint {
   Vec3 foot = Vec3::Zero();   ///< closest point of the tool [mm]
   Vec3 normal = Vec3::Zero(); ///< of the tool there [-]
   /// Share of the increment in which it touched, as far as its beginning could tell: 1 for a point
-  /// that was closed, 0 for one whose touch came unforetold. (C.42)
+  /// that was closed, 0 for one whose touch came unpredicted. (C.42)
   double touching = 1.0;
   double pressure_old = 0.0; ///< when the increment began; 0: it was open [MPa]
   double pressure = 0.0;     ///< [MPa]

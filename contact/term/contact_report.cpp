@@ -7,14 +7,15 @@
 
 namespace billet::contact {
 
-std::vector<ContactTerm::Restless> ContactTerm::restless() const {
-  std::vector<Restless> points;
+std::vector<ContactTerm::ChatteringPoint> ContactTerm::chattering() const {
+  std::vector<ChatteringPoint> points;
   for (std::size_t t = 0; t < states_.size(); ++t)
     for (std::size_t k = 0; k < positions_.size(); ++k)
-      if (states_[t].changes[k] >= restless_changes)
+      if (states_[t].changes[k] >= chattering_changes)
         points.push_back({t, positions_[k], states_[t].changes[k]});
-  std::stable_sort(points.begin(), points.end(),
-                   [](const Restless& a, const Restless& b) { return a.changes > b.changes; });
+  std::stable_sort(
+      points.begin(), points.end(),
+      [](const ChatteringPoint& a, const ChatteringPoint& b) { return a.changes > b.changes; });
   return points;
 }
 

@@ -55,7 +55,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
                          const DriveScale& drives)
     : surface_(&surface), bulk_(&bulk), pattern_(&pattern), tools_(tools), reach_(reach),
       enabled_(tools.size(), 1), held_(tools.size(), 0), rests_(tools.size(), 0),
-      positions_(surface.n_points()), foretold_positions_(surface.n_points()),
+      positions_(surface.n_points()), predicted_positions_(surface.n_points()),
       areas_(surface.n_points()), traction_(surface.n_points()), dtraction_(surface.n_points()),
       symmetric_(surface.n_points()), touched_(surface.n_points()), loads_(tools.size()),
       closed_(tools.size()), drives_(drive_unknowns(tools)), scale_(drives) {
@@ -71,7 +71,7 @@ ContactTerm::ContactTerm(const ContactSurface& surface,
     state.position.resize(n);
     state.foot.resize(n);
     state.changes.resize(n, 0);
-    state.calmed.resize(n, 0);
+    state.friction_limited.resize(n, 0);
     state.queried_at.resize(n, Vec3::Zero());
     state.known_gap.resize(n, -std::numeric_limits<double>::infinity());
     state.force.resize(n, Vec3::Zero());
@@ -183,7 +183,7 @@ int ContactTerm::evaluate(std::size_t t, const mechanics::Trial& trial, bool kee
       in.kept = kept;
       in.multiplier = carried(state, k);
       in.strength = strength(tool.friction, k);
-      in.calmed = state.calmed[k] != 0;
+      in.friction_limited = state.friction_limited[k] != 0;
       in.turn = state.turn[idx(face_of(k))];
       if (even != nullptr)
         in.shared = shared_pressure(*even, k);
@@ -371,7 +371,7 @@ void ContactTerm::commit(const mechanics::Trial& trial) {
   ++since_parting_;
   stiffening_old_ = stiffening_;
   stiffening_next_ = stiffening_;
-  forget_foretold();
+  forget_predicted();
 }
 
 std::array<ContactTerm::WayOfTool, 2> ContactTerm::ways(std::size_t tool,

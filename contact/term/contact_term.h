@@ -180,21 +180,22 @@ public:
     return tools_[tool].motion.pose(time, driven(tool, x));
   }
 
-  /// Begins a try of an increment: enforcement is that of the committed state, nothing is foretold.
+  /// Begins a try of an increment: enforcement is that of the committed state, nothing is
+  /// predicted.
   void restart();
-  /// Likewise, and points that were restless in the last try, with more shear than pressure, get no
-  /// more of it than that in this one. (F.3)
+  /// Likewise, and points that were chattering in the last try, with more shear than pressure, get
+  /// no more of it than that in this one. (F.3)
   ///
   /// @return whether there are any
-  bool restart_calmed();
+  bool restart_friction_limited();
   /// Tells where everything will be at the end of this try if it goes on as it does. Points that
   /// come down on a tool rub from where they touch; without this, from the next increment on.
   /// (C.42)
   ///
   /// @param x  shape (n_dofs + n_extra) [mm]
-  void foretell(std::span<const double> x);
-  /// When points that are open come to touch in the increment as it has been foretold, as shares of
-  /// it, the earliest first. (P.27)
+  void predict(std::span<const double> x);
+  /// When points that are open come to touch in the increment as it has been predicted, as shares
+  /// of it, the earliest first. (P.27)
   [[nodiscard]] std::vector<double> touches(const mechanics::Trial& trial) const;
   /// Increments committed since a point last left a tool, or since the first.
   [[nodiscard]] int since_parting() const { return since_parting_; }
@@ -213,13 +214,13 @@ public:
   [[nodiscard]] double stiffening() const { return stiffening_; }
 
   /// A contact point that keeps changing between open, stick and slip.
-  struct Restless {
+  struct ChatteringPoint {
     std::size_t tool;
     Vec3 position; ///< in space [mm]
     int changes;   ///< of its status in this try
   };
-  /// Points that have changed in many evaluations of this try, the most restless first.
-  [[nodiscard]] std::vector<Restless> restless() const;
+  /// Points that have changed in many evaluations of this try, the most chattering first.
+  [[nodiscard]] std::vector<ChatteringPoint> chattering() const;
 
   /// Tools that may act now (a stage's choice), one flag a tool.
   void enable(std::vector<char> enabled) { enabled_ = std::move(enabled); }
@@ -286,15 +287,15 @@ public:
   [[nodiscard]] std::vector<double> release(std::size_t tool);
 
   template <class Archive> void fields(Archive& archive) {
-    archive(enabled_, since_parting_, held_, rests_, states_, positions_, foretold_,
-            foretold_positions_, areas_, touched_, loads_, closed_, work_, area_, stiffening_,
+    archive(enabled_, since_parting_, held_, rests_, states_, positions_, predicted_,
+            predicted_positions_, areas_, touched_, loads_, closed_, work_, area_, stiffening_,
             stiffening_old_, stiffening_next_);
   }
 
 private:
-  /// Changes of status that make a point restless: on its way to contact or to slip it changes once
-  /// or twice.
-  static constexpr int restless_changes = 4;
+  /// Changes of status that make a point chattering: on its way to contact or to slip it changes
+  /// once or twice.
+  static constexpr int chattering_changes = 4;
 
   /// A face on which pressures follow from the gaps of all points. (C.45)
   struct EvenFace {
@@ -310,15 +311,15 @@ private:
     std::vector<PointHistory> history;
     std::vector<double> multiplier;              ///< of the trial [MPa]
     std::vector<std::optional<double>> touching; ///< shares of the increment, those asked for
-    /// How it is foretold to turn against each face, as vectors in its frame [rad]; empty: not yet
+    /// How it is predicted to turn against each face, as vectors in its frame [rad]; empty: not yet
     /// asked for.
     std::vector<Vec3> turn;
     std::vector<Traction> trial;
     std::vector<Vec3> position; ///< tried, tool frame
     std::vector<geometry::Projection> foot;
-    std::vector<int> changes;     ///< of status in this try
-    std::vector<char> calmed;     ///< points that get no more shear than pressure in this try
-    std::vector<Vec3> queried_at; ///< where `known_gap` holds
+    std::vector<int> changes;           ///< of status in this try
+    std::vector<char> friction_limited; ///< points that get no more shear than pressure in this try
+    std::vector<Vec3> queried_at;       ///< where `known_gap` holds
     std::vector<double> known_gap;
     std::vector<Vec3> force;                    ///< committed force on the workpiece, in space
     Mat3 rotation = Mat3::Identity();           ///< of the tool's frame at the last trial
@@ -333,7 +334,7 @@ private:
     double drawn_back = 0.0;    ///< likewise since it began to [mm]
 
     template <class Archive> void fields(Archive& archive) {
-      archive(history, multiplier, touching, turn, trial, position, foot, changes, calmed,
+      archive(history, multiplier, touching, turn, trial, position, foot, changes, friction_limited,
               queried_at, known_gap, force, rotation, committed_rotation, stored, stabilization,
               corners, even, even_at, touches, retreat, drawn_back);
     }
@@ -370,12 +371,12 @@ private:
   /// @return points whose status is not that of the trial before
   [[nodiscard]] int evaluate(std::size_t tool, const mechanics::Trial& trial, bool keep);
   /// Share of the increment in which a point that was open touches the tool, as the motion of point
-  /// and tool foretells at its beginning, whatever the trial; 0: they would not meet. (C.42)
+  /// and tool predicts at its beginning, whatever the trial; 0: they would not meet. (C.42)
   [[nodiscard]] double
   touching_share(std::size_t tool, std::size_t point, const mechanics::Trial& trial) const;
   /// How a tool turns against the faces in the increment if all goes on as it does. (C.5a)
   [[nodiscard]] std::vector<Vec3> turns(std::size_t tool, const mechanics::Trial& trial) const;
-  void forget_foretold();
+  void forget_predicted();
   /// Counts the gaps of straight faces anew from where faces agree. (C.43)
   void level_faces(std::size_t tool, const geometry::Pose& pose, std::span<const double> x);
   /// Chooses the faces whose pressure is not to be high and low in turn. (C.45)
@@ -480,8 +481,8 @@ private:
   std::vector<char> rests_; ///< likewise
   std::vector<ToolState> states_;
   std::vector<Vec3> positions_;
-  std::vector<double> foretold_;         ///< unknowns at the end of this try; empty: not told [mm]
-  std::vector<Vec3> foretold_positions_; ///< of the points, then
+  std::vector<double> predicted_;         ///< unknowns at the end of this try; empty: not told [mm]
+  std::vector<Vec3> predicted_positions_; ///< of the points, then
   std::vector<double> areas_;
   std::vector<Vec3> traction_;
   std::vector<Mat3> dtraction_;

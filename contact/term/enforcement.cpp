@@ -25,11 +25,11 @@ double ContactTerm::carried(const ToolState& state, std::size_t point) const {
 }
 
 void ContactTerm::restart() {
-  forget_foretold();
+  forget_predicted();
   stiffening_ = stiffening_next_;
   for (ToolState& state : states_) {
     std::fill(state.changes.begin(), state.changes.end(), 0);
-    std::fill(state.calmed.begin(), state.calmed.end(), char{0});
+    std::fill(state.friction_limited.begin(), state.friction_limited.end(), char{0});
     for (std::size_t k = 0; k < state.history.size(); ++k)
       state.multiplier[k] = state.history[k].multiplier;
     for (CornerContact::Corner& corner : state.corners.corners())
@@ -37,14 +37,14 @@ void ContactTerm::restart() {
   }
 }
 
-bool ContactTerm::restart_calmed() {
-  std::vector<std::vector<char>> calmed;
+bool ContactTerm::restart_friction_limited() {
+  std::vector<std::vector<char>> limited;
   bool any = false;
   for (const ToolState& state : states_) {
-    std::vector<char>& points = calmed.emplace_back(state.calmed);
+    std::vector<char>& points = limited.emplace_back(state.friction_limited);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Traction& now = state.trial[k];
-      if (points[k] != 0 || state.changes[k] < restless_changes ||
+      if (points[k] != 0 || state.changes[k] < chattering_changes ||
           !(now.status == Status::open || now.limit > now.pressure))
         continue;
       points[k] = 1;
@@ -53,7 +53,7 @@ bool ContactTerm::restart_calmed() {
   }
   restart();
   for (std::size_t t = 0; t < states_.size(); ++t)
-    states_[t].calmed = std::move(calmed[t]);
+    states_[t].friction_limited = std::move(limited[t]);
   return any;
 }
 

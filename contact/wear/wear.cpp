@@ -42,8 +42,8 @@ Vec3 turn_between(const Mat3& tool, const Mat3& tool_before) {
   return turn.angle() * turn.axis();
 }
 
-/// Pressure over way in an increment in which a point opens, or closes unforetold, while it slides:
-/// on average half of the way, at half of the pressure. (W.10)
+/// Pressure over way in an increment in which a point opens, or closes unpredicted, while it
+/// slides: on average half of the way, at half of the pressure. (W.10)
 double edge_of_contact(double pressure, const Vec3& way, const Vec3& normal) {
   return 0.25 * pressure * (way - way.dot(normal) * normal).norm();
 }

@@ -116,7 +116,7 @@ Eigen::MatrixXd extrapolation(ElementKind kind, Index per_element) {
   });
 }
 
-/// Means at the nodes of what the elements around foretell.
+/// Means at the nodes of what the elements around predict.
 std::vector<double> nodal_means(const PointField& from, const Shape& shape) {
   const Eigen::MatrixXd E = extrapolation(from.mesh->kind, shape.per_element);
   const std::size_t n = shape.components;

@@ -72,7 +72,7 @@ TEST(FirstTouch, IsForetoldByTheWayOfATurningToolThatWasMovedToTouch) {
   };
   std::vector<Vec3> before(bench.surface.n_points());
   bench.surface.positions(bench.x, before);
-  bench.term.foretell(moved(bench, {0, -0.01 * 1.0 / (1.0 - 1e-9)}));
+  bench.term.predict(moved(bench, {0, -0.01 * 1.0 / (1.0 - 1e-9)}));
   const mechanics::Trial trial{1.0, 2.0, bench.x, bench.x};
   ASSERT_TRUE(bench.bulk.assemble(trial, bench.bulk_system).has_value());
   ASSERT_TRUE(bench.term.assemble(trial, bench.system).has_value());
@@ -97,7 +97,7 @@ TEST(FirstTouch, IsForetoldByTheWayOfADrivenToolUnlessItIsHeld) {
     bench.term.hold(0, held);
     std::vector<double> x = bench.x;
     x.back() += way;
-    bench.term.foretell(x);
+    bench.term.predict(x);
     bench.assemble(x, 1.0);
     bench.term.commit({0.0, 1.0, bench.x, x});
     ASSERT_EQ(bench.term.closed()[0].size(), bench.surface.n_points());
@@ -113,7 +113,7 @@ TEST(FirstTouch, IsThatOfTheTryWhateverWasTriedBefore) {
     std::vector<double> all;
     for (const double length : lengths) {
       bench.term.restart();
-      bench.term.foretell(moved(bench, {0.1 * length, -0.5 * length}));
+      bench.term.predict(moved(bench, {0.1 * length, -0.5 * length}));
       for (const double depth : {0.36, 0.9, 0.2, 0.352})
         all = all_of(bench.assemble(moved(bench, {0.01, -depth}), 1.0 + length));
       EXPECT_GT(shear_of(bench), 0.0);
@@ -130,13 +130,13 @@ TEST(FirstTouch, IsNoneWhereNothingIsForetold) {
   const std::vector<double> pressed = moved(bench, {0.1, -height - 1e-3});
   bench.assemble(pressed, 1.0);
   EXPECT_EQ(shear_of(bench), 0.0) << "not told";
-  bench.term.foretell(pressed);
+  bench.term.predict(pressed);
   bench.assemble(pressed, 1.0);
   EXPECT_GT(shear_of(bench), 0.0);
   bench.term.restart();
   bench.assemble(pressed, 1.0);
   EXPECT_EQ(shear_of(bench), 0.0) << "forgotten with the try";
-  bench.term.foretell(moved(bench, {0.1, -height + 1e-3}));
+  bench.term.predict(moved(bench, {0.1, -height + 1e-3}));
   bench.assemble(pressed, 1.0);
   EXPECT_EQ(shear_of(bench), 0.0) << "told to stay above";
 }
@@ -153,7 +153,7 @@ TEST(FirstTouch, CountsFromWhereANewMeshHasLeftThePoint) {
     for (std::size_t k = 0; k < anew.surface.n_points(); ++k)
       sources.push_back(PointSource::between(k, k, 0.0));
     anew.term.go_on_from(old.term.state(), sources, anew.x, 1.0);
-    anew.term.foretell(moved(anew, {0.01, -sinks}));
+    anew.term.predict(moved(anew, {0.01, -sinks}));
     const std::vector<double> pressed = moved(anew, {0.01, -1e-3});
     anew.assemble(pressed, 2.0);
     for (std::size_t k = 0; k < anew.surface.n_points(); ++k) {
@@ -164,29 +164,29 @@ TEST(FirstTouch, CountsFromWhereANewMeshHasLeftThePoint) {
 }
 
 TEST(FirstTouch, WearsNothingTwice) {
-  // A foretold touch that sticks has had its say: what slides in the next increment adds nothing to
+  // A predicted touch that sticks has had its say: what slides in the next increment adds nothing to
   // it, as (W.10) does where the touch came by surprise.
-  for (const bool foretold : {true, false}) {
+  for (const bool predicted : {true, false}) {
     ContactBench bench = above(floor(Coulomb{0.9}));
     Wear wear(bench.surface, bench.tools, box_of(bench.mesh.points));
     const auto go = [&](const Vec2& by) {
       bench.commit(moved(bench, by), bench.time_old + 1.0);
       wear.add(bench.term, bench.x, bench.time_old);
     };
-    if (foretold)
+    if (predicted)
       go({0, 0.5 * height});
-    go({0, foretold ? -height : -0.5 * height});
-    if (!foretold)
+    go({0, predicted ? -height : -0.5 * height});
+    if (!predicted)
       bench.velocity.assign(bench.velocity.size(), 0.0);
     go({1e-6, -0.5 * height - 1e-3});
-    ASSERT_EQ(bench.term.closed()[0].front().touching > 0.0, foretold);
+    ASSERT_EQ(bench.term.closed()[0].front().touching > 0.0, predicted);
     ASSERT_EQ(wear.map(0)->volume(), 0.0) << "sticks";
     const double pressure = bench.term.results()[0].pressure;
     go({0.5, 0});
     ASSERT_GT(bench.term.closed()[0].front().slip, 0.0);
     const double full = bench.tools[0].wear->tool.depth(pressure) * bench.term.area();
     const double slid = full * bench.term.closed()[0].front().slip;
-    EXPECT_NEAR(wear.map(0)->volume(), slid + (foretold ? 0.0 : 0.25 * full * 1e-6), 1e-9 * slid);
+    EXPECT_NEAR(wear.map(0)->volume(), slid + (predicted ? 0.0 : 0.25 * full * 1e-6), 1e-9 * slid);
   }
 }
 

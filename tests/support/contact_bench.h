@@ -112,7 +112,7 @@ public:
   /// Assembles a trial and makes it the committed state; keeps the books of what the forces of the
   /// nodes do on their way.
   void commit(const std::vector<double>& trial, double time) {
-    term.foretell(gone_on(time));
+    term.predict(gone_on(time));
     assemble(trial, time);
     bulk.commit({time_old, time, x, trial});
     term.commit({time_old, time, x, trial});

@@ -191,7 +191,7 @@ TEST(InterfaceLaw, GivesARateLawTheSpeedOfThePointThatTouchesFirst) {
   EXPECT_NEAR(traction_at(*floor, law, open, end, {}, 0.5).shear.norm(), whole, 2e-3 * whole);
 }
 
-TEST(InterfaceLaw, LetsAPointThatTouchesUnforetoldSlideFreelyUntilTheIncrementEnds) {
+TEST(InterfaceLaw, LetsAPointThatTouchesUnpredictedSlideFreelyUntilTheIncrementEnds) {
   const auto floor = floor_plane();
   for (const auto& [name, law] : every_law()) {
     PointHistory open;

@@ -69,7 +69,7 @@ TEST(ProcessWindow, keeps_tools_apart_and_sums_them_up) {
 }
 
 TEST(ProcessWindow, takes_the_speed_while_a_point_touches) {
-  // (C.42): a fifth of the increment, and none foretold.
+  // (C.42): a fifth of the increment, and none predicted.
   const Bench bench;
   ProcessWindow window(1);
   ClosedPoint landed = closed_point(0, 0.0, 100.0, 1.0), surprised = closed_point(1, 0.0, 1.0, 1.0);

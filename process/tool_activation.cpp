@@ -15,7 +15,7 @@
 
 namespace billet::process {
 
-void Process::meet_newcomers(const Stage& stage, double until) {
+void Process::activate_tools(const Stage& stage, double until) {
   if (!contact_)
     return;
   state_.forces.acted.resize(scene_.tools.size(), 0);
@@ -28,7 +28,7 @@ void Process::meet_newcomers(const Stage& stage, double until) {
     if (force && !force->blow)
       come_to_touch(t, std::max(state_.time, scene_.tools[t].active_from));
     else
-      note_intruder(t);
+      note_initial_penetration(t);
   }
 }
 
@@ -57,28 +57,30 @@ void Process::come_to_touch(std::size_t tool, double time) {
   state_.snapshots.clear(); // states in which the tool is elsewhere
 }
 
-void Process::note_intruder(std::size_t tool) {
+void Process::note_initial_penetration(std::size_t tool) {
   const double from = std::max(state_.time, scene_.tools[tool].active_from);
   std::string where = overlap(tool, from);
   if (where.empty())
     return;
-  const auto known = std::find_if(
-      state_.record.intruders.begin(), state_.record.intruders.end(),
-      [&](const Intruder& intruder) { return intruder.tool == tool && intruder.time == from; });
-  if (known != state_.record.intruders
+  const auto known = std::find_if(state_.record.initial_penetrations.begin(),
+                                  state_.record.initial_penetrations.end(),
+                                  [&](const InitialPenetration& penetration) {
+                                    return penetration.tool == tool && penetration.time == from;
+                                  });
+  if (known != state_.record.initial_penetrations
                    .end()) // the increment has become shorter since, and others went before
     known->increment = state_.increment;
   else
-    state_.record.intruders.push_back({tool, from, std::move(where), state_.increment});
+    state_.record.initial_penetrations.push_back({tool, from, std::move(where), state_.increment});
 }
 
-std::string Process::intruders_now() const {
+std::string Process::initial_penetrations_now() const {
   std::string text;
-  for (const Intruder& intruder : state_.record.intruders)
-    if (intruder.increment == state_.increment)
+  for (const InitialPenetration& penetration : state_.record.initial_penetrations)
+    if (penetration.increment == state_.increment)
       text += fmt::format("; tool '{}' begins to act inside the workpiece, {}: a tool goes on its "
                           "way while it does not act",
-                          scene_.tools[intruder.tool].name, intruder.where);
+                          scene_.tools[penetration.tool].name, penetration.where);
   return text;
 }
 

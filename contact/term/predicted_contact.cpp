@@ -13,14 +13,14 @@
 
 namespace billet::contact {
 
-void ContactTerm::foretell(std::span<const double> x) {
-  forget_foretold();
-  foretold_.assign(x.begin(), x.end());
-  surface_->positions(x, foretold_positions_);
+void ContactTerm::predict(std::span<const double> x) {
+  forget_predicted();
+  predicted_.assign(x.begin(), x.end());
+  surface_->positions(x, predicted_positions_);
 }
 
-void ContactTerm::forget_foretold() {
-  foretold_.clear();
+void ContactTerm::forget_predicted() {
+  predicted_.clear();
   for (ToolState& state : states_) {
     std::fill(state.touching.begin(), state.touching.end(), std::nullopt);
     state.turn.clear();
@@ -29,13 +29,14 @@ void ContactTerm::forget_foretold() {
 
 double
 ContactTerm::touching_share(std::size_t t, std::size_t point, const mechanics::Trial& trial) const {
-  if (foretold_.empty())
+  if (predicted_.empty())
     return 0.0;
   const ToolState& state = states_[t];
   const std::span<const double> drives =
-      held_[t] != 0 || rests_[t] != 0 ? trial.x_old : std::span(foretold_);
-  const std::array<Vec3, 2> places{state.history[point].position,
-                                   pose(t, trial.time, drives).to_tool(foretold_positions_[point])};
+      held_[t] != 0 || rests_[t] != 0 ? trial.x_old : std::span(predicted_);
+  const std::array<Vec3, 2> places{
+      state.history[point].position,
+      pose(t, trial.time, drives).to_tool(predicted_positions_[point])};
   std::array<geometry::Projection, 2> feet;
   for (geometry::Projection& foot : feet)
     foot.patch = state.foot[point].patch;
@@ -71,10 +72,10 @@ std::vector<double> ContactTerm::touches(const mechanics::Trial& trial) const {
 
 std::vector<Vec3> ContactTerm::turns(std::size_t t, const mechanics::Trial& trial) const {
   std::vector<Vec3> turns(idx(surface_->n_faces()), Vec3::Zero());
-  if (foretold_.empty() || pattern_->dim != 3)
+  if (predicted_.empty() || pattern_->dim != 3)
     return turns;
   const geometry::Pose pose = this->pose(
-      t, trial.time, held_[t] != 0 || rests_[t] != 0 ? trial.x_old : std::span(foretold_));
+      t, trial.time, held_[t] != 0 || rests_[t] != 0 ? trial.x_old : std::span(predicted_));
   const auto n = idx(surface_->points());
   const std::vector<PointHistory>& history = states_[t].history;
   for (std::size_t f = 0; f < turns.size(); ++f) {
@@ -82,7 +83,7 @@ std::vector<Vec3> ContactTerm::turns(std::size_t t, const mechanics::Trial& tria
     Vec3 middle_before = Vec3::Zero(), middle_after = Vec3::Zero();
     for (std::size_t k = f * n; k < (f + 1) * n; ++k) {
       before.push_back(history[k].position);
-      after.push_back(pose.to_tool(foretold_positions_[k]));
+      after.push_back(pose.to_tool(predicted_positions_[k]));
       middle_before += before.back() / double(n);
       middle_after += after.back() / double(n);
     }
