@@ -164,8 +164,8 @@ TEST(FirstTouch, CountsFromWhereANewMeshHasLeftThePoint) {
 }
 
 TEST(FirstTouch, WearsNothingTwice) {
-  // A predicted touch that sticks has had its say: what slides in the next increment adds nothing to
-  // it, as (W.10) does where the touch came by surprise.
+  // A predicted touch that sticks has had its say: what slides in the next increment adds nothing
+  // to it, as (W.10) does where the touch came by surprise.
   for (const bool predicted : {true, false}) {
     ContactBench bench = above(floor(Coulomb{0.9}));
     Wear wear(bench.surface, bench.tools, box_of(bench.mesh.points));
