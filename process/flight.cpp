@@ -151,8 +151,11 @@ public:
   [[nodiscard]] double later(double from, double length, double until) const {
     constexpr double shorter = 0.9, equal = 1.0 + 1e-9;
     double span = until - from;
-    for (double now = way(from, until); now > equal * length; now = way(from, from + span))
+    double now = way(from, until);
+    while (now > equal * length) {
       span *= std::min(length / now, now > 2.0 * length ? 1.0 : shorter);
+      now = way(from, from + span);
+    }
     return span == until - from ? until : from + span;
   }
 

@@ -70,7 +70,8 @@ std::vector<Index> lone_cells(const process::Scene& scene) {
   const FacesOfCells touched = by_cell(scene.contact_faces);
   const FacesOfCells boundary = by_cell(mechanics::boundary_faces(mesh));
   std::vector<Index> lone;
-  for (const auto& [cell, may_touch] : touched) {
+  for (const auto& [cell, touching] : touched) {
+    const auto& may_touch = touching; // clang 14 captures no bindings
     const auto nodes = mesh.cell(cell);
     const auto face = [&](std::size_t i) {
       std::set<Index> set;
