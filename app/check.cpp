@@ -9,8 +9,9 @@
 #include "io/case/read_case.h"
 #include "io/case/toml_text.h"
 #include "mechanics/elements/mesh_check.h"
-#include "process/remeshing.h"
-#include "process/run.h"
+#include "process/loop/process.h"
+#include "process/remeshing/remeshing.h"
+#include "process/remeshing/sizes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,11 +45,11 @@ std::string describe(const contact::Friction& friction) {
 }
 
 void print_mesh(const process::Scene& scene, const io::Case& content) {
-  const Box box = box_of(scene.mesh.points);
-  const auto qualities = mechanics::element_qualities(scene.mesh, scene.mesh.points);
-  fmt::print("workpiece: {} {} elements, {} nodes, material law '{}'\n", scene.mesh.n_elements(),
-             mechanics::name(scene.mesh.kind), scene.mesh.n_points(),
-             law_name(scene.material.flow));
+  const Box box = box_of(scene.part.mesh.points);
+  const auto qualities = mechanics::element_qualities(scene.part.mesh, scene.part.mesh.points);
+  fmt::print("workpiece: {} {} elements, {} nodes, material law '{}'\n",
+             scene.part.mesh.n_elements(), mechanics::name(scene.part.mesh.kind),
+             scene.part.mesh.n_points(), law_name(scene.material.flow));
   fmt::print("  box ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) {}, worst element "
              "quality {:.3f}\n",
              box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2],
@@ -86,17 +87,17 @@ std::string describe(const process::Scene& scene, const io::Case& content) {
 }
 
 void print_remeshing(const process::RemeshSettings& remesh,
-                     const process::Process& process,
+                     const process::Run& run,
                      const io::UnitSystem& units) {
-  const bool plane = process.scene().mesh.dimension() == 2;
-  const double first = process::least_quality(remesh, process.scene().mesh.kind);
+  const bool plane = run.mesh().dimension() == 2;
+  const double first = process::least_quality(remesh, run.mesh().kind);
   const double later = process::least_quality(remesh, plane ? mechanics::ElementKind::tri6
                                                             : mechanics::ElementKind::tet10);
   std::string when = fmt::format("an element is worse than {:.2g}", first);
   if (later != first)
     when += fmt::format(" ({:.2g} in new meshes)", later);
   when += " or increments fail";
-  if (plane && process.contact() != nullptr)
+  if (plane && run.contact() != nullptr)
     when += ", a tool touches on fewer than three sides";
   if (remesh.strain)
     when += fmt::format(", plastic strain has grown by {:.3g}", *remesh.strain);
@@ -105,7 +106,7 @@ void print_remeshing(const process::RemeshSettings& remesh,
   if (remesh.penetration)
     when +=
         fmt::format(", a face lies {:.3g} {} deep in a tool", *remesh.penetration, units.length);
-  const geometry::RemeshSizes sizes = process.remesh_sizes();
+  const geometry::RemeshSizes sizes = process::remesh_sizes(run);
   fmt::print("remeshing with {} when {}; {} of {:.4g} to {:.4g} {}\n", plane ? "tri6" : "tet10",
              when, plane ? "sides" : "edges", sizes.min, sizes.max, units.length);
 }
@@ -122,14 +123,12 @@ std::string names_of(const process::FreeMotions& free) {
   return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
 }
 
-void print_activity(const process::Scene& scene,
-                    const process::Process& process,
-                    const io::Case& content) {
-  fmt::print("active: {} unknowns a node, {}, {}wear, {}remeshing\n", scene.mesh.dimension(),
-             describe(scene, content), process.wear() != nullptr ? "" : "no ",
+void print_activity(const process::Scene& scene, const process::Run& run, const io::Case& content) {
+  fmt::print("active: {} unknowns a node, {}, {}wear, {}remeshing\n", scene.part.mesh.dimension(),
+             describe(scene, content), run.model.wear.get() != nullptr ? "" : "no ",
              scene.remesh ? "" : "no ");
   if (scene.remesh)
-    print_remeshing(*scene.remesh, process, content.units);
+    print_remeshing(*scene.remesh, run, content.units);
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const contact::Tool& tool = scene.tools[t];
     fmt::print(
@@ -141,16 +140,16 @@ void print_activity(const process::Scene& scene,
   }
   if (!scene.tools.empty())
     fmt::print("  {} of the boundary faces may be touched, {} points each\n",
-               scene.contact_faces.size(), process.surface()->points());
-  const bool linear = scene.mesh.kind == mechanics::ElementKind::quad4 ||
-                      scene.mesh.kind == mechanics::ElementKind::hex8;
+               scene.part.contact_faces.size(), run.model.surface->points());
+  const bool linear = scene.part.mesh.kind == mechanics::ElementKind::quad4 ||
+                      scene.part.mesh.kind == mechanics::ElementKind::hex8;
   if (!scene.tools.empty() && linear)
     fmt::print(
         "  on faces of linear elements contact.form \"mixed\" and \"compatible\" are the same\n");
-  if (process.grounded_motions() > 0)
+  if (run.model.free_motions > 0)
     fmt::print("  {} rigid motion(s) are held by contact alone{}; a vanishing grounding stiffness "
                "carries them until then; a [[support]] on a plane of symmetry takes them away\n",
-               process.grounded_motions(), names_of(process::free_motions(scene)));
+               run.model.free_motions, names_of(process::free_motions(scene)));
 }
 
 /// Seconds as a user reads them: "40 s", "25 min", "7 h".
@@ -187,14 +186,14 @@ int check_case(const Arguments& arguments) {
     fmt::print("{}\n", line);
     std::fflush(stdout); // what takes a while follows
   });
-  const process::Process& process = *ready.process;
-  const process::Scene& scene = process.scene();
+  const process::Run& run = ready.process->view();
+  const process::Scene& scene = run.scene;
   fmt::print("{}: {}\n", arguments.file, content.title);
   for (const std::string& note : ready.notes)
     fmt::print("{}\n", note);
   print_mesh(scene, content);
   print_material(content);
-  print_activity(scene, process, content);
+  print_activity(scene, run, content);
   const CostEstimate cost = ready.cost ? *ready.cost : cost_estimate(scene);
   print_cost(cost);
   if (const std::optional<std::string> warning = memory_warning(cost); warning && !ready.cost)

@@ -72,7 +72,7 @@ double increments_of(const process::Scene& scene) {
 } // namespace
 
 CostEstimate cost_estimate(const process::Scene& scene) {
-  const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.mesh);
+  const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.part.mesh);
   const Elimination factor = elimination(pattern);
   CostEstimate cost;
   cost.unknowns = pattern.n_dofs();

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "process/scene.h"
+#include "process/scene/scene.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "io/results/frames.h"
 #include "io/scene/scene_builder.h"
 #include "io/slips/slips.h"
-#include "process/tool_meetings.h"
+#include "process/setup/tool_meetings.h"
 
 #include <fmt/format.h>
 
@@ -47,12 +47,12 @@ make_process(const io::Case& content, const std::string& file, int threads, cons
     std::move(built.notes.begin(), built.notes.end(), std::back_inserter(notes));
     built.scene.solver.threads = content.solver.reproducible ? 1 : threads;
     auto process = std::make_unique<process::Process>(std::move(built.scene));
-    note_meetings(process->scene(), content.units, notes);
-    for (std::string& slip : io::scene_slips(content, *process))
+    note_meetings(process->view().scene, content.units, notes);
+    for (std::string& slip : io::scene_slips(content, process->view()))
       notes.push_back(std::move(slip));
     std::optional<CostEstimate> cost;
-    if (std::ssize(process->positions()) > many_unknowns) {
-      cost = cost_estimate(process->scene());
+    if (std::ssize(process->view().positions()) > many_unknowns) {
+      cost = cost_estimate(process->view().scene);
       if (const std::optional<std::string> warning = memory_warning(*cost))
         notes.push_back(*warning);
     }

@@ -5,7 +5,7 @@
 #include "app/cost.h"
 #include "io/case/case.h"
 #include "io/scene/solid_meshing.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <memory>
 #include <optional>

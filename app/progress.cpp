@@ -70,37 +70,36 @@ void Progress::insist(const std::string& line) {
   tell(line + "\n");
 }
 
-void Progress::incremented(const process::Process& process,
-                           const process::IncrementReport& report) {
-  const double end = process.scene().stages.back().end;
+void Progress::incremented(const process::Run& run, const process::IncrementReport& report) {
+  const double end = run.scene.stages.back().end;
   std::string line =
       fmt::format("increment {:4d}  time {:.5g}/{:.5g}  iterations {:2d}  residual {:.1e}",
                   report.increment, report.time, end, report.iterations, report.residual);
   if (report.cutbacks > 0)
     line += fmt::format("  after {} cut-back(s)", report.cutbacks);
-  if (process.contact() != nullptr)
-    for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
-      line += fmt::format("  {} {:.5g}", process.scene().tools[t].name,
-                          process.contact()->loads()[t].force.norm());
+  if (run.contact() != nullptr)
+    for (std::size_t t = 0; t < run.tools().size(); ++t)
+      line +=
+          fmt::format("  {} {:.5g}", run.tools()[t].name, run.contact()->loads()[t].force.norm());
   for (const std::string& event : report.events)
     line += "\n" + event;
   log(line + "\n");
   if (quiet_)
     return;
   if (terminal_)
-    tell(fmt::format("\r{}\033[K", progress_bar(process, report, units_, terminal_columns())));
+    tell(fmt::format("\r{}\033[K", progress_bar(run, report, units_, terminal_columns())));
   else
     tell(line + "\n");
 }
 
-void Progress::failed(const process::Process&, const process::PostMortem& post) {
+void Progress::failed(const process::Run&, const process::PostMortem& post) {
   if (terminal_ && !quiet_)
     tell("\n");
   insist(fmt::format("billet: time {:.6g} could not be reached with increments down to {:.3g}: {}",
                      post.time, post.dt, post.reason));
 }
 
-void Progress::remeshed(const process::Process&, const process::RemeshReport& r) {
+void Progress::remeshed(const process::Run&, const process::RemeshReport& r) {
   const std::string line = fmt::format(
       "remeshing {} ({}): {} -> {} elements, quality {:.2g} -> {:.2g}, volume {:+.1e}, plastic "
       "work "
@@ -114,7 +113,7 @@ void Progress::remeshed(const process::Process&, const process::RemeshReport& r)
     tell((terminal_ ? "\r\033[K" : "") + line + "\n");
 }
 
-void Progress::finished(const process::Process&) {
+void Progress::finished(const process::Run&) {
   if (terminal_ && !quiet_)
     tell("\n");
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/case/case.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -19,11 +19,10 @@ public:
   /// @param quiet  no progress on standard error; warnings and what went wrong stay
   Progress(bool quiet, io::UnitSystem units);
 
-  void incremented(const process::Process& process,
-                   const process::IncrementReport& report) override;
-  void failed(const process::Process& process, const process::PostMortem& post) override;
-  void remeshed(const process::Process& process, const process::RemeshReport& report) override;
-  void finished(const process::Process& process) override;
+  void incremented(const process::Run& run, const process::IncrementReport& report) override;
+  void failed(const process::Run& run, const process::PostMortem& post) override;
+  void remeshed(const process::Run& run, const process::RemeshReport& report) override;
+  void finished(const process::Run& run) override;
   [[nodiscard]] bool stop_requested() const override;
 
   /// Adds a line to the log and, unless quiet, to standard error.

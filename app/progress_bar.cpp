@@ -25,13 +25,12 @@ std::string measured(double value, const std::string& unit) {
 }
 
 /// "  punch 1.58 mm 152 kN"
-std::string
-load_of_a_tool(const process::Process& process, double time, const io::UnitSystem& units) {
-  const std::vector<contact::Tool>& tools = process.scene().tools;
-  if (tools.empty() || process.contact() == nullptr)
+std::string load_of_a_tool(const process::Run& run, double time, const io::UnitSystem& units) {
+  const std::vector<contact::Tool>& tools = run.tools();
+  if (tools.empty() || run.contact() == nullptr)
     return "";
   const auto stroke = [&](std::size_t t) {
-    return tools[t].motion.translation(time, process.driven(t)).norm();
+    return tools[t].motion.translation(time, run.driven(t)).norm();
   };
   std::size_t shown = 0;
   while (shown < tools.size() && stroke(shown) == 0.0)
@@ -40,18 +39,18 @@ load_of_a_tool(const process::Process& process, double time, const io::UnitSyste
   shown = travels ? shown : 0;
   const std::string way = travels ? fmt::format(" {}", measured(stroke(shown), units.length)) : "";
   return fmt::format("  {}{} {}", tools[shown].name, way,
-                     measured(process.contact()->loads()[shown].force.norm(), units.force));
+                     measured(run.contact()->loads()[shown].force.norm(), units.force));
 }
 
 } // namespace
 
-std::string progress_bar(const process::Process& process,
+std::string progress_bar(const process::Run& run,
                          const process::IncrementReport& report,
                          const io::UnitSystem& units,
                          int columns) {
-  const double share = std::clamp(report.time / process.scene().stages.back().end, 0.0, 1.0);
+  const double share = std::clamp(report.time / run.scene.stages.back().end, 0.0, 1.0);
   std::string line = fmt::format("{} {:3.0f} %  increment {}{}", bar(share), 100.0 * share,
-                                 report.increment, load_of_a_tool(process, report.time, units));
+                                 report.increment, load_of_a_tool(run, report.time, units));
   if (share > 0.0 && share < 1.0)
     line += fmt::format("  {} left", duration(report.wall_time * (1.0 - share) / share));
   return line.substr(0, static_cast<std::size_t>(std::max(columns - 1, 0)));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/case/case.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <string>
 
@@ -13,7 +13,7 @@ namespace billet::app {
 /// of the case; stroke and force of the first tool that travels, else the force on the first of
 /// all; and how long the rest takes if it takes as long as what is done. Cut off where the line
 /// ends.
-[[nodiscard]] std::string progress_bar(const process::Process& process,
+[[nodiscard]] std::string progress_bar(const process::Run& run,
                                        const process::IncrementReport& report,
                                        const io::UnitSystem& units,
                                        int columns);

@@ -9,7 +9,7 @@
 #include "io/results/checkpoint.h"
 #include "io/results/run_writer.h"
 #include "mechanics/linear/blas.h"
-#include "process/run_checks.h"
+#include "process/loop/run_checks.h"
 
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
@@ -74,38 +74,38 @@ void limit_threads(int threads) {
   static_cast<void>(limit);
 }
 
-void print_summary(const process::Process& process,
+void print_summary(const process::Run& run,
                    const io::Case& content,
                    const std::vector<io::LargestForce>& largest,
                    const io::RunEnd& end,
                    const std::filesystem::path& folder) {
   fmt::print("{}: {} at time {:.6g} {}, {} increments, {} iterations, {} cut-backs\n",
-             content.title.empty() ? "run" : content.title, end.status, process.time(),
-             content.units.time, process.increments(), process.iterations(), process.cutbacks());
-  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
-    const Vec3& force = process.contact()->loads()[t].force;
-    fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}{}\n", process.scene().tools[t].name,
-               force[0], force[1], force[2], content.units.force,
+             content.title.empty() ? "run" : content.title, end.status, run.state.time,
+             content.units.time, run.state.increment, run.state.counters.iterations,
+             run.state.counters.cutbacks);
+  for (std::size_t t = 0; t < run.tools().size(); ++t) {
+    const Vec3& force = run.contact()->loads()[t].force;
+    fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}{}\n", run.tools()[t].name, force[0],
+               force[1], force[2], content.units.force,
                t < largest.size() ? largest_in_words(largest[t], content.units) : "");
   }
-  for (const process::BlowReport& blow : process.blows())
+  for (const process::BlowReport& blow : run.blows())
     fmt::print("blow of {}: energy {:.6g} {} {}, {:.1f} % used, stroke {:.6g} {} in {:.4g} {}\n",
-               process.scene().tools[blow.tool].name, blow.energy + blow.driven,
-               content.units.force, content.units.length,
-               100.0 * blow.used / (blow.energy + blow.driven), blow.stroke, content.units.length,
-               blow.time - blow.begun, content.units.time);
+               run.tools()[blow.tool].name, blow.energy + blow.driven, content.units.force,
+               content.units.length, 100.0 * blow.used / (blow.energy + blow.driven), blow.stroke,
+               content.units.length, blow.time - blow.begun, content.units.time);
   fmt::print("energy: external {:.6g}, elastic {:.6g}, plastic {:.6g}, friction {:.6g} {} {}; "
              "balance {:.2e}\n",
-             process.energy().external, process.energy().elastic, process.energy().plastic,
-             process.energy().friction, content.units.force, content.units.length,
-             process.energy().error());
+             run.state.energy.external, run.state.energy.elastic, run.state.energy.plastic,
+             run.state.energy.friction, content.units.force, content.units.length,
+             run.state.energy.error());
   fmt::print("results: {}\n", folder.string());
   if (end.exit_status == static_cast<int>(Fault::not_converged))
     fmt::print("what went wrong: {}\n", (folder / "failure" / "post_mortem.txt").string());
 }
 
-void print_profile(const process::Process& process) {
-  const process::PhaseTimes& t = process.times();
+void print_profile(const process::Run& run) {
+  const process::PhaseTimes& t = run.clock.times;
   const auto line = [&](std::string_view phase, double seconds) {
     fmt::print("{:<14} {:>9.3f} s {:>6.1f} %\n", phase, seconds, 100.0 * seconds / t.total);
   };
@@ -118,11 +118,11 @@ void print_profile(const process::Process& process) {
   line("solve", t.solve);
   line("certificate", t.certificate);
   line("output", t.output);
-  if (process.scene().remesh)
+  if (run.scene.remesh)
     line("remeshing", t.remeshing);
   line("rest", t.rest());
   line("total", t.total);
-  const mechanics::SolverWork& work = process.solver_work();
+  const mechanics::SolverWork& work = run.solver_work();
   fmt::print("{} linear systems: {} factorizations at {:.3g} GFLOP/s, {} substitutions, {} systems "
              "with an earlier factorization; the last factorization, {}, {:.3g} GFLOP, {:.3g} MB\n",
              work.systems, work.factorizations,
@@ -176,7 +176,7 @@ void require_same(const io::FoundCheckpoint& found, const io::Case& content) {
 }
 
 void go_on_from(const io::FoundCheckpoint& found, process::Process& process) {
-  if (io::scene_fingerprint(process.scene()) != found.checkpoint.scene)
+  if (io::scene_fingerprint(process.view().scene) != found.checkpoint.scene)
     throw Error(Fault::case_file, found.file.string(),
                 "the mesh or a tool's surface is not that of the run so far: one of the files that "
                 "the case names has changed",
@@ -202,6 +202,7 @@ int run_case(const Arguments& arguments) {
   const ReadyProcess ready = make_process(content, arguments.file, threads,
                                           [&](const std::string& line) { progress.say(line); });
   process::Process& process = *ready.process;
+  const process::Run& run = process.view();
   if (found)
     go_on_from(*found, process);
   progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
@@ -223,18 +224,18 @@ int run_case(const Arguments& arguments) {
     for (const std::string& note : found->notes)
       progress.say_aside("warning: " + note);
   const process::RunStatus status = process.run({&writer, &progress});
-  for (const std::string& line : writer.advice(process))
+  for (const std::string& line : writer.advice(run))
     progress.say("what may help: " + line);
-  for (const std::string& warning : writer.warnings(process))
+  for (const std::string& warning : writer.warnings(run))
     progress.say(warning);
-  const std::vector<process::FailedCheck> failed = process::failed_checks(process);
+  const std::vector<process::FailedCheck> failed = process::failed_checks(run);
   for (const process::FailedCheck& check : failed)
     progress.insist(fmt::format("failed check '{}': {}", check.name, check.what));
   const io::RunEnd end{ending(status, failed.empty()), exit_status(status, failed.empty()), failed};
-  writer.write_summary(process, end);
-  print_summary(process, content, writer.largest_forces(), end, folder);
+  writer.write_summary(run, end);
+  print_summary(run, content, writer.largest_forces(), end, folder);
   if (arguments.profile)
-    print_profile(process);
+    print_profile(run);
   return end.exit_status;
 }
 

@@ -4,7 +4,7 @@
 #include "io/case/read_case.h"
 #include "io/results/frames.h"
 #include "io/scene/scene_builder.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <algorithm>
 #include <new>
@@ -31,10 +31,10 @@ public:
   std::string reason;
 
   void begin() { solved_ = false; }
-  void incremented(const process::Process&, const process::IncrementReport&) override {
+  void incremented(const process::Run&, const process::IncrementReport&) override {
     solved_ = true;
   }
-  void failed(const process::Process&, const process::PostMortem& post) override {
+  void failed(const process::Run&, const process::PostMortem& post) override {
     reason = post.reason;
   }
   [[nodiscard]] bool stop_requested() const override { return solved_; }
@@ -69,14 +69,14 @@ struct Run::Inside {
 
   [[nodiscard]] io::WorkpieceFrame frame() const {
     const std::vector<Vec3> points =
-        io::points_of(process->positions(), process->scene().mesh.dimension());
-    return io::workpiece_frame(*process, points, {content.units, "", content.title});
+        io::points_of(process->view().positions(), process->view().mesh().dimension());
+    return io::workpiece_frame(process->view(), points, {content.units, "", content.title});
   }
 
   [[nodiscard]] contact::ToolLoad load(std::size_t tool) const {
-    if (tool >= process->scene().tools.size())
+    if (tool >= process->view().tools().size())
       throw RunError("there is no tool " + std::to_string(tool));
-    return process->contact()->loads()[tool];
+    return process->view().contact()->loads()[tool];
   }
 };
 
@@ -106,13 +106,15 @@ Status Run::finish() {
 
 Status Run::status() const { return inside_->status; }
 const std::string& Run::reason() const { return inside_->observer.reason; }
-double Run::time() const { return inside_->process->time(); }
-int Run::increment() const { return inside_->process->increments(); }
-int Run::dimension() const { return inside_->process->scene().mesh.dimension(); }
-std::span<const double> Run::positions() const { return inside_->process->positions(); }
-std::span<const std::int32_t> Run::elements() const { return inside_->process->scene().mesh.cells; }
+double Run::time() const { return inside_->process->view().state.time; }
+int Run::increment() const { return inside_->process->view().state.increment; }
+int Run::dimension() const { return inside_->process->view().mesh().dimension(); }
+std::span<const double> Run::positions() const { return inside_->process->view().positions(); }
+std::span<const std::int32_t> Run::elements() const {
+  return inside_->process->view().mesh().cells;
+}
 int Run::nodes_per_element() const {
-  return mechanics::nodes_per_element(inside_->process->scene().mesh.kind);
+  return mechanics::nodes_per_element(inside_->process->view().mesh().kind);
 }
 
 std::vector<std::string> Run::field_names() const {
@@ -134,7 +136,7 @@ std::vector<double> Run::field(std::string_view name) const {
 
 std::vector<std::string> Run::tools() const {
   std::vector<std::string> names;
-  for (const contact::Tool& tool : inside_->process->scene().tools)
+  for (const contact::Tool& tool : inside_->process->view().tools())
     names.push_back(tool.name);
   return names;
 }

@@ -99,6 +99,6 @@ private:
   do_project(std::span<const Vec3> points, double reach, std::span<Projection> out) const = 0;
 };
 
-using SurfacePtr = std::unique_ptr<const RigidSurface>;
+using SurfacePtr = std::shared_ptr<const RigidSurface>;
 
 } // namespace billet::geometry

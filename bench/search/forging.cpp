@@ -3,7 +3,7 @@
 #include "io/case/read_case.h"
 #include "io/scene/scene_builder.h"
 #include "io/tools/stl.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
@@ -117,11 +117,12 @@ std::string forge(int cells, std::int64_t triangles) {
   if (process.run({}) != process::RunStatus::done)
     throw std::runtime_error("the forging did not converge");
   const double total = processor_time() - start;
-  const process::PhaseTimes& times = process.times();
+  const process::PhaseTimes& times = process.view().clock.times;
   return fmt::format(
       "| {} | {} | {} | {:.2f} | {:.1f} | {} | {} | {:.3f} | {:.1f} % | {:.3f} | {:.1f} % |", cells,
-      process.positions().size(), before.queries, before.seconds, total, process.iterations(),
-      cost.queries, times.search, 100.0 * times.search / times.total, times.certificate,
+      process.view().positions().size(), before.queries, before.seconds, total,
+      process.view().state.counters.iterations, cost.queries, times.search,
+      100.0 * times.search / times.total, times.certificate,
       100.0 * times.certificate / times.total);
 }
 

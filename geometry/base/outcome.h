@@ -17,6 +17,9 @@ struct Failure {
   std::string reason; ///< for the log and the post-mortem
 };
 
+/// The value of an operation that gives none but may fail.
+struct Done {};
+
 /// A value of type T or a Failure.
 template <class T> class [[nodiscard]] Outcome {
 public:

@@ -16,8 +16,6 @@ public:
 
   [[nodiscard]] double distance() const { return distance_; }
   void set_distance(double distance) { distance_ = distance; }
-  /// The surface itself; this one is of no use any more.
-  [[nodiscard]] SurfacePtr give_back() { return std::move(surface_); }
 
   [[nodiscard]] Box bounds() const override { return surface_->bounds(); }
   [[nodiscard]] DisplayMesh display(const Box& window, bool planar) const override {

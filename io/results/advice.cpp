@@ -27,19 +27,19 @@ bool is_faceted(const Case& content, const process::Scene& scene, std::size_t to
 }
 
 /// What the metal yields at, with the largest plastic strain so far.
-double yield_stress_of(const process::Process& process) {
-  const mechanics::Material& material = process.bulk().material();
+double yield_stress_of(const process::Run& run) {
+  const mechanics::Material& material = run.model.bulk->material();
   double strain = 0.0;
-  for (const auto& state : process.bulk().states())
+  for (const auto& state : run.model.bulk->states())
     strain = std::max(strain, state.plastic_strain);
   return mechanics::yield_stress(material.flow, {strain, 0.0, material.temperature});
 }
 
-void on_drives(const process::Process& process, const process::PostMortem& post, Lines& lines) {
+void on_drives(const process::Run& run, const process::PostMortem& post, Lines& lines) {
   for (const DriveState& drive : post.drives) {
     if (drive.load == 0.0)
       continue;
-    const std::string& name = process.scene().tools[drive.tool].name;
+    const std::string& name = run.tools()[drive.tool].name;
     if (drive.turns) {
       lines.push_back(fmt::format(
           "a torque of {:.6g} turns tool {}: one that friction cannot hold, or more than the part "
@@ -53,8 +53,8 @@ void on_drives(const process::Process& process, const process::PostMortem& post,
           "it lets go, or prescribe its motion",
           drive.load, name));
     } else {
-      const double area = process.contact()->bearing_area();
-      const double yield = yield_stress_of(process);
+      const double area = run.contact()->bearing_area();
+      const double yield = yield_stress_of(run);
       lines.push_back(fmt::format("tool {} is under a force of {:.6g} there", name, drive.load));
       if (area > 0.0 && std::isfinite(yield))
         lines.back() += fmt::format(", all tools touch on {:.4g}: {:.3g} times the yield stress on "
@@ -65,12 +65,12 @@ void on_drives(const process::Process& process, const process::PostMortem& post,
 }
 
 /// Pressures that no metal bears: a unit has gone wrong, most likely.
-void on_pressures(const process::Process& process, const process::PostMortem& post, Lines& lines) {
+void on_pressures(const process::Run& run, const process::PostMortem& post, Lines& lines) {
   constexpr double many = 3.0; // times the yield stress: what a dent bears
-  const double yield = yield_stress_of(process);
+  const double yield = yield_stress_of(run);
   double largest = 0.0;
   double asked = 0.0;
-  for (const process::LoadSpec& load : process.scene().loads)
+  for (const process::LoadSpec& load : run.part().loads)
     if (const auto* const pressure = std::get_if<process::PressureOn>(&load)) {
       largest = std::max(largest, std::abs(pressure->pressure(post.time)));
       for (const auto& [time, value] : pressure->pressure.points())
@@ -85,8 +85,8 @@ void on_pressures(const process::Process& process, const process::PostMortem& po
       largest, largest / yield, asked));
 }
 
-bool driven_by_load(const process::Process& process, const process::PostMortem& post) {
-  return !process.scene().loads.empty() ||
+bool driven_by_load(const process::Run& run, const process::PostMortem& post) {
+  return !run.part().loads.empty() ||
          std::any_of(post.drives.begin(), post.drives.end(), [](const DriveState& drive) {
            return drive.contact == DriveState::Contact::presses;
          });
@@ -94,10 +94,10 @@ bool driven_by_load(const process::Process& process, const process::PostMortem& 
 
 /// Contact points that go to and fro: between facets, or between stick and slip.
 void on_chattering_points(const Case& content,
-                          const process::Process& process,
+                          const process::Run& run,
                           const process::PostMortem& post,
                           Lines& lines) {
-  const process::Scene& scene = process.scene();
+  const process::Scene& scene = run.scene;
   const auto on_facets =
       std::find_if(post.chattering.begin(), post.chattering.end(),
                    [&](const auto& point) { return is_faceted(content, scene, point.tool); });
@@ -131,10 +131,10 @@ void on_elements(const Case& content, const process::PostMortem& post, Lines& li
                     "there follow the tool, a larger contact.max_penetration lets it be");
 }
 
-void on_increments(const process::Process& process, const process::PostMortem& post, Lines& lines) {
+void on_increments(const process::Run& run, const process::PostMortem& post, Lines& lines) {
   constexpr double of_no_more_use = 1e-5; // of the run: shorter ones would have failed as well
-  if (const std::optional<double>& min = process.scene().increments.min;
-      min && post.dt < 2.0 * *min && post.dt > of_no_more_use * process.scene().stages.back().end)
+  if (const std::optional<double>& min = run.scene.increments.min;
+      min && post.dt < 2.0 * *min && post.dt > of_no_more_use * run.scene.stages.back().end)
     lines.push_back(
         fmt::format("time.increments.min = {:.4g} allows none shorter: leave it out, and the run "
                     "finds its own",
@@ -144,14 +144,14 @@ void on_increments(const process::Process& process, const process::PostMortem& p
 } // namespace
 
 std::vector<std::string>
-advice(const Case& content, const process::Process& process, const process::PostMortem& post) {
+advice(const Case& content, const process::Run& run, const process::PostMortem& post) {
   Lines lines;
-  on_pressures(process, post, lines);
+  on_pressures(run, post, lines);
   on_elements(content, post, lines);
-  on_chattering_points(content, process, post, lines);
-  on_drives(process, post, lines);
-  on_increments(process, post, lines);
-  if (driven_by_load(process, post))
+  on_chattering_points(content, run, post, lines);
+  on_drives(run, post, lines);
+  on_increments(run, post, lines);
+  if (driven_by_load(run, post))
     lines.push_back("a load drives this part: it may be at the most that the part bears (it necks, "
                     "bulges, buckles or leaves the tool); a prescribed motion in its place goes on "
                     "beyond");

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "io/case/case.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <string>
 #include <vector>
@@ -15,6 +15,6 @@ namespace billet::io {
 
 /// Causes and their remedies, the likeliest first; the last line is of use for any.
 [[nodiscard]] std::vector<std::string>
-advice(const Case& content, const process::Process& process, const process::PostMortem& post);
+advice(const Case& content, const process::Run& run, const process::PostMortem& post);
 
 } // namespace billet::io

@@ -126,12 +126,13 @@ bool may_change(const std::string& key, std::size_t stage) {
 
 std::string scene_fingerprint(const process::Scene& scene) {
   ArchiveWriter archive;
-  archive(scene.mesh, scene.contact_faces);
-  for (const process::Support& support : scene.supports)
+  archive(scene.part.mesh, scene.part.contact_faces);
+  for (const process::Support& support : scene.part.supports)
     archive(support.nodes, support.component);
-  const Box part = box_of(scene.mesh.points);
+  const Box part = box_of(scene.part.mesh.points);
   for (const contact::Tool& tool : scene.tools) {
-    const geometry::DisplayMesh drawn = tool.surface->display(part, scene.mesh.dimension() == 2);
+    const geometry::DisplayMesh drawn =
+        tool.surface->display(part, scene.part.mesh.dimension() == 2);
     archive(drawn.points, drawn.lines, drawn.triangles);
   }
   return fmt::format("{:08x}", checksum(archive.bytes()));

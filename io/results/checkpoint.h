@@ -8,7 +8,7 @@
 
 #pragma once
 
-#include "process/scene.h"
+#include "process/scene/scene.h"
 
 #include <cstddef>
 #include <filesystem>

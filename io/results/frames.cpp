@@ -57,8 +57,8 @@ std::vector<std::vector<int>> points_of_nodes(mechanics::ElementKind kind) {
 
 /// Means at the nodes of a quantity with `components` values at each integration point.
 std::vector<double>
-to_nodes(const process::Process& process, int components, std::span<const double> at_points) {
-  const mechanics::Mesh& mesh = process.scene().mesh;
+to_nodes(const process::Run& run, int components, std::span<const double> at_points) {
+  const mechanics::Mesh& mesh = run.mesh();
   const std::vector<std::vector<int>> nearest = points_of_nodes(mesh.kind);
   std::vector<double> sum(mesh.points.size() * idx(components), 0.0);
   std::vector<double> count(mesh.points.size(), 0.0);
@@ -67,7 +67,7 @@ to_nodes(const process::Process& process, int components, std::span<const double
       const std::size_t node = idx(mesh.cell(e)[a]);
       count[node] += 1.0;
       for (const int g : nearest[a]) {
-        const std::size_t point = idx(e * process.bulk().points() + g);
+        const std::size_t point = idx(e * run.model.bulk->points() + g);
         for (std::size_t c = 0; c < idx(components); ++c)
           sum[node * idx(components) + c] +=
               at_points[point * idx(components) + c] / static_cast<double>(nearest[a].size());
@@ -92,25 +92,25 @@ std::vector<double> three_components(std::span<const double> v, int dimension) {
 
 /// Puts the mean stress at the points of simplices to its mean over their element: within one it
 /// alternates where plastic flow is held on many sides (docs/decisions/0008-simplex-elements.md).
-void level_mean_stress(const process::Process& process, std::vector<Mat3>& stresses) {
-  if (!mechanics::is_simplex(process.scene().mesh.kind))
+void level_mean_stress(const process::Run& run, std::vector<Mat3>& stresses) {
+  if (!mechanics::is_simplex(run.mesh().kind))
     return;
-  const auto n = idx(process.bulk().points());
+  const auto n = idx(run.model.bulk->points());
   for (std::size_t first = 0; first < stresses.size(); first += n) {
     double sum = 0.0;
     double volume = 0.0;
     for (std::size_t k = first; k < first + n; ++k) {
-      sum += process.bulk().volumes()[k] * stresses[k].trace() / 3.0;
-      volume += process.bulk().volumes()[k];
+      sum += run.model.bulk->volumes()[k] * stresses[k].trace() / 3.0;
+      volume += run.model.bulk->volumes()[k];
     }
     for (std::size_t k = first; k < first + n; ++k)
       stresses[k].diagonal().array() += sum / volume - stresses[k].trace() / 3.0;
   }
 }
 
-void add_stress(const process::Process& process, const FrameSettings& s, WorkpieceFrame& frame) {
-  std::vector<Mat3> stresses = process.bulk().stresses(process.positions());
-  level_mean_stress(process, stresses);
+void add_stress(const process::Run& run, const FrameSettings& s, WorkpieceFrame& frame) {
+  std::vector<Mat3> stresses = run.model.bulk->stresses(run.positions());
+  level_mean_stress(run, stresses);
   std::vector<double> mises;
   std::vector<double> tensor;
   std::vector<double> mean;
@@ -120,17 +120,17 @@ void add_stress(const process::Process& process, const FrameSettings& s, Workpie
     tensor.insert(tensor.end(),
                   {sigma(0, 0), sigma(1, 1), sigma(2, 2), sigma(0, 1), sigma(1, 2), sigma(0, 2)});
   }
-  frame.point_fields.push_back({"von_mises", 1, to_nodes(process, 1, mises), s.units.stress});
-  frame.point_fields.push_back({"mean_stress", 1, to_nodes(process, 1, mean), s.units.stress});
-  frame.point_fields.push_back({"stress", 6, to_nodes(process, 6, tensor), s.units.stress});
+  frame.point_fields.push_back({"von_mises", 1, to_nodes(run, 1, mises), s.units.stress});
+  frame.point_fields.push_back({"mean_stress", 1, to_nodes(run, 1, mean), s.units.stress});
+  frame.point_fields.push_back({"stress", 6, to_nodes(run, 6, tensor), s.units.stress});
 }
 
 /// Contact values at the nodes: means over the contact points of the faces around them.
-void add_contact(const process::Process& process, const FrameSettings& s, WorkpieceFrame& frame) {
-  if (process.contact() == nullptr)
+void add_contact(const process::Run& run, const FrameSettings& s, WorkpieceFrame& frame) {
+  if (run.contact() == nullptr)
     return;
-  const contact::ContactSurface& surface = *process.surface();
-  const std::vector<contact::PointResult> results = process.contact()->results();
+  const contact::ContactSurface& surface = *run.model.surface;
+  const std::vector<contact::PointResult> results = run.contact()->results();
   const std::size_t n = frame.points.size();
   std::vector<double> count(n, 0.0);
   std::vector<double> pressure(n, 0.0);
@@ -138,7 +138,7 @@ void add_contact(const process::Process& process, const FrameSettings& s, Workpi
   std::vector<double> sliding(n, 0.0);
   std::vector<double> status(n, 0.0);
   const std::vector<double> worn =
-      process.wear() != nullptr ? process.wear()->workpiece_depth() : std::vector<double>{};
+      run.model.wear.get() != nullptr ? run.model.wear->workpiece_depth() : std::vector<double>{};
   std::vector<double> wear(worn.empty() ? 0 : n, 0.0);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const Index face = static_cast<Index>(k / idx(surface.points()));
@@ -248,17 +248,17 @@ std::vector<Vec3> points_of(std::span<const double> x, int dimension) {
   return points;
 }
 
-WorkpieceFrame workpiece_frame(const process::Process& process,
+WorkpieceFrame workpiece_frame(const process::Run& run,
                                std::span<const Vec3> points,
                                const FrameSettings& settings) {
-  const mechanics::Mesh& mesh = process.scene().mesh;
+  const mechanics::Mesh& mesh = run.mesh();
   WorkpieceFrame frame;
-  frame.time = process.time();
+  frame.time = run.state.time;
   frame.kind = mesh.kind;
   frame.points = points;
   frame.cells = mesh.cells;
   frame.notes = notes_of(settings);
-  const std::vector<Vec3> origins = points_of(process.origins(), mesh.dimension());
+  const std::vector<Vec3> origins = points_of(run.state.origins, mesh.dimension());
   std::vector<double> displacement;
   for (std::size_t a = 0; a < points.size(); ++a) {
     const Vec3 u = points[a] - origins[a];
@@ -266,41 +266,40 @@ WorkpieceFrame workpiece_frame(const process::Process& process,
   }
   frame.point_fields.push_back({"displacement", 3, std::move(displacement), settings.units.length});
   frame.point_fields.push_back({"velocity", 3,
-                                three_components(process.velocity(), mesh.dimension()),
+                                three_components(run.state.velocity, mesh.dimension()),
                                 settings.units.length + "/" + settings.units.time});
   std::vector<double> strain;
-  for (const auto& state : process.bulk().states())
+  for (const auto& state : run.model.bulk->states())
     strain.push_back(state.plastic_strain);
-  frame.point_fields.push_back({"plastic_strain", 1, to_nodes(process, 1, strain), "1"});
-  frame.point_fields.push_back({"plastic_strain_rate", 1,
-                                to_nodes(process, 1, process.plastic_rate()),
+  frame.point_fields.push_back({"plastic_strain", 1, to_nodes(run, 1, strain), "1"});
+  frame.point_fields.push_back({"plastic_strain_rate", 1, to_nodes(run, 1, run.state.plastic_rate),
                                 "1/" + settings.units.time});
-  if (!process.bulk().temperatures().empty())
+  if (!run.model.bulk->temperatures().empty())
     frame.point_fields.push_back({"temperature", 1,
-                                  to_nodes(process, 1, process.bulk().temperatures()),
+                                  to_nodes(run, 1, run.model.bulk->temperatures()),
                                   settings.units.temperature});
-  add_stress(process, settings, frame);
-  add_contact(process, settings, frame);
+  add_stress(run, settings, frame);
+  add_contact(run, settings, frame);
   frame.cell_fields.push_back(
       {"element_quality", 1, mechanics::element_qualities(mesh, points), "1"});
   return frame;
 }
 
-SurfaceFrame contact_frame(const process::Process& process,
+SurfaceFrame contact_frame(const process::Run& run,
                            std::span<const Vec3> points,
                            const FrameSettings& settings) {
   SurfaceFrame frame;
-  frame.time = process.time();
+  frame.time = run.state.time;
   frame.notes = notes_of(settings);
-  const contact::ContactSurface& surface = *process.surface();
-  const std::vector<contact::PointResult> results = process.contact()->results();
+  const contact::ContactSurface& surface = *run.model.surface;
+  const std::vector<contact::PointResult> results = run.contact()->results();
   const std::size_t n = idx(surface.points());
   std::vector<double> pressure;
   std::vector<double> shear;
   std::vector<double> gap;
   std::vector<double> status;
   for (Index f = 0; f < surface.n_faces(); ++f) {
-    add_face(frame, surface.scatter().nodes(f), process.scene().mesh.dimension());
+    add_face(frame, surface.scatter().nodes(f), run.mesh().dimension());
     contact::PointResult mean;
     mean.gap = std::numeric_limits<double>::infinity();
     for (std::size_t k = idx(f) * n; k < (idx(f) + 1) * n; ++k) {
@@ -322,12 +321,12 @@ SurfaceFrame contact_frame(const process::Process& process,
   return frame;
 }
 
-SurfaceFrame tool_frame(const process::Process& process,
+SurfaceFrame tool_frame(const process::Run& run,
                         std::size_t tool,
                         std::span<const Vec3> points,
                         const FrameSettings& settings) {
-  const contact::Tool& rigid = process.scene().tools[tool];
-  const geometry::Pose pose = rigid.motion.pose(process.time(), process.driven(tool));
+  const contact::Tool& rigid = run.tools()[tool];
+  const geometry::Pose pose = rigid.motion.pose(run.state.time, run.driven(tool));
   const Box box = box_of(points);
   constexpr double margin_share = 0.15;
   const Vec3 margin = Vec3::Constant(margin_share * box.size());
@@ -338,12 +337,12 @@ SurfaceFrame tool_frame(const process::Process& process,
       p[d] = ((corner >> d) & 1) != 0 ? box.high[d] + margin[d] : box.low[d] - margin[d];
     window.add(pose.to_tool(p));
   }
-  const bool planar = process.scene().mesh.dimension() == 2;
+  const bool planar = run.mesh().dimension() == 2;
   SurfaceFrame frame;
-  frame.time = process.time();
+  frame.time = run.state.time;
   frame.notes = notes_of(settings);
-  if (process.wear() != nullptr && process.wear()->map(tool)) {
-    add_wear(*process.wear()->map(tool), rigid, window, settings.units.length, frame);
+  if (run.model.wear.get() != nullptr && run.model.wear->map(tool)) {
+    add_wear(*run.model.wear->map(tool), rigid, window, settings.units.length, frame);
     for (Vec3& p : frame.points)
       p = pose.to_space(p);
     return frame;

@@ -8,7 +8,7 @@
 
 #include "io/case/case.h"
 #include "io/results/vtk_writer.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <span>
 #include <string>
@@ -24,16 +24,15 @@ struct FrameSettings {
 };
 
 /// The workpiece with its fields.
-[[nodiscard]] WorkpieceFrame workpiece_frame(const process::Process& process,
+[[nodiscard]] WorkpieceFrame workpiece_frame(const process::Run& run,
                                              std::span<const Vec3> points,
                                              const FrameSettings& settings);
 /// The candidate faces with pressure, shear, gap and status of their points (means over a face).
-[[nodiscard]] SurfaceFrame contact_frame(const process::Process& process,
-                                         std::span<const Vec3> points,
-                                         const FrameSettings& settings);
+[[nodiscard]] SurfaceFrame
+contact_frame(const process::Run& run, std::span<const Vec3> points, const FrameSettings& settings);
 /// A tool where it is now; unbounded surfaces are drawn a little beyond the workpiece, and as far
 /// as they are worn.
-[[nodiscard]] SurfaceFrame tool_frame(const process::Process& process,
+[[nodiscard]] SurfaceFrame tool_frame(const process::Run& run,
                                       std::size_t tool,
                                       std::span<const Vec3> points,
                                       const FrameSettings& settings);

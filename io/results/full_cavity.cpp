@@ -10,8 +10,8 @@ bool Squeeze::is_full() const {
   return volume_lost > little && pressure > open * flow_stress;
 }
 
-Squeeze squeeze_of(const process::Process& process, double volume) {
-  const mechanics::Bulk& bulk = process.bulk();
+Squeeze squeeze_of(const process::Run& run, double volume) {
+  const mechanics::Bulk& bulk = *run.model.bulk;
   const double share = volume / bulk.reference_volume();
   Squeeze squeeze{1.0 - share, -bulk.material().elasticity.bulk() * std::log(share), 0.0};
   for (std::size_t k = 0; k < bulk.states().size(); ++k)
@@ -19,7 +19,7 @@ Squeeze squeeze_of(const process::Process& process, double volume) {
         bulk.volumes()[k] / bulk.reference_volume() *
         mechanics::yield_stress(
             bulk.material().flow,
-            {bulk.states()[k].plastic_strain, process.plastic_rate()[k], bulk.temperature(k)});
+            {bulk.states()[k].plastic_strain, run.state.plastic_rate[k], bulk.temperature(k)});
   return squeeze;
 }
 

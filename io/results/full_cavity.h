@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "process/run.h"
+#include "process/loop/process.h"
 
 namespace billet::io {
 
@@ -22,6 +22,6 @@ struct Squeeze {
 };
 
 /// @param volume  of the workpiece now [mm^3]
-[[nodiscard]] Squeeze squeeze_of(const process::Process& process, double volume);
+[[nodiscard]] Squeeze squeeze_of(const process::Run& run, double volume);
 
 } // namespace billet::io

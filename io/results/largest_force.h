@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <vector>
 
@@ -17,8 +17,6 @@ struct LargestForce {
 };
 
 /// Takes an increment in that has just been accepted; of equal forces the first stays.
-void note_largest_forces(const process::Process& process,
-                         double time,
-                         std::vector<LargestForce>& largest);
+void note_largest_forces(const process::Run& run, double time, std::vector<LargestForce>& largest);
 
 } // namespace billet::io

@@ -2,8 +2,12 @@
 
 #include "io/results/full_cavity.h"
 #include "io/results/run_writer.h"
-#include "process/remeshing.h"
-#include "process/tool_meetings.h"
+#include "process/remeshing/contact_zones.h"
+#include "process/remeshing/laps.h"
+#include "process/remeshing/remeshing.h"
+#include "process/remeshing/remeshing_due.h"
+#include "process/setup/tool_meetings.h"
+#include "process/stages/overlap.h"
 
 #include <fmt/format.h>
 
@@ -23,14 +27,13 @@ bool moves(const geometry::Motion& motion) {
 
 } // namespace
 
-void RunWriter::note_unmet_tools(const process::Process& process,
-                                 const process::IncrementReport& report) {
-  if (process.contact() == nullptr)
+void RunWriter::note_unmet_tools(const process::Run& run, const process::IncrementReport& report) {
+  if (run.contact() == nullptr)
     return;
-  unmet_.resize(process.scene().tools.size());
+  unmet_.resize(run.tools().size());
   for (std::size_t t = 0; t < unmet_.size(); ++t) {
-    unmet_[t].acts = unmet_[t].acts || process.contact()->acts(t, report.time);
-    unmet_[t].met = unmet_[t].met || process.contact()->lies_on(t);
+    unmet_[t].acts = unmet_[t].acts || run.contact()->acts(t, report.time);
+    unmet_[t].met = unmet_[t].met || run.contact()->lies_on(t);
   }
   Unmet& deepest = unmet_[report.penetration.tool];
   constexpr double noticed = 2e-3; // of the element beneath
@@ -41,7 +44,7 @@ void RunWriter::note_unmet_tools(const process::Process& process,
   }
 }
 
-std::vector<std::string> RunWriter::warnings(const process::Process& process) const {
+std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   std::vector<std::string> lines;
   for (std::size_t t = 0; t < unmet_.size(); ++t)
     if (!unmet_[t].met && unmet_[t].depth > 0.0)
@@ -49,16 +52,15 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
           "warning: from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} deep, and no "
           "contact point meets it, so it has no force: it is narrower than they are apart, or a "
           "hollow that sides are too long for; take smaller elements there",
-          unmet_[t].time, content_->units.time, process.scene().tools[t].name, unmet_[t].depth,
+          unmet_[t].time, content_->units.time, run.tools()[t].name, unmet_[t].depth,
           content_->units.length));
   for (std::size_t t = 0; t < unmet_.size(); ++t)
     if (unmet_[t].acts && !unmet_[t].met && unmet_[t].depth == 0.0 &&
-        moves(process.scene().tools[t].motion) &&
-        process.time() == process.scene().stages.back().end)
+        moves(run.tools()[t].motion) && run.state.time == run.scene.stages.back().end)
       lines.push_back(fmt::format("warning: tool {} has not touched the workpiece: does it move "
                                   "far enough, and the right way?",
-                                  process.scene().tools[t].name));
-  if (const auto refused = process.refusals(); !refused.empty())
+                                  run.tools()[t].name));
+  if (const auto refused = run.state.record.refusals; !refused.empty())
     lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
                                 "first at t = {:.6g} {}: {}",
                                 refused.size(), refused.front().time, content_->units.time,
@@ -70,7 +72,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "contact.form = \"compatible\") lessens it",
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
   constexpr double budget = 0.005;
-  if (const process::EnergyBalance& energy = process.energy();
+  if (const process::EnergyBalance& energy = run.state.energy;
       energy.error() > budget && std::abs(energy.missing()) > energy.nothing)
     lines.push_back(fmt::format(
         "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
@@ -79,7 +81,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "time.increments.max shows which",
         100.0 * energy.error(), energy.missing(), content_->units.force, content_->units.length,
         most_missed_at_, content_->units.time, most_missed_));
-  if (const process::EnergyBalance& energy = process.energy();
+  if (const process::EnergyBalance& energy = run.state.energy;
       energy.grounding > budget * energy.scale())
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) went into the grounding, which holds the "
@@ -89,7 +91,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         100.0 * energy.grounding / energy.scale(), energy.grounding, content_->units.force,
         content_->units.length));
   constexpr double most_lost = 0.02; // hub-forging-3d, of Coulomb's friction: 0.5 %
-  if (const process::EnergyBalance& energy = process.energy();
+  if (const process::EnergyBalance& energy = run.state.energy;
       std::abs(energy.remeshing) > std::max(energy.nothing, most_lost * energy.scale()))
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) was lost (negative: made) by carrying the "
@@ -97,7 +99,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         100.0 * energy.remeshing / energy.scale(), energy.remeshing, content_->units.force,
         content_->units.length));
   constexpr double unpaid = 0.02;
-  if (const process::EnergyBalance& energy = process.energy();
+  if (const process::EnergyBalance& energy = run.state.energy;
       std::abs(energy.enforcement) > std::max(energy.nothing, unpaid * energy.scale()))
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
@@ -107,47 +109,47 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         100.0 * energy.enforcement / energy.scale(), energy.enforcement, content_->units.force,
         content_->units.length));
   constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
-  if (const double flow = process.flow_in_fading(); flow > springback * process.energy().plastic)
+  if (const double flow = run.state.leaving.flow_in_fading;
+      flow > springback * run.state.energy.plastic)
     lines.push_back(fmt::format(
         "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "
         "they keep their direction, and a thin part pressed from both sides folds under them as no "
         "part does whose tools move back; end the stage before with unload, or let the tools move "
         "back",
-        100.0 * flow / process.energy().plastic));
-  for (const process::ContactZone& zone : process.poorly_resolved_tools())
+        100.0 * flow / run.state.energy.plastic));
+  for (const process::ContactZone& zone : process::poorly_resolved_tools(run))
     lines.push_back(fmt::format(
         "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "
         "force, which can be far too high; {}",
-        process.scene().tools[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone),
-        zone.length, content_->units.length,
+        run.tools()[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone), zone.length,
+        content_->units.length,
         content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
                          : "a finer mesh there or a [remesh] section mends that"));
   constexpr double most_of_corner = 0.5;
-  if (const process::CornerLoad load = process.most_at_corner(); load.share > most_of_corner)
+  if (const process::CornerLoad load = process::most_at_corner(run); load.share > most_of_corner)
     lines.push_back(fmt::format(
         "warning: at the end {:.0f} % of the pressure on {} is that of its corners on single "
         "faces: "
         "its force is that of elements of this size, a sharper tool or a finer mesh gets another "
         "one; round the edge, and let elements be smaller than the rounding",
-        100.0 * load.share, process.scene().tools[load.tool].name));
-  for (const process::ToolMeeting& overlap : process.overlapping_tools())
+        100.0 * load.share, run.tools()[load.tool].name));
+  for (const process::ToolMeeting& overlap : process::overlapping_tools(run))
     lines.push_back(fmt::format(
         "warning: at the end tools '{}' and '{}' overlap by {:.3g} {} at ({:.6g}, {:.6g}, {:.6g}): "
         "they do not feel each other, and nothing stops what a load drives once the part has left "
         "it; what was found since is wrong: let it act no longer than it holds the part (stages, "
         "active)",
-        process.scene().tools[overlap.first].name, process.scene().tools[overlap.second].name,
-        overlap.depth, content_->units.length, overlap.place[0], overlap.place[1],
-        overlap.place[2]));
-  for (const process::InitialPenetration& penetration : process.initial_penetrations())
+        run.tools()[overlap.first].name, run.tools()[overlap.second].name, overlap.depth,
+        content_->units.length, overlap.place[0], overlap.place[1], overlap.place[2]));
+  for (const process::InitialPenetration& penetration : run.state.record.initial_penetrations)
     lines.push_back(fmt::format(
         "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
         "on its way while it does not act, so let it begin where it is clear",
-        process.scene().tools[penetration.tool].name, penetration.time, content_->units.time,
+        run.tools()[penetration.tool].name, penetration.time, content_->units.time,
         penetration.where,
-        process.time() <= penetration.time ? "it could not be pushed out in one increment"
+        run.state.time <= penetration.time ? "it could not be pushed out in one increment"
                                            : "it was pushed out in one increment"));
-  for (const process::Lap& lap : process.laps())
+  for (const process::Lap& lap : process::laps(run))
     lines.push_back(fmt::format(
         "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "
         "metal has folded over and does not feel itself; {}",
@@ -160,12 +162,12 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         "what they say with them; {}",
         worn_->time, content_->units.time, worn_->min_quality, last_->min_quality,
         !content_->remesh ? "a [remesh] section would have replaced the mesh"
-        : process.refusals().empty()
+        : run.state.record.refusals.empty()
             ? "new meshes were not better for long (remesh.csv: quality_after), sharp "
               "edges of tools do that: a smaller remesh.size.min may help"
             : "no new mesh could be made in time: the log says why"));
   if (squeezed_at_) {
-    const Squeeze now = squeeze_of(process, last_->volume);
+    const Squeeze now = squeeze_of(run, last_->volume);
     lines.push_back(fmt::format(
         "warning: from t = {:.6g} {} on the metal is squeezed by more than 2 % of its volume, at "
         "the end by {:.2g} %, under {:.3g} {} on average, {:.2g} times its flow stress: the cavity "
@@ -174,7 +176,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         content_->units.stress, now.pressure / now.flow_stress));
   }
   if (last_) {
-    const mechanics::Material& material = process.bulk().material();
+    const mechanics::Material& material = run.model.bulk->material();
     const double left = mechanics::strength_left(
         material.flow, {last_->max_plastic_strain, 1.0, material.temperature});
     constexpr double soft = 0.5;

@@ -8,7 +8,7 @@
 #include "io/results/atomic_file.h"
 #include "io/results/earlier_results.h"
 #include "io/results/full_cavity.h"
-#include "process/part_boundary.h"
+#include "process/remeshing/part_boundary.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -63,8 +63,7 @@ std::vector<std::string> history_columns(const process::Scene& scene) {
   return columns;
 }
 
-std::vector<double> history_row(const process::Process& process,
-                                const process::IncrementReport& r) {
+std::vector<double> history_row(const process::Run& run, const process::IncrementReport& r) {
   std::vector<double> row{static_cast<double>(r.increment),
                           r.time,
                           r.dt,
@@ -80,11 +79,11 @@ std::vector<double> history_row(const process::Process& process,
                           r.energy.elastic,
                           r.max_plastic_strain,
                           r.min_quality,
-                          static_cast<double>(process.remeshings().size()),
+                          static_cast<double>(run.state.record.remeshings.size()),
                           r.wall_time};
-  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
-    const contact::ToolLoad& load = process.contact()->loads()[t];
-    const Vec3 way = process.scene().tools[t].motion.translation(r.time, process.driven(t));
+  for (std::size_t t = 0; t < run.tools().size(); ++t) {
+    const contact::ToolLoad& load = run.contact()->loads()[t];
+    const Vec3 way = run.tools()[t].motion.translation(r.time, run.driven(t));
     for (const Vec3& v : {load.force, load.torque, way})
       row.insert(row.end(), v.data(), v.data() + 3);
   }
@@ -194,34 +193,32 @@ template <class Archive> void RunWriter::fields(Archive& archive) {
           most_missed_, most_missed_at_, worn_, squeezed_at_);
 }
 
-void RunWriter::started(const process::Process& process) {
+void RunWriter::started(const process::Run& run) {
   if (beginning_.checkpoint == nullptr)
-    scene_ = scene_fingerprint(process.scene());
-  if (process.scene().remesh) {
-    ledger_ = ledger_header(process.scene());
+    scene_ = scene_fingerprint(run.scene);
+  if (run.scene.remesh) {
+    ledger_ = ledger_header(run.scene);
     write_file(folder_ / "remesh.csv", ledger_);
   }
-  history_.emplace(folder_ / "history.csv", history_columns(process.scene()));
+  history_.emplace(folder_ / "history.csv", history_columns(run.scene));
   iterations_.emplace(folder_ / "iterations.csv", iteration_columns());
-  write_frame(process);
+  write_frame(run);
 }
 
-void RunWriter::resumed(const process::Process& process) {
-  stored_at_ = process.time();
+void RunWriter::resumed(const process::Run& run) {
+  stored_at_ = run.state.time;
   if (!beginning_.same_folder) {
-    started(process);
+    started(run);
     return;
   }
-  if (process.scene().remesh)
+  if (run.scene.remesh)
     write_file(folder_ / "remesh.csv", ledger_);
-  history_ =
-      CsvWriter::resume(folder_ / "history.csv", history_columns(process.scene()), history_rows_);
+  history_ = CsvWriter::resume(folder_ / "history.csv", history_columns(run.scene), history_rows_);
   iterations_ = CsvWriter::resume(folder_ / "iterations.csv", iteration_columns(), iteration_rows_);
   write_list();
 }
 
-bool RunWriter::wants_checkpoint(const process::Process& process,
-                                 process::CheckpointReason reason) {
+bool RunWriter::wants_checkpoint(const process::Run& run, process::CheckpointReason reason) {
   reason_ = reason;
   if (reason != process::CheckpointReason::due)
     return true;
@@ -229,15 +226,15 @@ bool RunWriter::wants_checkpoint(const process::Process& process,
   if (interval.wall_clock)
     return seconds_now() - stored_wall_ >= interval.length;
   const double slack = rounding_of_time * content_->time.end;
-  return std::floor((process.time() + slack) / interval.length) >
+  return std::floor((run.state.time + slack) / interval.length) >
          std::floor((stored_at_ + slack) / interval.length);
 }
 
-void RunWriter::checkpoint(const process::Process& process, const std::string& stored) {
+void RunWriter::checkpoint(const process::Run& run, const std::string& stored) {
   std::error_code error; // there is none where the run is not logged
   const std::uintmax_t size = std::filesystem::file_size(folder_ / "run.log", error);
   log_size_ = error ? 0 : size;
-  stored_at_ = process.time();
+  stored_at_ = run.state.time;
   stored_wall_ = seconds_now();
   ArchiveWriter results;
   fields(results);
@@ -246,10 +243,10 @@ void RunWriter::checkpoint(const process::Process& process, const std::string& s
                              .title = content_->title,
                              .reason = in_words(reason_),
                              .written = fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(now)),
-                             .time = process.time(),
-                             .increment = process.increments(),
-                             .stage = process.stage(),
-                             .n_unknowns = process.positions().size(),
+                             .time = run.state.time,
+                             .increment = run.state.increment,
+                             .stage = run.state.progress.stage,
+                             .n_unknowns = run.positions().size(),
                              .scene = scene_,
                              .content = resolved_toml(*content_),
                              .run = stored,
@@ -271,12 +268,11 @@ bool RunWriter::frame_due(double time) const {
   return false;
 }
 
-void RunWriter::incremented(const process::Process& process,
-                            const process::IncrementReport& report) {
-  history_->row(history_row(process, report));
+void RunWriter::incremented(const process::Run& run, const process::IncrementReport& report) {
+  history_->row(history_row(run, report));
   ++history_rows_;
   iteration_rows_ += report.records.size();
-  note_largest_forces(process, report.time, largest_forces_);
+  note_largest_forces(run, report.time, largest_forces_);
   for (const mechanics::IterationRecord& record : report.records)
     iterations_->row(std::array<double, 7>{static_cast<double>(report.increment), report.time,
                                            static_cast<double>(record.iteration), record.residual,
@@ -284,12 +280,11 @@ void RunWriter::incremented(const process::Process& process,
                                            static_cast<double>(record.contact_changes)});
   largest_penetration_ = std::max(largest_penetration_, report.max_penetration);
   largest_share_ = std::max(largest_share_, report.penetration_share);
-  note_unmet_tools(process, report);
+  note_unmet_tools(run, report);
   constexpr double bad = 0.1; // below it elements hardly deform as they should
   if (!worn_ && report.min_quality < bad)
     worn_ = report;
-  if (!squeezed_at_ && report.max_plastic_strain > 0.0 &&
-      squeeze_of(process, report.volume).is_full())
+  if (!squeezed_at_ && report.max_plastic_strain > 0.0 && squeeze_of(run, report.volume).is_full())
     squeezed_at_ = report.time;
   const double missed = report.energy.missing() - (last_ ? last_->energy.missing() : 0.0);
   if (std::abs(missed) > std::abs(most_missed_)) {
@@ -298,11 +293,11 @@ void RunWriter::incremented(const process::Process& process,
   }
   last_ = report;
   if (frame_due(report.time))
-    write_frame(process);
+    write_frame(run);
 }
 
-void RunWriter::write_frame(const process::Process& process) {
-  const std::vector<Vec3> points = points_of(process.positions(), process.scene().mesh.dimension());
+void RunWriter::write_frame(const process::Run& run) {
+  const std::vector<Vec3> points = points_of(run.positions(), run.mesh().dimension());
   const std::string number = fmt::format("{:04d}", frames_++);
   // The list gets a file's name only once the file is there.
   const auto add = [&](const std::string& part, const auto& write, const auto& frame,
@@ -310,23 +305,23 @@ void RunWriter::write_frame(const process::Process& process) {
     const std::filesystem::path file =
         std::filesystem::path("frames") / (part + "_" + number + suffix);
     write(folder_ / file, frame);
-    entries_.push_back({process.time(), part, file});
+    entries_.push_back({run.state.time, part, file});
   };
-  WorkpieceFrame workpiece = workpiece_frame(process, points, settings_);
+  WorkpieceFrame workpiece = workpiece_frame(run, points, settings_);
   select_fields(workpiece.point_fields, content_->output);
   select_fields(workpiece.cell_fields, content_->output);
   add("workpiece", write_vtu, workpiece, ".vtu");
-  if (process.contact() != nullptr) {
-    SurfaceFrame contact = contact_frame(process, points, settings_);
+  if (run.contact() != nullptr) {
+    SurfaceFrame contact = contact_frame(run, points, settings_);
     select_fields(contact.cell_fields, content_->output);
     add("contact", write_vtp, contact, ".vtp");
   }
-  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
-    SurfaceFrame tool = tool_frame(process, t, points, settings_);
+  for (std::size_t t = 0; t < run.tools().size(); ++t) {
+    SurfaceFrame tool = tool_frame(run, t, points, settings_);
     select_fields(tool.cell_fields, content_->output);
-    add("tool-" + process.scene().tools[t].name, write_vtp, tool, ".vtp");
+    add("tool-" + run.tools()[t].name, write_vtp, tool, ".vtp");
   }
-  last_frame_ = process.time();
+  last_frame_ = run.state.time;
   // A list for every frame would be a quarter of what small frames cost.
   constexpr double often = 0.1; // [s]
   if (const double now = seconds_now(); now - listed_ > often) {
@@ -340,11 +335,11 @@ void RunWriter::write_list() {
   n_listed_ = entries_.size();
 }
 
-void RunWriter::failed(const process::Process& process, const process::PostMortem& post) {
+void RunWriter::failed(const process::Run& run, const process::PostMortem& post) {
   post_ = post;
   make_folder(folder_ / "failure");
-  const std::vector<Vec3> points = points_of(process.positions(), process.scene().mesh.dimension());
-  write_vtu(folder_ / "failure" / "last_good.vtu", workpiece_frame(process, points, settings_));
+  const std::vector<Vec3> points = points_of(run.positions(), run.mesh().dimension());
+  write_vtu(folder_ / "failure" / "last_good.vtu", workpiece_frame(run, points, settings_));
   std::string text = fmt::format("time {:.10g} could not be reached (increment {:.4g}): {}\n",
                                  post.time, post.dt, post.reason);
   const std::string worst = post.worst_node < 0
@@ -360,33 +355,33 @@ void RunWriter::failed(const process::Process& process, const process::PostMorte
     text += fmt::format("  {:3d} {:.3e} {:.3e} {:.3f} {}\n", r.iteration, r.residual, r.correction,
                         r.step, r.solver);
   text += "what may help:\n";
-  for (const std::string& line : advice(process))
+  for (const std::string& line : advice(run))
     text += "  " + line + "\n";
   write_file(folder_ / "failure" / "post_mortem.txt", text);
 }
 
-std::vector<std::string> RunWriter::advice(const process::Process& process) const {
-  return post_ ? io::advice(*content_, process, *post_) : std::vector<std::string>();
+std::vector<std::string> RunWriter::advice(const process::Run& run) const {
+  return post_ ? io::advice(*content_, run, *post_) : std::vector<std::string>();
 }
 
-void RunWriter::remeshing(const process::Process& process) {
-  if (process.time() > last_frame_)
-    write_frame(process);
+void RunWriter::remeshing(const process::Run& run) {
+  if (run.state.time > last_frame_)
+    write_frame(run);
 }
 
-void RunWriter::remeshed(const process::Process& process, const process::RemeshReport& report) {
+void RunWriter::remeshed(const process::Run& run, const process::RemeshReport& report) {
   if (worn_ && worn_->increment == report.increment)
     worn_.reset(); // replaced before time went on
   ledger_ += ledger_row(report);
   write_file(folder_ / "remesh.csv", ledger_);
   for (std::string& line : report.complaints())
     complaints_.push_back(std::move(line));
-  write_frame(process);
+  write_frame(run);
 }
 
-void RunWriter::finished(const process::Process& process) {
-  if (process.time() > last_frame_)
-    write_frame(process);
+void RunWriter::finished(const process::Run& run) {
+  if (run.state.time > last_frame_)
+    write_frame(run);
 }
 
 /// A power cut may take what is not on the disk: everything but the summary, then its folders.
@@ -400,16 +395,16 @@ void RunWriter::synchronize_results() const {
     synchronize(folder_ / file);
 }
 
-void RunWriter::write_summary(const process::Process& process, const RunEnd& end) {
+void RunWriter::write_summary(const process::Run& run, const RunEnd& end) {
   if (entries_.size() > n_listed_)
     write_list();
   synchronize_results();
   std::vector<std::string> warnings = facts_.warnings;
-  for (std::string& line : this->warnings(process))
+  for (std::string& line : this->warnings(run))
     warnings.push_back(std::move(line));
   const std::string text = summary_text(
-      process, {content_->title, content_->units.name, settings_.analysis, facts_, end, last_,
-                largest_penetration_, largest_share_, largest_forces_, std::move(warnings), post_});
+      run, {content_->title, content_->units.name, settings_.analysis, facts_, end, last_,
+            largest_penetration_, largest_share_, largest_forces_, std::move(warnings), post_});
   write_file(folder_ / "summary.json", text, Durable::yes);
 }
 

@@ -15,7 +15,7 @@
 #include "io/results/frames.h"
 #include "io/results/pvd.h"
 #include "io/results/summary.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <cmath>
 #include <cstdint>
@@ -47,20 +47,19 @@ public:
   RunWriter(const RunWriter&) = delete;
   RunWriter& operator=(const RunWriter&) = delete;
 
-  void started(const process::Process& process) override;
-  void resumed(const process::Process& process) override;
-  [[nodiscard]] bool wants_checkpoint(const process::Process& process,
+  void started(const process::Run& run) override;
+  void resumed(const process::Run& run) override;
+  [[nodiscard]] bool wants_checkpoint(const process::Run& run,
                                       process::CheckpointReason reason) override;
-  void checkpoint(const process::Process& process, const std::string& stored) override;
-  void incremented(const process::Process& process,
-                   const process::IncrementReport& report) override;
-  void failed(const process::Process& process, const process::PostMortem& post) override;
-  void remeshing(const process::Process& process) override;
-  void remeshed(const process::Process& process, const process::RemeshReport& report) override;
-  void finished(const process::Process& process) override;
+  void checkpoint(const process::Run& run, const std::string& stored) override;
+  void incremented(const process::Run& run, const process::IncrementReport& report) override;
+  void failed(const process::Run& run, const process::PostMortem& post) override;
+  void remeshing(const process::Run& run) override;
+  void remeshed(const process::Run& run, const process::RemeshReport& report) override;
+  void finished(const process::Run& run) override;
 
   /// Writes summary.json; last of all.
-  void write_summary(const process::Process& process, const RunEnd& end);
+  void write_summary(const process::Run& run, const RunEnd& end);
 
   /// How long run.log was when the run was stored; none: this run begins its log [byte].
   [[nodiscard]] std::optional<std::uintmax_t> size_of_log() const;
@@ -69,14 +68,14 @@ public:
   [[nodiscard]] const std::vector<LargestForce>& largest_forces() const { return largest_forces_; }
 
   /// What a person should know about the quality of the result; empty: nothing.
-  [[nodiscard]] std::vector<std::string> warnings(const process::Process& process) const;
+  [[nodiscard]] std::vector<std::string> warnings(const process::Run& run) const;
 
   /// What may help a run that could not go on; empty: it could.
-  [[nodiscard]] std::vector<std::string> advice(const process::Process& process) const;
+  [[nodiscard]] std::vector<std::string> advice(const process::Run& run) const;
 
 private:
-  void note_unmet_tools(const process::Process& process, const process::IncrementReport& report);
-  void write_frame(const process::Process& process);
+  void note_unmet_tools(const process::Run& run, const process::IncrementReport& report);
+  void write_frame(const process::Run& run);
   void write_list();
   void synchronize_results() const;
   [[nodiscard]] bool frame_due(double time) const;

@@ -18,22 +18,22 @@ ordered_json energy_json(const process::EnergyBalance& e) {
           {"relative_error", e.error()}};
 }
 
-ordered_json wear_json(const process::Process& process, std::size_t tool) {
-  const contact::WearMap& map = *process.wear()->map(tool);
-  const double strokes = process.scene().tools[tool].wear->strokes;
+ordered_json wear_json(const process::Run& run, std::size_t tool) {
+  const contact::WearMap& map = *run.model.wear->map(tool);
+  const double strokes = run.tools()[tool].wear->strokes;
   const std::optional<contact::WearCell> deepest = map.deepest();
   const double depth = deepest ? deepest->depth : 0.0;
   ordered_json json{{"volume", map.volume()}, {"largest_depth", depth}};
   if (deepest) {
     const Vec3 at = deepest->shape.middle();
-    const Vec3 now = process.contact()->pose(tool, process.time(), process.unknowns()).to_space(at);
+    const Vec3 now = run.contact()->pose(tool, run.state.time, run.state.x).to_space(at);
     json["at"] = {now[0], now[1], now[2]};
     json["at_in_tool_frame"] = {at[0], at[1], at[2]};
   }
   json["strokes"] = strokes;
   json["volume_extrapolated"] = strokes * map.volume();
   json["largest_depth_extrapolated"] = strokes * depth;
-  if (const auto& workpiece = process.wear()->workpiece(tool))
+  if (const auto& workpiece = run.model.wear->workpiece(tool))
     json["workpiece"] = {
         {"volume", workpiece->volume},
         {"largest_depth", *std::max_element(workpiece->depth.begin(), workpiece->depth.end())}};
@@ -62,33 +62,33 @@ ordered_json largest_force_json(const LargestForce& largest) {
       {"value", force.norm()}, {"vector", {force[0], force[1], force[2]}}, {"time", largest.time}};
 }
 
-ordered_json tools_json(const process::Process& process, std::span<const LargestForce> largest) {
+ordered_json tools_json(const process::Run& run, std::span<const LargestForce> largest) {
   ordered_json tools = ordered_json::object();
-  for (std::size_t t = 0; t < process.scene().tools.size(); ++t) {
-    const contact::ToolLoad& load = process.contact()->loads()[t];
-    const geometry::Motion& motion = process.scene().tools[t].motion;
-    const Vec3 way = motion.translation(process.time(), process.driven(t));
-    const Vec3& offset = process.scene().tools[t].motion.offset;
-    tools[process.scene().tools[t].name] = {
+  for (std::size_t t = 0; t < run.tools().size(); ++t) {
+    const contact::ToolLoad& load = run.contact()->loads()[t];
+    const geometry::Motion& motion = run.tools()[t].motion;
+    const Vec3 way = motion.translation(run.state.time, run.driven(t));
+    const Vec3& offset = run.tools()[t].motion.offset;
+    tools[run.tools()[t].name] = {
         {"force", {load.force[0], load.force[1], load.force[2]}},
         {"largest_force", largest_force_json(t < largest.size() ? largest[t] : LargestForce{})},
         {"torque", {load.torque[0], load.torque[1], load.torque[2]}},
         {"displacement", {way[0], way[1], way[2]}},
-        {"turned", motion.angle(process.time(), process.driven(t))},
+        {"turned", motion.angle(run.state.time, run.driven(t))},
         {"touch_offset", {offset[0], offset[1], offset[2]}}};
-    if (const double error = process.scene().tools[t].chord_error; error > 0.0)
-      tools[process.scene().tools[t].name]["chord_error"] = error;
-    if (process.wear() != nullptr && process.wear()->map(t))
-      tools[process.scene().tools[t].name]["wear"] = wear_json(process, t);
-    tools[process.scene().tools[t].name]["process_window"] = window_json(process.window().tool(t));
+    if (const double error = run.tools()[t].chord_error; error > 0.0)
+      tools[run.tools()[t].name]["chord_error"] = error;
+    if (run.model.wear.get() != nullptr && run.model.wear->map(t))
+      tools[run.tools()[t].name]["wear"] = wear_json(run, t);
+    tools[run.tools()[t].name]["process_window"] = window_json(run.state.record.window.tool(t));
   }
   return tools;
 }
 
-ordered_json blows_json(const process::Process& process) {
+ordered_json blows_json(const process::Run& run) {
   ordered_json blows = ordered_json::array();
-  for (const process::BlowReport& blow : process.blows())
-    blows.push_back({{"tool", process.scene().tools[blow.tool].name},
+  for (const process::BlowReport& blow : run.blows())
+    blows.push_back({{"tool", run.tools()[blow.tool].name},
                      {"stage", blow.stage},
                      {"begun", blow.begun},
                      {"time", blow.time},
@@ -102,20 +102,23 @@ ordered_json blows_json(const process::Process& process) {
   return blows;
 }
 
-ordered_json remeshings_json(const process::Process& process) {
+ordered_json remeshings_json(const process::Run& run) {
   double volume = 0.0;
   double work = 0.0;
   double force = 0.0;
   double unbalanced = 0.0;
-  for (const process::RemeshReport& r : process.remeshings()) {
+  for (const process::RemeshReport& r : run.state.record.remeshings) {
     volume = std::max(volume, r.volume.change());
     work = std::max(work, r.work_change());
     force = std::max(force, r.force_jump());
     unbalanced += r.balanced ? 0.0 : 1.0;
   }
-  return {{"number", process.remeshings().size()},  {"largest_change_of_volume", volume},
-          {"largest_change_of_plastic_work", work}, {"largest_force_jump", force},
-          {"without_equilibrium", unbalanced},      {"refused", process.refusals().size()}};
+  return {{"number", run.state.record.remeshings.size()},
+          {"largest_change_of_volume", volume},
+          {"largest_change_of_plastic_work", work},
+          {"largest_force_jump", force},
+          {"without_equilibrium", unbalanced},
+          {"refused", run.state.record.refusals.size()}};
 }
 
 ordered_json timings_json(const process::PhaseTimes& t) {
@@ -152,8 +155,8 @@ ordered_json solver_json(const mechanics::SolverWork& work) {
 
 } // namespace
 
-std::string summary_text(const process::Process& process, const SummaryFacts& about) {
-  const mechanics::Mesh& mesh = process.scene().mesh;
+std::string summary_text(const process::Run& run, const SummaryFacts& about) {
+  const mechanics::Mesh& mesh = run.mesh();
   ordered_json summary;
   summary["title"] = about.title;
   summary["status"] = about.end.status;
@@ -167,12 +170,12 @@ std::string summary_text(const process::Process& process, const SummaryFacts& ab
   summary["unknowns"] = mesh.n_points() * mesh.dimension();
   summary["threads"] = about.facts.threads;
   summary["blas_kernels"] = about.facts.blas_core;
-  summary["time"] = process.time();
-  summary["increments"] = process.increments();
-  summary["iterations"] = process.iterations();
-  summary["cutbacks"] = process.cutbacks();
-  summary["iterations_of_failed_tries"] = process.wasted_iterations();
-  summary["iterations_on_new_meshes"] = process.remeshing_iterations();
+  summary["time"] = run.state.time;
+  summary["increments"] = run.state.increment;
+  summary["iterations"] = run.state.counters.iterations;
+  summary["cutbacks"] = run.state.counters.cutbacks;
+  summary["iterations_of_failed_tries"] = run.state.counters.wasted_iterations;
+  summary["iterations_on_new_meshes"] = run.state.counters.remeshing_iterations;
   if (about.last) {
     summary["volume"] = about.last->volume;
     summary["max_plastic_strain"] = about.last->max_plastic_strain;
@@ -183,28 +186,28 @@ std::string summary_text(const process::Process& process, const SummaryFacts& ab
         {"largest_share_of_element", about.largest_share},
         {"last_sampled", about.last->penetration.sampled},
         {"last_at_contact_points", about.last->penetration.at_points},
-        {"penalty_raised_by", process.contact() != nullptr ? process.contact()->stiffening() : 1.0},
+        {"penalty_raised_by", run.contact() != nullptr ? run.contact()->stiffening() : 1.0},
         {"how", "upper bound over every point of every face"}};
   }
-  summary["energy"] = energy_json(process.energy());
-  if (!process.blows().empty()) {
-    summary["blows"] = blows_json(process);
-    summary["ended_by"] = process.energy_used_up() ? "energy used up" : "end of time";
+  summary["energy"] = energy_json(run.state.energy);
+  if (!run.blows().empty()) {
+    summary["blows"] = blows_json(run);
+    summary["ended_by"] = run.state.energy_used_up ? "energy used up" : "end of time";
   }
-  if (process.scene().remesh)
-    summary["remeshings"] = remeshings_json(process);
-  summary["grounded_rigid_motions"] = process.grounded_motions();
-  summary["tools"] = tools_json(process, about.largest_forces);
-  if (!process.scene().tools.empty())
-    summary["process_window"] = window_json(process.window().total());
+  if (run.scene.remesh)
+    summary["remeshings"] = remeshings_json(run);
+  summary["grounded_rigid_motions"] = run.model.free_motions;
+  summary["tools"] = tools_json(run, about.largest_forces);
+  if (!run.tools().empty())
+    summary["process_window"] = window_json(run.state.record.window.total());
   summary["warnings"] = about.warnings;
   summary["failed_checks"] = ordered_json::array();
   for (const process::FailedCheck& check : about.end.failed)
     summary["failed_checks"].push_back({{"check", check.name}, {"what", check.what}});
   if (about.post)
     summary["failure"] = {{"time", about.post->time}, {"reason", about.post->reason}};
-  summary["seconds"] = timings_json(process.times());
-  summary["linear_solver"] = solver_json(process.solver_work());
+  summary["seconds"] = timings_json(run.clock.times);
+  summary["linear_solver"] = solver_json(run.solver_work());
   return summary.dump(2) + "\n";
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "io/results/largest_force.h"
-#include "process/run.h"
-#include "process/run_checks.h"
+#include "process/loop/process.h"
+#include "process/loop/run_checks.h"
 
 #include <optional>
 #include <span>
@@ -44,6 +44,6 @@ struct SummaryFacts {
 };
 
 /// The text of summary.json.
-[[nodiscard]] std::string summary_text(const process::Process& process, const SummaryFacts& about);
+[[nodiscard]] std::string summary_text(const process::Run& run, const SummaryFacts& about);
 
 } // namespace billet::io

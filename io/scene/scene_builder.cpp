@@ -149,13 +149,13 @@ bool unreachable(const Mesh& mesh, const Face& face, const std::vector<std::arra
 }
 
 std::vector<Face> candidates(const process::Scene& scene, const std::vector<Face>& boundary) {
-  std::vector<std::array<char, 3>> held(scene.mesh.points.size(), {0, 0, 0});
-  for (const process::Support& support : scene.supports)
+  std::vector<std::array<char, 3>> held(scene.part.mesh.points.size(), {0, 0, 0});
+  for (const process::Support& support : scene.part.supports)
     for (const Index node : support.nodes)
       held[idx(node)][idx(support.component)] = 1;
   std::vector<Face> faces;
   for (const Face& face : boundary)
-    if (!unreachable(scene.mesh, face, held))
+    if (!unreachable(scene.part.mesh, face, held))
       faces.push_back(face);
   return faces;
 }
@@ -173,13 +173,13 @@ void require_agreement(const process::Scene& scene,
                        const std::vector<std::size_t>& number,
                        const std::string& place) {
   std::map<std::pair<Index, int>, std::size_t> first;
-  for (std::size_t s = 0; s < scene.supports.size(); ++s) {
-    const process::Support& support = scene.supports[s];
+  for (std::size_t s = 0; s < scene.part.supports.size(); ++s) {
+    const process::Support& support = scene.part.supports[s];
     for (const Index node : support.nodes) {
       const auto [known, is_new] = first.try_emplace({node, support.component}, s);
-      if (is_new || equal(scene.supports[known->second].displacement, support.displacement))
+      if (is_new || equal(scene.part.supports[known->second].displacement, support.displacement))
         continue;
-      const Vec3& at = scene.mesh.points[idx(node)];
+      const Vec3& at = scene.part.mesh.points[idx(node)];
       throw Error(
           Fault::case_file, place,
           fmt::format("support.{} and support.{} prescribe different displacements in {} at "
@@ -201,9 +201,9 @@ void add_supports(const Case& content,
     const std::vector<Index> nodes = select.nodes(support.where);
     for (int c = 0; c < content.dimension(); ++c) {
       if (support.fix[idx(c)])
-        scene.supports.push_back({nodes, c, TimeFunction(0.0)});
+        scene.part.supports.push_back({nodes, c, TimeFunction(0.0)});
       else if (support.move[idx(c)])
-        scene.supports.push_back({nodes, c, *support.move[idx(c)]});
+        scene.part.supports.push_back({nodes, c, *support.move[idx(c)]});
       else
         continue;
       number.push_back(s);
@@ -215,16 +215,18 @@ void add_supports(const Case& content,
 void add_loads(const Case& content, Selector& select, process::Scene& scene) {
   for (const Load& load : content.loads) {
     if (const auto* pressure = std::get_if<PressureLoad>(&load.kind))
-      scene.loads.emplace_back(process::PressureOn{select.faces(load.where), pressure->pressure});
+      scene.part.loads.emplace_back(
+          process::PressureOn{select.faces(load.where), pressure->pressure});
     else if (const auto* traction = std::get_if<TractionLoad>(&load.kind))
-      scene.loads.emplace_back(process::DeadForces{
-          mechanics::traction_forces(scene.mesh, scene.analysis, select.faces(load.where),
+      scene.part.loads.emplace_back(process::DeadForces{
+          mechanics::traction_forces(scene.part.mesh, scene.part.analysis, select.faces(load.where),
                                      traction->traction),
           traction->amplitude});
     else
-      scene.loads.emplace_back(process::DeadForces{
-          mechanics::body_forces(scene.mesh, scene.analysis, std::get<BodyForce>(load.kind).force),
-          TimeFunction(1.0)});
+      scene.part.loads.emplace_back(
+          process::DeadForces{mechanics::body_forces(scene.part.mesh, scene.part.analysis,
+                                                     std::get<BodyForce>(load.kind).force),
+                              TimeFunction(1.0)});
   }
 }
 
@@ -257,7 +259,7 @@ contact::PairWear pair_wear(const Tool& tool, const Material& material) {
 void add_tools(const Case& content, BuiltScene& built) {
   process::Scene& scene = built.scene;
   Box workpiece;
-  for (const Vec3& p : scene.mesh.points)
+  for (const Vec3& p : scene.part.mesh.points)
     workpiece.add(p);
   for (const Tool& tool : content.tools) {
     scene.tools.push_back(build_tool(tool, content.analysis, workpiece.size(), built.notes));
@@ -338,13 +340,13 @@ void require_remeshable(const Case& content,
   for (const contact::Tool& tool : scene.tools)
     if (tool.motion.force && tool.motion.force->blow)
       refuse(fmt::format("tool '{}', a press that strikes, is", tool.name), "leave [remesh] out");
-  const std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
-  for (const process::Support& support : scene.supports)
-    if (!on_boundary(scene.mesh, boundary, support.nodes))
+  const std::vector<Face> boundary = mechanics::boundary_faces(scene.part.mesh);
+  for (const process::Support& support : scene.part.supports)
+    if (!on_boundary(scene.part.mesh, boundary, support.nodes))
       refuse("a support of nodes inside the part, or of the middle of a side alone, is",
              "support whole sides, corners or all nodes");
   for (const std::string& name : content.remesh->keep)
-    if (!scene.mesh.node_sets.contains(name))
+    if (!scene.part.mesh.node_sets.contains(name))
       throw Error(Fault::case_file, place,
                   fmt::format("remesh.keep: the mesh has no set named '{}'", name));
 }
@@ -397,9 +399,9 @@ void add_drive_times(const geometry::Motion& motion, double end, std::vector<dou
 /// Kinks of everything given over time, and the frames asked for: increments end there.
 std::vector<double> landing_times(const Case& content, const process::Scene& scene) {
   std::vector<double> times = frame_times(content);
-  for (const process::Support& support : scene.supports)
+  for (const process::Support& support : scene.part.supports)
     add_times(support.displacement, times);
-  for (const process::LoadSpec& load : scene.loads) {
+  for (const process::LoadSpec& load : scene.part.loads) {
     if (const auto* pressure = std::get_if<process::PressureOn>(&load))
       add_times(pressure->pressure, times);
     else
@@ -433,11 +435,11 @@ void note_molten(const mechanics::Material& material, std::vector<std::string>& 
 
 /// Bricks that the reduced rule leaves a motion.
 void note_single_file(const process::Scene& scene, std::vector<std::string>& notes) {
-  std::vector<char> held(scene.mesh.points.size(), 0);
-  for (const process::Support& support : scene.supports)
+  std::vector<char> held(scene.part.mesh.points.size(), 0);
+  for (const process::Support& support : scene.part.supports)
     for (const Index node : support.nodes)
       held[static_cast<std::size_t>(node)] = 1;
-  const auto cells = mechanics::cells_in_single_file(scene.mesh, held);
+  const auto cells = mechanics::cells_in_single_file(scene.part.mesh, held);
   if (!cells.empty())
     notes.push_back(fmt::format(
         "warning: {} element(s) of hex20, the first is {}, lie in single file with all other faces "
@@ -504,27 +506,27 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   process::Scene& scene = built.scene;
   scene.title = content.title;
   note_keys_without_effect(content, built.notes);
-  scene.analysis = static_cast<mechanics::Analysis>(content.analysis);
+  scene.part.analysis = static_cast<mechanics::Analysis>(content.analysis);
   const ElementKind kind = element_kind(content.workpiece.element);
-  scene.mesh = std::visit(MeshMaker{kind, built.notes, say}, content.workpiece.mesh);
+  scene.part.mesh = std::visit(MeshMaker{kind, built.notes, say}, content.workpiece.mesh);
   const geometry::Pose pose = pose_of(content.workpiece.place);
-  for (Vec3& p : scene.mesh.points)
+  for (Vec3& p : scene.part.mesh.points)
     p = pose.to_space(p);
-  mechanics::require_sound_mesh(scene.mesh, place,
-                                scene.analysis == mechanics::Analysis::axisymmetric);
+  mechanics::require_sound_mesh(scene.part.mesh, place,
+                                scene.part.analysis == mechanics::Analysis::axisymmetric);
   scene.material = material_of(content);
   note_molten(scene.material, built.notes);
-  std::vector<Face> boundary = mechanics::boundary_faces(scene.mesh);
-  if (scene.analysis == mechanics::Analysis::axisymmetric)
-    std::erase_if(boundary, [&](const Face& face) { return lies_on_axis(scene.mesh, face); });
-  Selector select(scene.mesh, boundary);
+  std::vector<Face> boundary = mechanics::boundary_faces(scene.part.mesh);
+  if (scene.part.analysis == mechanics::Analysis::axisymmetric)
+    std::erase_if(boundary, [&](const Face& face) { return lies_on_axis(scene.part.mesh, face); });
+  Selector select(scene.part.mesh, boundary);
   add_supports(content, select, place, scene);
   note_single_file(scene, built.notes);
-  note_flat_elements(scene.mesh, built.notes);
+  note_flat_elements(scene.part.mesh, built.notes);
   add_loads(content, select, scene);
   add_tools(content, built);
-  scene.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)
-                                                : candidates(scene, boundary);
+  scene.part.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)
+                                                     : candidates(scene, boundary);
   select.throw_if_any();
   scene.contact = {content.contact.form == ContactForm::compatible ? contact::Form::compatible
                                                                    : contact::Form::mixed,

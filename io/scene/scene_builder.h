@@ -4,7 +4,7 @@
 
 #include "io/case/case.h"
 #include "io/scene/solid_meshing.h"
-#include "process/scene.h"
+#include "process/scene/scene.h"
 
 #include <string>
 #include <vector>

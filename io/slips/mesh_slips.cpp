@@ -6,7 +6,7 @@
 #include "io/slips/slip.h"
 #include "io/slips/slips.h"
 #include "mechanics/mesh/mesh_edges.h"
-#include "process/tool_reach.h"
+#include "process/setup/tool_reach.h"
 
 #include <fmt/format.h>
 
@@ -64,10 +64,10 @@ FacesOfCells by_cell(const std::vector<mechanics::Face>& faces) {
 
 /// Cells that are the only one between a face that may touch a tool and the boundary behind it.
 std::vector<Index> lone_cells(const process::Scene& scene) {
-  const Mesh& mesh = scene.mesh;
+  const Mesh& mesh = scene.part.mesh;
   const auto faces = mechanics::face_nodes(mesh.kind);
   const auto pairs = opposite_faces(mesh.kind);
-  const FacesOfCells touched = by_cell(scene.contact_faces);
+  const FacesOfCells touched = by_cell(scene.part.contact_faces);
   const FacesOfCells boundary = by_cell(mechanics::boundary_faces(mesh));
   std::vector<Index> lone;
   for (const auto& [cell, touching] : touched) {
@@ -92,7 +92,7 @@ std::vector<Index> lone_cells(const process::Scene& scene) {
 
 /// One linear element over the height neither bulges nor bends.
 Slip one_element_high(const process::Scene& scene) {
-  if (scene.tools.empty() || mechanics::is_quadratic(scene.mesh.kind))
+  if (scene.tools.empty() || mechanics::is_quadratic(scene.part.mesh.kind))
     return std::nullopt;
   const std::vector<Index> lone = lone_cells(scene);
   if (lone.empty())
@@ -101,17 +101,18 @@ Slip one_element_high(const process::Scene& scene) {
       "{} of {} elements are the only one between two sides of the workpiece, the "
       "first is element {}: a single {} shows neither bulging nor bending; take four "
       "or more over the height, or quadratic elements",
-      lone.size(), scene.mesh.n_elements(), lone.front(), mechanics::name(scene.mesh.kind));
+      lone.size(), scene.part.mesh.n_elements(), lone.front(),
+      mechanics::name(scene.part.mesh.kind));
 }
 
 /// Shortest edge between corners of the faces that may touch [mm].
 double shortest_contact_edge(const process::Scene& scene) {
-  const std::size_t corners = mechanics::corners_per_face(scene.mesh.kind);
+  const std::size_t corners = mechanics::corners_per_face(scene.part.mesh.kind);
   double shortest = std::numeric_limits<double>::infinity();
-  for (const mechanics::Face& face : scene.contact_faces)
+  for (const mechanics::Face& face : scene.part.contact_faces)
     for (std::size_t i = 0; i < corners; ++i) {
-      const Vec3 &a = scene.mesh.points[idx(face.nodes[i])],
-                 &b = scene.mesh.points[idx(face.nodes[(i + 1) % corners])];
+      const Vec3 &a = scene.part.mesh.points[idx(face.nodes[i])],
+                 &b = scene.part.mesh.points[idx(face.nodes[(i + 1) % corners])];
       shortest = std::min(shortest, (b - a).norm());
     }
   return shortest;
@@ -171,7 +172,7 @@ std::optional<double> last_gap(const process::Scene& scene, std::size_t i, std::
   if (!is_bounded(a) || !is_bounded(b))
     return std::nullopt;
   constexpr double closing = 0.5; // of the gap at the start
-  const bool planar = scene.analysis != mechanics::Analysis::solid;
+  const bool planar = scene.part.analysis != mechanics::Analysis::solid;
   const double size = a.surface->bounds().size() + b.surface->bounds().size();
   const geometry::FacetBody body_a(a.surface->display(a.surface->bounds(), planar), size);
   const geometry::FacetBody body_b(b.surface->display(b.surface->bounds(), planar), size);
@@ -207,12 +208,12 @@ Slip longer_than_flash(const process::Scene& scene,
 
 } // namespace
 
-std::vector<std::string> mesh_slips(const Case& content, const process::Process& process) {
-  const process::Scene& scene = process.scene();
+std::vector<std::string> mesh_slips(const Case& content, const process::Run& run) {
+  const process::Scene& scene = run.scene;
   std::vector<std::string> slips;
-  add_slip(slips, odd_size(content, scene.mesh));
+  add_slip(slips, odd_size(content, scene.part.mesh));
   add_slip(slips, one_element_high(scene));
-  if (scene.remesh || scene.contact_faces.empty()) // new meshes fit the tools
+  if (scene.remesh || scene.part.contact_faces.empty()) // new meshes fit the tools
     return slips;
   const double shortest = shortest_contact_edge(scene);
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
@@ -224,9 +225,9 @@ std::vector<std::string> mesh_slips(const Case& content, const process::Process&
   return slips;
 }
 
-std::vector<std::string> scene_slips(const Case& content, const process::Process& process) {
-  std::vector<std::string> slips = motion_slips(content, process);
-  for (std::string& slip : mesh_slips(content, process))
+std::vector<std::string> scene_slips(const Case& content, const process::Run& run) {
+  std::vector<std::string> slips = motion_slips(content, run);
+  for (std::string& slip : mesh_slips(content, run))
     slips.push_back(std::move(slip));
   return slips;
 }

@@ -4,7 +4,7 @@
 #include "io/case/initial_yield.h"
 #include "io/slips/scene_slips.h"
 #include "io/slips/slip.h"
-#include "process/tool_reach.h"
+#include "process/setup/tool_reach.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ struct MotionScene {
 
 MotionScene motion_scene(const Case& content, const Scene& scene) {
   constexpr double closed_share = 1e-4; // as process/tool_reach has it
-  const double size = process::body_size(scene.mesh);
+  const double size = process::body_size(scene.part.mesh);
   MotionScene motions{content, scene, {}, size, closed_share * size};
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
     motions.reaches.push_back(process::tool_reach(scene, t));
@@ -54,8 +54,8 @@ double range(const TimeFunction& function) {
 /// How far others may bring the part, or stretch it, towards a tool [mm].
 double brought_by_others(const MotionScene& m, std::size_t tool) {
   double way = 0.0;
-  bool any = !m.scene.loads.empty();
-  for (const process::Support& support : m.scene.supports)
+  bool any = !m.scene.part.loads.empty();
+  for (const process::Support& support : m.scene.part.supports)
     any = any || range(support.displacement) != 0.0;
   for (std::size_t t = 0; t < m.reaches.size(); ++t) {
     if (t == tool)
@@ -125,7 +125,7 @@ Slip pushed_away(const MotionScene& m) {
   const std::optional<process::LonelyPush> push = process::lonely_push(m.scene, m.reaches);
   if (!push)
     return std::nullopt;
-  const Box box = box_of(m.scene.mesh.points);
+  const Box box = box_of(m.scene.part.mesh.points);
   const char axis = "xyz"[push->axis];
   const double level = push->sign > 0.0 ? box.high[push->axis] : box.low[push->axis];
   return fmt::format("tool '{}' pushes the workpiece along {}{}, and neither a support nor another "
@@ -138,8 +138,8 @@ Slip pushed_away(const MotionScene& m) {
 
 /// Whether all of some nodes have a support in a component.
 bool are_held(const Scene& scene, std::span<const mechanics::Index> nodes, int component) {
-  std::vector<char> held(scene.mesh.points.size(), 0);
-  for (const process::Support& support : scene.supports)
+  std::vector<char> held(scene.part.mesh.points.size(), 0);
+  for (const process::Support& support : scene.part.supports)
     if (support.component == component)
       for (const mechanics::Index node : support.nodes)
         held[idx(node)] = 1;
@@ -152,8 +152,8 @@ Slip free_axis(const MotionScene& m) {
   if (m.content.analysis != Analysis::axisymmetric)
     return std::nullopt;
   std::vector<mechanics::Index> axis;
-  for (mechanics::Index node = 0; node < m.scene.mesh.n_points(); ++node)
-    if (m.scene.mesh.points[idx(node)][0] == 0.0)
+  for (mechanics::Index node = 0; node < m.scene.part.mesh.n_points(); ++node)
+    if (m.scene.part.mesh.points[idx(node)][0] == 0.0)
       axis.push_back(node);
   if (are_held(m.scene, axis, 0))
     return std::nullopt;
@@ -168,8 +168,8 @@ Slip free_cut(const MotionScene& m) {
   if (cylinder == nullptr || m.content.workpiece.place.rotate)
     return std::nullopt;
   for (const auto& [set, component] : {std::pair("x-min", 0), std::pair("y-min", 1)}) {
-    const auto nodes = m.scene.mesh.node_sets.find(set);
-    if (nodes == m.scene.mesh.node_sets.end() || are_held(m.scene, nodes->second, component))
+    const auto nodes = m.scene.part.mesh.node_sets.find(set);
+    if (nodes == m.scene.part.mesh.node_sets.end() || are_held(m.scene, nodes->second, component))
       continue;
     const char axis = "xyz"[component];
     return fmt::format("a sector of {} degrees stands for a whole cylinder only if its cuts are "
@@ -183,12 +183,12 @@ Slip free_cut(const MotionScene& m) {
 /// Strain that tools and supports make at most, of the part as a whole under planes, of an element
 /// elsewhere; none where nobody knows.
 std::optional<double> most_strain(const MotionScene& m, const contact::ContactSurface* surface) {
-  const Box box = box_of(m.scene.mesh.points);
+  const Box box = box_of(m.scene.part.mesh.points);
   const Vec3 extent = box.high - box.low;
-  if (!m.scene.loads.empty())
+  if (!m.scene.part.loads.empty())
     return std::nullopt;
   double strain = 0.0;
-  for (const process::Support& support : m.scene.supports)
+  for (const process::Support& support : m.scene.part.supports)
     strain += range(support.displacement) / extent[support.component];
   double element = std::numeric_limits<double>::infinity();
   for (mechanics::Index f = 0; surface != nullptr && f < surface->n_faces(); ++f)
@@ -231,8 +231,8 @@ Slip nothing_yields(const MotionScene& m, const contact::ContactSurface* surface
 
 } // namespace
 
-std::vector<std::string> motion_slips(const Case& content, const process::Process& process) {
-  const MotionScene m = motion_scene(content, process.scene());
+std::vector<std::string> motion_slips(const Case& content, const process::Run& run) {
+  const MotionScene m = motion_scene(content, run.scene);
   std::vector<std::string> slips;
   for (std::size_t t = 0; t < m.reaches.size(); ++t) {
     add_slip(slips, turned_tool(m, t));
@@ -243,7 +243,7 @@ std::vector<std::string> motion_slips(const Case& content, const process::Proces
     add_slip(slips, starts_far_off(m, t));
   if (all_arrive) {
     add_slip(slips, pushed_away(m));
-    add_slip(slips, nothing_yields(m, process.surface()));
+    add_slip(slips, nothing_yields(m, run.model.surface.get()));
   }
   add_slip(slips, free_axis(m));
   add_slip(slips, free_cut(m));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/case/case.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <string>
 #include <vector>
@@ -11,11 +11,9 @@
 namespace billet::io {
 
 /// Tools that do not arrive, a part that nothing holds or strains.
-[[nodiscard]] std::vector<std::string> motion_slips(const Case& content,
-                                                    const process::Process& process);
+[[nodiscard]] std::vector<std::string> motion_slips(const Case& content, const process::Run& run);
 
 /// Elements that cannot show what is asked of them.
-[[nodiscard]] std::vector<std::string> mesh_slips(const Case& content,
-                                                  const process::Process& process);
+[[nodiscard]] std::vector<std::string> mesh_slips(const Case& content, const process::Run& run);
 
 } // namespace billet::io

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "io/case/case.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <string>
 #include <vector>
@@ -25,7 +25,6 @@ namespace billet::io {
 /// What the scene tells: size of the part, tools that do not arrive, free motions, elements.
 ///
 /// @param process  of that case, before it has run
-[[nodiscard]] std::vector<std::string> scene_slips(const Case& content,
-                                                   const process::Process& process);
+[[nodiscard]] std::vector<std::string> scene_slips(const Case& content, const process::Run& run);
 
 } // namespace billet::io

@@ -1,6 +1,6 @@
 // Early increments in which the load curve bends: gone in parts, so that no work is missed.
 
-#include "process/bent_increment.h"
+#include "process/increment/bent_increment.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -61,9 +61,9 @@ Scene upset(ElementKind kind,
 void expect_all_work(const std::string& name, Scene scene) {
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const EnergyBalance& energy = done.process->energy();
+  const EnergyBalance& energy = done.process->view().state.energy;
   std::printf("%s: %.3f %% missed in %d increments\n", name.c_str(),
-              100.0 * energy.missing() / energy.scale(), done.process->increments());
+              100.0 * energy.missing() / energy.scale(), done.process->view().state.increment);
   EXPECT_LT(energy.error(), 1e-3) << name;
 }
 
@@ -111,7 +111,7 @@ TEST(BentIncrement, WhereContactOnlyBeginsIncrementsStayWhole) {
 TEST(BentIncrement, TheIncrementsAfterItAreAsLongAsWithoutIt) {
   const FinishedRun done =
       run(upset(ElementKind::quad4, Analysis::axisymmetric, contact::Frictionless{}, std::nullopt));
-  const double usual = done.process->scene().stages[0].end / 100.0;
+  const double usual = done.process->view().scene.stages[0].end / 100.0;
   const std::vector<Entry>& entries = done.recorder.entries;
   const auto whole = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
     return entry.report.time > 0.999 * usual;
@@ -120,7 +120,7 @@ TEST(BentIncrement, TheIncrementsAfterItAreAsLongAsWithoutIt) {
   EXPECT_GT(whole - entries.begin(), 0) << "it is gone in parts";
   EXPECT_NEAR(whole->report.time, usual, 1e-9 * usual);
   EXPECT_NEAR((whole + 1)->report.dt, 1.5 * usual, 1e-9 * usual) << "it was easy";
-  EXPECT_GT(done.process->wasted_iterations(), 0);
+  EXPECT_GT(done.process->view().state.counters.wasted_iterations, 0);
   ASSERT_FALSE(entries[0].report.events.empty());
   EXPECT_NE(entries[0].report.events[0].find("in two parts"), std::string::npos)
       << entries[0].report.events[0];
@@ -132,8 +132,8 @@ TEST(BentIncrement, AnElasticPartIsPressedInWholeIncrements) {
   scene.stages[0].end = 0.075;
   scene.increments.first = scene.increments.max = 0.003;
   const FinishedRun done = run(std::move(scene));
-  EXPECT_EQ(done.process->cutbacks(), 0);
-  EXPECT_LT(done.process->energy().error(), 1e-3);
+  EXPECT_EQ(done.process->view().state.counters.cutbacks, 0);
+  EXPECT_LT(done.process->view().state.energy.error(), 1e-3);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // Hammers and screw presses: a ram with an energy strikes a part that is upset without friction,
 // where the work is a closed form.
 
-#include "process/blows.h"
-#include "process/run.h"
+#include "process/loop/process.h"
+#include "process/presses/blows.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -30,19 +30,19 @@ Scene struck(ElementKind kind, const mechanics::Material& material, const geomet
   u.material = material;
   Scene scene = upsetting_scene(std::move(u));
   scene.contact.penalty = 1e5;
-  scene.contact_faces = faces_on(scene.mesh, up(scene.analysis), height);
+  scene.part.contact_faces = faces_on(scene.part.mesh, up(scene.part.analysis), height);
   scene.tools[0].motion.velocity.reset();
-  scene.tools[0].motion.force = ram(blow, -Vec3::Unit(up(scene.analysis)));
+  scene.tools[0].motion.force = ram(blow, -Vec3::Unit(up(scene.part.analysis)));
   scene.stages[0].end = 1.0;
   return scene;
 }
 
 double volume(const Scene& scene) {
-  return scene.analysis == Analysis::solid ? 25.0 * height : std::numbers::pi * 25.0 * height;
+  return scene.part.analysis == Analysis::solid ? 25.0 * height : std::numbers::pi * 25.0 * height;
 }
 
 double end_height(const FinishedRun& done) {
-  const int dim = done.process->scene().mesh.dimension();
+  const int dim = done.process->view().mesh().dimension();
   return largest_position(done.last(), dim, dim - 1);
 }
 
@@ -77,8 +77,8 @@ TEST(Blow, stops_on_an_elastic_block_where_its_energy_is_stored) {
   scene.tools[0].motion.force->blow = blow;
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_EQ(done.process->blows().size(), 1u);
-  const BlowReport& report = done.process->blows()[0];
+  ASSERT_EQ(done.process->view().blows().size(), 1u);
+  const BlowReport& report = done.process->view().blows()[0];
   const double exact = height * (1.0 - std::exp(-strain));
   // A spring of stiffness E A / h0 would be met for a quarter of its period; the stiffening is of
   // the order of the strain.
@@ -86,12 +86,12 @@ TEST(Blow, stops_on_an_elastic_block_where_its_energy_is_stored) {
   std::printf("[BLOW] elastic: stroke %.6f mm of %.6f, %.4f of a quarter period, speed left %.1e, "
               "%d increments\n",
               report.stroke, exact, report.time / quarter, report.speed / blow.speed,
-              done.process->increments());
+              done.process->view().state.increment);
   EXPECT_TRUE(report.over);
-  EXPECT_TRUE(done.process->energy_used_up());
+  EXPECT_TRUE(done.process->view().state.energy_used_up);
   EXPECT_NEAR(report.stroke, exact, 1e-3 * exact);
   EXPECT_NEAR(report.time, quarter, 0.01 * quarter);
-  EXPECT_NEAR(done.process->energy().elastic, blow.energy(), 1e-3 * blow.energy());
+  EXPECT_NEAR(done.process->view().state.energy.elastic, blow.energy(), 1e-3 * blow.energy());
 }
 
 TEST(Blow, upsets_to_the_height_that_its_energy_is_worth) {
@@ -102,17 +102,17 @@ TEST(Blow, upsets_to_the_height_that_its_energy_is_worth) {
     scene.tools[0].motion.force->blow = blow;
     const FinishedRun done = run(std::move(scene));
     ASSERT_EQ(done.status, RunStatus::done);
-    const BlowReport& report = done.process->blows()[0];
+    const BlowReport& report = done.process->view().blows()[0];
     const double exact = loaded_height(0.3);
     const double balance =
-        std::abs(blow.energy() - done.process->energy().external - report.left) / energy;
+        std::abs(blow.energy() - done.process->view().state.energy.external - report.left) / energy;
     std::printf("[BLOW] %s: height %.5f mm of %.5f, energy given against work of the tool and rest "
                 "%.1e, %d increments, %d cut-backs\n",
                 std::string(mechanics::name(kind)).c_str(), end_height(done), exact, balance,
-                done.process->increments(), done.process->cutbacks());
+                done.process->view().state.increment, done.process->view().state.counters.cutbacks);
     EXPECT_NEAR(end_height(done), exact, 1e-3 * height);
     EXPECT_LE(balance, 1e-5);
-    EXPECT_NEAR(report.used, done.process->energy().external, 1e-9 * energy);
+    EXPECT_NEAR(report.used, done.process->view().state.energy.external, 1e-9 * energy);
     EXPECT_LE(report.left, 1e-6 * energy);
   }
 }
@@ -133,7 +133,7 @@ TEST(Blow, does_not_depend_on_the_increments_but_for_the_second_order) {
   for (const int n : {10, 20, 40}) {
     const FinishedRun done = struck_in(n);
     ASSERT_EQ(done.status, RunStatus::done);
-    const BlowReport& report = done.process->blows()[0];
+    const BlowReport& report = done.process->view().blows()[0];
     const double given = 0.5 * 0.01 * V * young;
     const double error = std::abs(report.stroke - height * (1.0 - std::exp(-0.1)));
     std::printf("[BLOW] %d increments: stroke off by %.2e mm, energy lost %.1e\n", n, error,
@@ -155,18 +155,18 @@ TEST(Blow, is_one_of_several) {
       {"first", 1.0, {1}, false}, {"lift", 2.0, {0}, true}, {"second", 3.0, {1}, false}};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_EQ(done.process->blows().size(), 2u);
+  ASSERT_EQ(done.process->view().blows().size(), 2u);
   const double first = strain_of_work(0.0, work);
   const double exact = loaded_height(strain_of_work(first, work));
-  const BlowReport& second = done.process->blows()[1];
+  const BlowReport& second = done.process->view().blows()[1];
   std::printf("[BLOW] two blows: height %.5f mm of %.5f; the second begins at %.3f s, strokes %.4f "
               "and %.4f mm, %d increments\n",
-              end_height(done), exact, second.begun, done.process->blows()[0].stroke, second.stroke,
-              done.process->increments());
+              end_height(done), exact, second.begun, done.process->view().blows()[0].stroke,
+              second.stroke, done.process->view().state.increment);
   EXPECT_NEAR(end_height(done), exact, 2e-3 * height);
   EXPECT_EQ(second.stage, "second");
   EXPECT_EQ(second.begun, 2.0);
-  EXPECT_TRUE(done.process->blows()[0].over && second.over);
+  EXPECT_TRUE(done.process->view().blows()[0].over && second.over);
   EXPECT_NEAR(done.at(2.0).report.time, 2.0, 1e-12); // the rest of a stage passes
 }
 
@@ -179,7 +179,7 @@ TEST(Blow, goes_on_in_the_next_stage_if_it_is_not_over) {
   const FinishedRun a = run(std::move(whole)), b = run(std::move(parted));
   ASSERT_EQ(a.status, RunStatus::done);
   ASSERT_EQ(b.status, RunStatus::done);
-  ASSERT_EQ(b.process->blows().size(), 1u);
+  ASSERT_EQ(b.process->view().blows().size(), 1u);
   EXPECT_NEAR(end_height(a), end_height(b), 1e-4 * height);
 }
 
@@ -191,8 +191,8 @@ TEST(Blow, flies_to_the_workpiece_and_needs_one) {
   scene.tools[0].motion.place.translation = Vec3(0, 2.0, 0);
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const BlowReport& report = done.process->blows()[0];
-  EXPECT_NEAR(done.process->driven(0).travel, 2.0 + report.stroke, 1e-9);
+  const BlowReport& report = done.process->view().blows()[0];
+  EXPECT_NEAR(done.process->view().driven(0).travel, 2.0 + report.stroke, 1e-9);
 
   Scene away = struck(ElementKind::quad4, billet_steel(), blow);
   away.touch = {0};
@@ -211,7 +211,7 @@ TEST(Blow, is_driven_on_by_a_load) {
   scene.tools[0].motion.force->load = TimeFunction(20e3);
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const BlowReport& report = done.process->blows()[0];
+  const BlowReport& report = done.process->view().blows()[0];
   EXPECT_NEAR(report.driven, 20e3 * report.stroke, 1e-9 * report.energy);
   EXPECT_NEAR(report.energy + report.driven, report.used + report.left, 1e-5 * report.energy);
 }
@@ -222,7 +222,7 @@ TEST(Blow, is_the_same_in_any_unit_and_frame) {
     Scene scene = struck(ElementKind::hex8, billet_steel(), {});
     const double energy = volume(scene) * upsetting_work(0.0, 0.1);
     const double MPa = 1.0 / (mm * mm);
-    for (Vec3& p : scene.mesh.points)
+    for (Vec3& p : scene.part.mesh.points)
       p = mm * frame.to_space(p);
     scene.material = {{young * MPa, 0.3}, mechanics::Linear{yield * MPa, hardening * MPa}};
     const Vec3 along = frame.rotation.col(2);
@@ -235,16 +235,16 @@ TEST(Blow, is_the_same_in_any_unit_and_frame) {
     scene.tools.push_back(flat(height, -along));
     scene.tools[1].motion.velocity.reset();
     scene.tools[1].motion.force = ram({2.0 * energy / (5000.0 * 5000.0 * mm), 5000.0 * mm}, -along);
-    scene.supports.clear();
+    scene.part.supports.clear();
     scene.touch = {0, 0};
-    scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+    scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
     scene.stages[0].tools = {1, 1};
     // The same, whatever rounding does; a first one that ends in yield may be cut back or not.
     scene.increments.first = 1e-7;
     scene.increments.max = 1e-5;
     const FinishedRun done = run(std::move(scene));
     EXPECT_EQ(done.status, RunStatus::done);
-    return done.process->blows()[0].stroke / mm;
+    return done.process->view().blows()[0].stroke / mm;
   };
   const double plain = figures(1.0, {});
   EXPECT_GT(plain, 0.5);

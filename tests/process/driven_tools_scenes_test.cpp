@@ -1,6 +1,6 @@
 // Tools that a force drives: in space, in any frame and unit, and when they leave or come by stage.
 
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -28,10 +28,10 @@ Scene block_between_dies(const Setting& setting) {
   const auto place = [&](const Vec3& x) { return Vec3(mm * setting.frame.to_space(x)); };
   const Vec3 along = setting.frame.rotation.col(2);
   Scene scene;
-  scene.analysis = Analysis::solid;
-  scene.mesh = mechanics::box_mesh(
+  scene.part.analysis = Analysis::solid;
+  scene.part.mesh = mechanics::box_mesh(
       {ElementKind::hex8, Vec3::Zero(), Vec3::Constant(side), {2, 2, 2}, {1, 1, 1}});
-  for (Vec3& p : scene.mesh.points)
+  for (Vec3& p : scene.part.mesh.points)
     p = place(p);
   scene.material = {{200e3 * MPa, 0.3}, mechanics::Linear{700.0 * MPa, 300.0 * MPa}};
   scene.tools.push_back(moving_tool("anvil", geometry::make_plane(place(Vec3::Zero()), along),
@@ -42,7 +42,7 @@ Scene block_between_dies(const Setting& setting) {
   scene.tools[1].motion.force =
       geometry::Drive{Vec3::Zero(), -along, TimeFunction({{0.0, 0.0}, {1.0, force}, {2.0, 0.0}})};
   scene.touch = {0, 0};
-  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
   scene.stages.push_back({"press", 2.0, {1, 1}, false});
   scene.landing_times = {1.0};
   scene.increments.first = scene.increments.max = 0.02; // the same, whatever rounding does
@@ -60,9 +60,10 @@ struct Figures {
 Figures figures(const Setting& setting) {
   const FinishedRun done = run(block_between_dies(setting));
   EXPECT_EQ(done.status, RunStatus::done);
-  EXPECT_EQ(done.process->grounded_motions(), 6);
-  Figures found{0.0, done.process->driven(1).travel / setting.millimetre,
-                done.process->iterations(), done.process->cutbacks()};
+  EXPECT_EQ(done.process->view().model.free_motions, 6);
+  Figures found{0.0, done.process->view().driven(1).travel / setting.millimetre,
+                done.process->view().state.counters.iterations,
+                done.process->view().state.counters.cutbacks};
   for (const Entry& entry : done.recorder.entries) {
     const double t = entry.report.time;
     const Vec3 wanted = force * (t < 1.0 ? t : 2.0 - t) * setting.frame.rotation.col(2);
@@ -126,7 +127,7 @@ void expect_release(Scene scene, const char* how) {
               how, 15.0 - height, sprung, done.last().report.energy.error());
   EXPECT_GT(pressed.loads[0].force[1], 0.99 * 300e3) << how;
   EXPECT_EQ(done.last().loads[0].force, Vec3::Zero()) << how;
-  EXPECT_NEAR(done.process->driven(0).travel, 15.0 - height, 1e-2) << how;
+  EXPECT_NEAR(done.process->view().driven(0).travel, 15.0 - height, 1e-2) << how;
   EXPECT_GT(sprung, 0.02) << how;
   EXPECT_LT(done.last().report.energy.error(), 5e-3) << how;
 }
@@ -159,7 +160,7 @@ TEST(DrivenTools, come_by_stage) {
   ASSERT_EQ(done.status, RunStatus::done);
   EXPECT_NEAR(done.last().loads[0].force[1], 400e3, 0.4);
   EXPECT_EQ(done.last().loads[1].force, Vec3::Zero());
-  EXPECT_GT(done.process->driven(0).travel, 0.0);
+  EXPECT_GT(done.process->view().driven(0).travel, 0.0);
 }
 
 } // namespace

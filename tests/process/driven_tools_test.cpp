@@ -1,7 +1,7 @@
 // Tools that a force or a torque drives, in whole runs.
 
 #include "geometry/base/error.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(DrivenTools, hold_their_force_to_a_millionth) {
     const double wanted = force * (t < 1.0 ? t : t < 2.0 ? 1.0 : 3.0 - t);
     worst = std::max(worst, std::abs(entry.loads[0].force[1] - wanted) / force);
   }
-  const double way = done.process->driven(0).travel;
+  const double way = done.process->view().driven(0).travel;
   std::printf("[DRIVE] force on the die: error %.1e of 300 kN (<= 1e-6), permanent set %.4f mm\n",
               worst, way);
   EXPECT_LE(worst, 1e-6);
@@ -67,14 +67,14 @@ TEST(DrivenTools, are_where_the_press_of_that_travel_is) {
 Scene idle_roll(double mu) {
   constexpr double radius = 10.0;
   Scene scene = strip_on_table(ElementKind::quad4, 6.0, 36, 6);
-  Support pull = held(scene.mesh, 0, 6.0);
+  Support pull = held(scene.part.mesh, 0, 6.0);
   pull.displacement = TimeFunction({{0.0, 0.0}, {1.0, 0.0}, {3.0, 4.0}});
-  scene.supports.push_back(pull);
+  scene.part.supports.push_back(pull);
   contact::Tool roll = roll_above(2.0, radius, TimeFunction({{0.0, 0.0}, {1.0, -0.1}, {3.0, -0.1}}),
                                   contact::Coulomb{mu});
   roll.motion.torque = geometry::Drive{roll.reference, Vec3::UnitZ(), TimeFunction(0.0)};
   scene.tools.push_back(std::move(roll));
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   scene.stages.push_back({"roll", 3.0, {1}, false});
   return scene;
 }
@@ -83,13 +83,13 @@ TEST(DrivenTools, an_idle_roll_turns_with_the_strip) {
   for (const double mu : {0.1, 0.5}) {
     const FinishedRun done = run(idle_roll(mu));
     ASSERT_EQ(done.status, RunStatus::done);
-    const double way = 10.0 * done.process->driven(0).turn;
+    const double way = 10.0 * done.process->view().driven(0).turn;
     const double torque = done.last().loads[0].torque[2];
     const double force = done.last().loads[0].force[1];
     std::printf("[DRIVE] idle roll, mu %.1f: surface way %.3f mm of the strip's 4 mm, torque %.1e "
                 "of force times radius; %d increments, %d cut-backs\n",
-                mu, way, std::abs(torque) / (10.0 * force), done.process->increments(),
-                done.process->cutbacks());
+                mu, way, std::abs(torque) / (10.0 * force), done.process->view().state.increment,
+                done.process->view().state.counters.cutbacks);
     // The strip leaves at 4 mm and enters, 5 % thicker, at 3.8: the roll turns with what is beneath
     // it, and most of the arc, and of the pressure, lies before the exit.
     EXPECT_GT(way, 3.80);

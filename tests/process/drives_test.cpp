@@ -1,7 +1,7 @@
 // Loads that nothing answers: a force that pulls its tool off, a torque that nothing balances.
 
 #include "geometry/base/error.h"
-#include "process/drives.h"
+#include "process/tools/drives.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>

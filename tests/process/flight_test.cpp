@@ -1,6 +1,6 @@
 // Flights: a tool far away, a part carried along, one increment to the touch. (P.31)
 
-#include "process/flight.h"
+#include "process/tools/flight.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Scene die_above(bool solid, double away, double reduction = 0.05) {
   u.reduction = reduction;
   u.friction = contact::Coulomb{0.1};
   Scene scene = upsetting_scene(std::move(u));
-  const Vec3 along = Vec3::Unit(up(scene.analysis));
+  const Vec3 along = Vec3::Unit(up(scene.part.analysis));
   scene.tools[0].surface = geometry::make_plane((15.0 + away) * along, -along);
   scene.touch = {away == 0.0 ? char{1} : char{0}};
   scene.stages[0].end += away;
@@ -44,11 +44,14 @@ TEST(Flight, AToolFarAwayIsAtThePartInOneIncrement) {
       ASSERT_EQ(done.status, RunStatus::done) << away;
       std::printf("[FLIGHT] %g mm in %s: %d increments, %d cut-backs (touching: %d, %d), force "
                   "%.6g N (%.6g N)\n",
-                  away, solid ? "space" : "the plane", done.process->increments(),
-                  done.process->cutbacks(), touching.process->increments(),
-                  touching.process->cutbacks(), last_force(done, axis), last_force(touching, axis));
-      EXPECT_LE(done.process->increments(), touching.process->increments() + 5);
-      EXPECT_LE(done.process->cutbacks(), touching.process->cutbacks() + 1);
+                  away, solid ? "space" : "the plane", done.process->view().state.increment,
+                  done.process->view().state.counters.cutbacks,
+                  touching.process->view().state.increment,
+                  touching.process->view().state.counters.cutbacks, last_force(done, axis),
+                  last_force(touching, axis));
+      EXPECT_LE(done.process->view().state.increment, touching.process->view().state.increment + 5);
+      EXPECT_LE(done.process->view().state.counters.cutbacks,
+                touching.process->view().state.counters.cutbacks + 1);
       EXPECT_NEAR(last_force(done, axis), last_force(touching, axis),
                   close * std::abs(last_force(touching, axis)));
       const Entry& first = done.recorder.entries.front();
@@ -91,7 +94,7 @@ TEST(Flight, AToolThatSwingsDown) {
   // A round punch on an arm of 300 mm that turns by a right angle and comes down on a strip.
   const auto swing = [](double angle) {
     Scene scene = strip_on_table(ElementKind::quad8, 5.0, 8, 3);
-    scene.supports.push_back(held(scene.mesh, 0, -5.0));
+    scene.part.supports.push_back(held(scene.part.mesh, 0, -5.0));
     const Vec3 pivot(-300.0, 12.0, 0.0);
     contact::Tool punch =
         moving_tool("punch", geometry::make_circle({0.0, 12.0, 0.0}, 10.0, false), Vec3::Zero());
@@ -99,7 +102,7 @@ TEST(Flight, AToolThatSwingsDown) {
     punch.motion.place = geometry::rotation_about(pivot, Vec3::UnitZ(), angle);
     punch.motion.rotation = geometry::Rotation{pivot, Vec3::UnitZ(), TimeFunction(-1.0)};
     scene.tools.push_back(std::move(punch));
-    scene.contact_faces = faces_on(scene.mesh, 1, 2.0);
+    scene.part.contact_faces = faces_on(scene.part.mesh, 1, 2.0);
     scene.stages.push_back({"swing", angle + 0.1 / 300.0, {1}, false});
     return scene;
   };
@@ -108,9 +111,9 @@ TEST(Flight, AToolThatSwingsDown) {
   ASSERT_EQ(near.status, RunStatus::done);
   ASSERT_EQ(done.status, RunStatus::done);
   std::printf("[FLIGHT] an arm that turns by 90 degrees: %d increments (%d), force %.6g (%.6g)\n",
-              done.process->increments(), near.process->increments(), last_force(done, 1),
-              last_force(near, 1));
-  EXPECT_LE(done.process->increments(), near.process->increments() + 5);
+              done.process->view().state.increment, near.process->view().state.increment,
+              last_force(done, 1), last_force(near, 1));
+  EXPECT_LE(done.process->view().state.increment, near.process->view().state.increment + 5);
   EXPECT_NEAR(last_force(done, 1), last_force(near, 1), close * std::abs(last_force(near, 1)));
 }
 
@@ -119,16 +122,16 @@ TEST(Flight, AToolThatSwingsDown) {
 Scene block_and_wall(double away, bool pushed) {
   constexpr double length = 10.0, pressed = 0.2;
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh(
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh = mechanics::box_mesh(
       {ElementKind::quad8, Vec3::Zero(), Vec3(length, 5, 0), {6, 3, 1}, {1, 1, 1}});
   scene.material = billet_steel();
-  scene.supports.push_back(held(scene.mesh, 1, 0.0));
+  scene.part.supports.push_back(held(scene.part.mesh, 1, 0.0));
   const double way = away + pressed;
   if (!pushed) {
-    Support back = held(scene.mesh, 0, 0.0);
+    Support back = held(scene.part.mesh, 0, 0.0);
     back.displacement = TimeFunction({{0.0, 0.0}, {1.0, way}});
-    scene.supports.push_back(back);
+    scene.part.supports.push_back(back);
   } else {
     scene.tools.push_back(
         moving_tool("pusher", geometry::make_plane({0, 0, 0}, {1, 0, 0}), Vec3(way, 0, 0)));
@@ -136,10 +139,10 @@ Scene block_and_wall(double away, bool pushed) {
   scene.tools.push_back(
       moving_tool("wall", geometry::make_plane({length + away, 0, 0}, {-1, 0, 0}), Vec3::Zero()));
   scene.touch.assign(scene.tools.size(), 0);
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   if (pushed)
-    for (const mechanics::Face& face : faces_on(scene.mesh, 0, 0.0))
-      scene.contact_faces.push_back(face);
+    for (const mechanics::Face& face : faces_on(scene.part.mesh, 0, 0.0))
+      scene.part.contact_faces.push_back(face);
   scene.stages.push_back({"go", 1.0, std::vector<char>(scene.tools.size(), 1), false});
   return scene;
 }
@@ -150,9 +153,9 @@ TEST(Flight, APartThatItsSupportsCarry) {
   ASSERT_EQ(near.status, RunStatus::done);
   ASSERT_EQ(done.status, RunStatus::done);
   std::printf("[FLIGHT] carried by 2e5 mm: %d increments, %d cut-backs (%d), force %.6g (%.6g)\n",
-              done.process->increments(), done.process->cutbacks(), near.process->increments(),
-              last_force(done, 0), last_force(near, 0));
-  EXPECT_LE(done.process->increments(), near.process->increments() + 5);
+              done.process->view().state.increment, done.process->view().state.counters.cutbacks,
+              near.process->view().state.increment, last_force(done, 0), last_force(near, 0));
+  EXPECT_LE(done.process->view().state.increment, near.process->view().state.increment + 5);
   EXPECT_NEAR(last_force(done, 0), last_force(near, 0), close * std::abs(last_force(near, 0)));
   EXPECT_LT(done.last().report.energy.error(), 0.02);
 }
@@ -164,17 +167,18 @@ TEST(Flight, AFreePartThatAToolPushesAlong) {
   ASSERT_EQ(done.status, RunStatus::done);
   std::printf("[FLIGHT] pushed by 2e5 mm: %d increments, %d cut-backs (%d, %d), force %.6g "
               "(%.6g)\n",
-              done.process->increments(), done.process->cutbacks(), near.process->increments(),
-              near.process->cutbacks(), last_force(done, 0), last_force(near, 0));
-  EXPECT_LE(done.process->increments(), near.process->increments() + 20);
+              done.process->view().state.increment, done.process->view().state.counters.cutbacks,
+              near.process->view().state.increment, near.process->view().state.counters.cutbacks,
+              last_force(done, 0), last_force(near, 0));
+  EXPECT_LE(done.process->view().state.increment, near.process->view().state.increment + 20);
   EXPECT_NEAR(last_force(done, 0), last_force(near, 0), close * std::abs(last_force(near, 0)));
 }
 
 TEST(Flight, WaitsWhileALoadChanges) {
   // A pressure grows and stays while the die is on its way: increments as usual until it stays.
   Scene scene = die_above(false, 1000.0);
-  scene.loads.push_back(
-      PressureOn{faces_on(scene.mesh, 0, 5.0), TimeFunction({{0.0, 0.0}, {500.0, 20.0}})});
+  scene.part.loads.push_back(
+      PressureOn{faces_on(scene.part.mesh, 0, 5.0), TimeFunction({{0.0, 0.0}, {500.0, 20.0}})});
   scene.landing_times = {500.0};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
@@ -197,20 +201,20 @@ TEST(Flight, AToolThatLeavesAndComesBack) {
   scene.landing_times = {1.0, 2.0};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  std::printf("[FLIGHT] there and back: %d increments, %d cut-backs\n", done.process->increments(),
-              done.process->cutbacks());
-  EXPECT_LT(done.process->increments(), 200);
+  std::printf("[FLIGHT] there and back: %d increments, %d cut-backs\n",
+              done.process->view().state.increment, done.process->view().state.counters.cutbacks);
+  EXPECT_LT(done.process->view().state.increment, 200);
   const double straight = last_force(run(die_above(false, 0.0)), 1);
   EXPECT_NEAR(last_force(done, 1), straight, 5e-3 * straight) << "elastic in between";
 }
 
 TEST(Flight, NoTimeWhereAToolTouchesOrIsNear) {
   const Process process(die_above(false, 0.0));
-  const Departure now{process.scene(),
-                      process.scene().stages[0],
-                      process.contact(),
-                      process.surface(),
-                      process.unknowns(),
+  const Departure now{process.view().scene,
+                      process.view().scene.stages[0],
+                      process.view().contact(),
+                      process.view().model.surface.get(),
+                      process.view().state.x,
                       {},
                       0.0,
                       0.0};
@@ -239,11 +243,11 @@ TEST(Flight, ATipBetweenContactPointsIsSeen) {
   scene.tools[0].motion.velocity = Vec3(0, 0, -1);
   scene.stages[0].end = 86.0;
   const Process process(std::move(scene));
-  const std::optional<Flight> flight = flight_from({process.scene(),
-                                                    process.scene().stages[0],
-                                                    process.contact(),
-                                                    process.surface(),
-                                                    process.unknowns(),
+  const std::optional<Flight> flight = flight_from({process.view().scene,
+                                                    process.view().scene.stages[0],
+                                                    process.view().contact(),
+                                                    process.view().model.surface.get(),
+                                                    process.view().state.x,
                                                     {},
                                                     0.0,
                                                     0.0},

@@ -1,7 +1,7 @@
 // Which rigid motions supports leave free, by name.
 
 #include "mechanics/mesh/mesh_generators.h"
-#include "process/scene.h"
+#include "process/scene/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -15,15 +15,16 @@ Scene block(mechanics::Analysis analysis,
             const std::vector<std::pair<std::string, int>>& supports) {
   const bool solid = analysis == mechanics::Analysis::solid;
   Scene scene;
-  scene.analysis = analysis;
-  scene.mesh =
+  scene.part.analysis = analysis;
+  scene.part.mesh =
       mechanics::box_mesh({solid ? mechanics::ElementKind::hex8 : mechanics::ElementKind::quad4,
                            Vec3::Zero(),
                            Vec3(1, 2, solid ? 3 : 0),
                            {2, 2, solid ? 2 : 1},
                            {1, 1, 1}});
   for (const auto& [set, component] : supports)
-    scene.supports.push_back({scene.mesh.node_sets.at(set), component, TimeFunction(0.0)});
+    scene.part.supports.push_back(
+        {scene.part.mesh.node_sets.at(set), component, TimeFunction(0.0)});
   return scene;
 }
 

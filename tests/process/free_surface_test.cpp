@@ -1,7 +1,7 @@
 // The free surface, moved to give a part its volume. (P.21)
 
 #include "mechanics/elements/mesh_locator.h"
-#include "process/free_surface.h"
+#include "process/remeshing/free_surface.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -22,20 +22,21 @@ struct Bar {
   std::vector<double> x;
 
   explicit Bar(ElementKind kind)
-      : scene(upsetting_scene(bar_upsetting(kind))), pattern(mechanics::block_pattern(scene.mesh)),
-        bulk(scene.mesh, scene.analysis, scene.material, pattern),
-        x(mechanics::node_positions(scene.mesh)) {}
+      : scene(upsetting_scene(bar_upsetting(kind))),
+        pattern(mechanics::block_pattern(scene.part.mesh)),
+        bulk(scene.part.mesh, scene.part.analysis, scene.material, pattern),
+        x(mechanics::node_positions(scene.part.mesh)) {}
 
   [[nodiscard]] double volume() const { return bulk.volume(x); }
 };
 
 /// Whether the faces lie on top, where the die is.
 std::vector<char> on_top(const Scene& scene) {
-  const int up = scene.mesh.dimension() - 1;
+  const int up = scene.part.mesh.dimension() - 1;
   std::vector<char> touching;
-  for (const mechanics::Face& face : scene.contact_faces)
+  for (const mechanics::Face& face : scene.part.contact_faces)
     touching.push_back(std::all_of(face.nodes.begin(), face.nodes.end(), [&](Index node) {
-      return scene.mesh.points[as_size(node)][up] == 15.0;
+      return scene.part.mesh.points[as_size(node)][up] == 15.0;
     }));
   return touching;
 }
@@ -43,11 +44,11 @@ std::vector<char> on_top(const Scene& scene) {
 TEST(FreeSurface, MovesOutwardWhereNothingTouches) {
   for (const ElementKind kind : {ElementKind::quad8, ElementKind::hex8}) {
     const Bar bar(kind);
-    const int dim = bar.scene.mesh.dimension();
+    const int dim = bar.scene.part.mesh.dimension();
     const std::vector<double> normals = free_normals(bar.scene, bar.x, on_top(bar.scene));
     int moved = 0;
-    for (Index node = 0; node < bar.scene.mesh.n_points(); ++node) {
-      const Vec3& at = bar.scene.mesh.points[as_size(node)];
+    for (Index node = 0; node < bar.scene.part.mesh.n_points(); ++node) {
+      const Vec3& at = bar.scene.part.mesh.points[as_size(node)];
       Vec3 normal = Vec3::Zero();
       for (int i = 0; i < dim; ++i)
         normal[i] = normals[as_size(dim * node + i)];
@@ -86,7 +87,7 @@ TEST(FreeSurface, MovesNoFurtherThanItMayAndNotWhereAllTouches) {
   Bar bar(ElementKind::quad8);
   const auto volume = [&](std::span<const double> x) { return bar.bulk.volume(x); };
   const double before = bar.volume();
-  const std::vector<char> all(bar.scene.contact_faces.size(), 1);
+  const std::vector<char> all(bar.scene.part.contact_faces.size(), 1);
   const std::vector<double> still = bar.x;
   restore_volume(bar.x, free_normals(bar.scene, bar.x, all), volume, 1.01 * before, 0.02);
   EXPECT_EQ(bar.x, still);

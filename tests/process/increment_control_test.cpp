@@ -1,4 +1,4 @@
-#include "process/increment_control.h"
+#include "process/state/increment_control.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "process/narrow_tools.h"
-#include "process/part_depth.h"
+#include "process/tools/narrow_tools.h"
+#include "process/tools/part_depth.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -14,14 +14,15 @@ namespace {
 Scene block(ElementKind kind) {
   const bool solid = kind == ElementKind::hex8 || kind == ElementKind::hex20;
   Scene scene;
-  scene.analysis = solid ? Analysis::solid : Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh(
+  scene.part.analysis = solid ? Analysis::solid : Analysis::plane_strain;
+  scene.part.mesh = mechanics::box_mesh(
       {kind, Vec3::Zero(), Vec3(4, 4, solid ? 4 : 0), {4, 4, solid ? 4 : 1}, {1, 1, 1}});
   scene.material = elastic_body(1000.0, 0.3);
   for (const int axis : {0, 1, 2})
-    if (axis < scene.mesh.dimension())
-      scene.supports.push_back({nodes_at(scene.mesh, up(scene.analysis), 0.0), axis, {0.0}});
-  scene.contact_faces = faces_on(scene.mesh, up(scene.analysis), 0.0, true);
+    if (axis < scene.part.mesh.dimension())
+      scene.part.supports.push_back(
+          {nodes_at(scene.part.mesh, up(scene.part.analysis), 0.0), axis, {0.0}});
+  scene.part.contact_faces = faces_on(scene.part.mesh, up(scene.part.analysis), 0.0, true);
   scene.stages.push_back({"press", 1.0, {1}, false});
   return scene;
 }
@@ -36,12 +37,13 @@ TEST(PartDepth, IsTheDistanceFromTheFacesWithItsSide) {
   for (const ElementKind kind :
        {ElementKind::quad4, ElementKind::quad8, ElementKind::hex8, ElementKind::hex20}) {
     Scene scene = block(kind);
-    scene.tools.push_back(
-        moving_tool("needle", needle(scene.analysis, 4.5, 0.01), -Vec3::Unit(up(scene.analysis))));
+    scene.tools.push_back(moving_tool("needle", needle(scene.part.analysis, 4.5, 0.01),
+                                      -Vec3::Unit(up(scene.part.analysis))));
     scene.touch = {0};
     const Process process(std::move(scene));
-    PartDepth part(process.scene().mesh, *process.surface(), process.positions());
-    const bool solid = process.scene().analysis == Analysis::solid;
+    PartDepth part(process.view().mesh(), *process.view().model.surface,
+                   process.view().positions());
+    const bool solid = process.view().part().analysis == Analysis::solid;
     const auto at = [&](double x, double height) {
       return part.at(solid ? Vec3(x, 2.1, height) : Vec3(x, height, 0), 1.0).depth;
     };
@@ -58,15 +60,16 @@ TEST(PartDepth, IsTheDistanceFromTheFacesWithItsSide) {
 std::pair<DeepTool, std::optional<DeepTool>> found_after(ElementKind kind, double way) {
   constexpr double radius = 0.01;
   Scene scene = block(kind);
-  const int axis = up(scene.analysis);
-  scene.tools.push_back(
-      moving_tool("needle", needle(scene.analysis, 4.0 + radius, radius), -way * Vec3::Unit(axis)));
+  const int axis = up(scene.part.analysis);
+  scene.tools.push_back(moving_tool("needle", needle(scene.part.analysis, 4.0 + radius, radius),
+                                    -way * Vec3::Unit(axis)));
   scene.touch = {0};
   const Process process(std::move(scene));
-  const NarrowTools narrow(process.scene(), *process.surface(), process.positions());
-  const mechanics::Trial trial{0.0, 1.0, process.unknowns(), process.unknowns()};
-  return {narrow.deepest(*process.contact(), trial, 0.0),
-          narrow.met_on_the_way(*process.contact(), trial)};
+  const NarrowTools narrow(process.view().scene, *process.view().model.surface,
+                           process.view().positions());
+  const mechanics::Trial trial{0.0, 1.0, process.view().state.x, process.view().state.x};
+  return {narrow.deepest(*process.view().contact(), trial, 0.0),
+          narrow.met_on_the_way(*process.view().contact(), trial)};
 }
 
 TEST(NarrowTools, ANeedleIsAsDeepAsItsTip) {

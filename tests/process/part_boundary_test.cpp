@@ -4,7 +4,7 @@
 #include "geometry/base/error.h"
 #include "mechanics/bulk/bulk.h"
 #include "mechanics/elements/mesh_locator.h"
-#include "process/part_boundary.h"
+#include "process/remeshing/part_boundary.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -28,25 +28,25 @@ constexpr double rounding = 1e-12; // of coordinates of order 10
 /// touch it above and to the right.
 Scene block(ElementKind kind, Analysis analysis = Analysis::plane_strain) {
   Scene scene;
-  scene.analysis = analysis;
-  scene.mesh =
+  scene.part.analysis = analysis;
+  scene.part.mesh =
       mechanics::box_mesh({kind, Vec3::Zero(), Vec3(width, height, 0), {4, 3, 1}, {1, 1, 1}});
   scene.material = billet_steel();
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
-  scene.loads.push_back(PressureOn{faces_on(scene.mesh, 1, height), TimeFunction(10.0)});
-  scene.contact_faces = free_faces(scene.mesh, analysis);
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, 0.0)};
+  scene.part.loads.push_back(PressureOn{faces_on(scene.part.mesh, 1, height), TimeFunction(10.0)});
+  scene.part.contact_faces = free_faces(scene.part.mesh, analysis);
   return scene;
 }
 
 PartBoundary boundary_of(const Scene& scene,
                          const std::vector<int>& touching,
                          const std::vector<std::string>& keep = {}) {
-  const std::vector<double> x = mechanics::node_positions(scene.mesh);
+  const std::vector<double> x = mechanics::node_positions(scene.part.mesh);
   return part_boundary(scene, x, touching, keep);
 }
 
 PartBoundary untouched_boundary(const Scene& scene, const std::vector<std::string>& keep = {}) {
-  return boundary_of(scene, std::vector<int>(scene.contact_faces.size(), -1), keep);
+  return boundary_of(scene, std::vector<int>(scene.part.contact_faces.size(), -1), keep);
 }
 
 geometry::RemeshSizes sides_of(double size) {
@@ -58,10 +58,10 @@ geometry::RemeshSizes sides_of(double size) {
 
 /// The scene with its part meshed anew.
 Scene with_mesh(Scene scene, RemeshedPart part) {
-  scene.mesh = std::move(part.mesh);
-  scene.supports = std::move(part.supports);
-  scene.loads = std::move(part.loads);
-  scene.contact_faces = std::move(part.contact_faces);
+  scene.part.mesh = std::move(part.mesh);
+  scene.part.supports = std::move(part.supports);
+  scene.part.loads = std::move(part.loads);
+  scene.part.contact_faces = std::move(part.contact_faces);
   return scene;
 }
 
@@ -116,7 +116,7 @@ TEST(PartBoundary, IsALoopWithThePartOnItsLeft) {
 
 TEST(PartBoundary, AFoldWhoseWallsCrossIsWelded) {
   const Scene scene = block(ElementKind::quad4);
-  std::vector<double> x = mechanics::node_positions(scene.mesh);
+  std::vector<double> x = mechanics::node_positions(scene.part.mesh);
   const auto move = [&](const Vec2& from, const Vec2& to) {
     for (std::size_t i = 0; i < x.size(); i += 2)
       if ((Vec2(x[i], x[i + 1]) - from).norm() < rounding)
@@ -125,7 +125,7 @@ TEST(PartBoundary, AFoldWhoseWallsCrossIsWelded) {
   move({4.0, height}, {5.0, 4.5});
   move({2.0, height}, {6.5, 6.3}); // over the node at (6, 6)
   PartBoundary boundary =
-      part_boundary(scene, x, std::vector<int>(scene.contact_faces.size(), -1), {});
+      part_boundary(scene, x, std::vector<int>(scene.part.contact_faces.size(), -1), {});
   const PartBoundary folded = boundary;
   EXPECT_THROW(static_cast<void>(remesh_part(scene, boundary, sides_of(1.0), {})), Error);
   const auto folds = weld_folds(boundary, 0.0, 0.25);
@@ -140,20 +140,20 @@ TEST(PartBoundary, AFoldWhoseWallsCrossIsWelded) {
   // All that hangs on the other sides is there on the new mesh, whose contact finds its past.
   const RemeshedPart part = remesh_part(scene, boundary, sides_of(1.0), {});
   EXPECT_NEAR(part.measure, enclosed(boundary.loops[0]), 1e-9);
-  EXPECT_EQ(part.supports.size(), scene.supports.size());
+  EXPECT_EQ(part.supports.size(), scene.part.supports.size());
   for (const Support& support : part.supports)
     EXPECT_GE(support.nodes.size(), 5u);
-  const ContactStops stops(boundary, scene.contact_faces, std::vector<double>{-0.577, 0.577});
+  const ContactStops stops(boundary, scene.part.contact_faces, std::vector<double>{-0.577, 0.577});
   for (const auto& source : point_sources(stops, part.places, std::vector<double>{0.0}))
-    EXPECT_LT(source.nearest(), 2 * scene.contact_faces.size());
+    EXPECT_LT(source.nearest(), 2 * scene.part.contact_faces.size());
 }
 
 TEST(PartBoundary, IsWhereThePartIsNow) {
   const Scene scene = block(ElementKind::quad8);
-  std::vector<double> x = mechanics::node_positions(scene.mesh);
+  std::vector<double> x = mechanics::node_positions(scene.part.mesh);
   for (std::size_t i = 0; i < x.size(); i += 2)
     x[i] += 0.1 * x[i + 1] * x[i + 1];
-  const std::vector<int> touching(scene.contact_faces.size(), -1);
+  const std::vector<int> touching(scene.part.contact_faces.size(), -1);
   const geometry::SideLoop loop = part_boundary(scene, x, touching, {}).loops[0];
   for (std::size_t i = 0; i < loop.corners.size(); ++i) {
     const Vec2& a = loop.corners[i];
@@ -173,7 +173,7 @@ TEST(PartBoundary, ChangesItsPartWhereOtherThingsHang) {
     ASSERT_EQ(boundary.attachments.size(), 4u);
     const geometry::SideLoop& loop = boundary.loops[0];
     std::vector<std::string> sets;
-    for (const auto& [name, nodes] : scene.mesh.node_sets)
+    for (const auto& [name, nodes] : scene.part.mesh.node_sets)
       sets.push_back(name);
     for (std::size_t i = 0; i < loop.corners.size(); ++i) {
       const Vec2& at = loop.middles[i];
@@ -198,11 +198,11 @@ TEST(PartBoundary, ChangesItsPartWhereOtherThingsHang) {
 TEST(PartBoundary, ChangesItsPartWhereAToolBeginsToTouch) {
   const Scene scene = block(ElementKind::quad8);
   std::vector<int> touching;
-  for (const mechanics::Face& face : scene.contact_faces) {
+  for (const mechanics::Face& face : scene.part.contact_faces) {
     double x = 0.0, y = 0.0;
     for (const Index a : face.nodes) {
-      x += scene.mesh.points[as_size(a)].x() / 3.0;
-      y += scene.mesh.points[as_size(a)].y() / 3.0;
+      x += scene.part.mesh.points[as_size(a)].x() / 3.0;
+      y += scene.part.mesh.points[as_size(a)].y() / 3.0;
     }
     touching.push_back(y > height - rounding && x < 0.5 * width ? 1 : -1);
   }
@@ -221,9 +221,9 @@ TEST(PartBoundary, ChangesItsPartWhereAToolBeginsToTouch) {
 /// The block's contact faces above: touched up to `end`, from `begin` on.
 std::vector<int> touched_above(const Scene& scene, double begin, double end) {
   std::vector<int> touching;
-  for (const mechanics::Face& face : scene.contact_faces) {
-    const Vec3 middle = 0.5 * (scene.mesh.points[as_size(face.nodes[0])] +
-                               scene.mesh.points[as_size(face.nodes[1])]);
+  for (const mechanics::Face& face : scene.part.contact_faces) {
+    const Vec3 middle = 0.5 * (scene.part.mesh.points[as_size(face.nodes[0])] +
+                               scene.part.mesh.points[as_size(face.nodes[1])]);
     const bool touched = middle.y() > height - rounding && middle.x() > begin && middle.x() < end;
     touching.push_back(touched ? 1 : -1);
   }
@@ -257,9 +257,9 @@ TEST(ContactZones, AreTooShortOnlyWhereTheyCanGrow) {
   EXPECT_FALSE(longer[0].too_short());
 
   std::vector<int> right; // a whole side of three, from corner to corner
-  for (const mechanics::Face& face : scene.contact_faces)
-    right.push_back(scene.mesh.points[as_size(face.nodes[0])].x() > width - rounding &&
-                            scene.mesh.points[as_size(face.nodes[1])].x() > width - rounding
+  for (const mechanics::Face& face : scene.part.contact_faces)
+    right.push_back(scene.part.mesh.points[as_size(face.nodes[0])].x() > width - rounding &&
+                            scene.part.mesh.points[as_size(face.nodes[1])].x() > width - rounding
                         ? 0
                         : -1);
   const std::vector<ContactZone> whole = contact_zones(boundary_of(scene, right));
@@ -270,10 +270,10 @@ TEST(ContactZones, AreTooShortOnlyWhereTheyCanGrow) {
 
 TEST(PartBoundary, HoldsTheAxisOfABodyOfRevolution) {
   Scene scene = block(ElementKind::quad8, Analysis::axisymmetric);
-  scene.supports.clear();
-  scene.mesh.node_sets.clear();
+  scene.part.supports.clear();
+  scene.part.mesh.node_sets.clear();
   for (const bool axisymmetric : {true, false}) {
-    scene.analysis = axisymmetric ? Analysis::axisymmetric : Analysis::plane_strain;
+    scene.part.analysis = axisymmetric ? Analysis::axisymmetric : Analysis::plane_strain;
     const geometry::SideLoop loop = untouched_boundary(scene).loops[0];
     for (std::size_t i = 0; i < loop.corners.size(); ++i)
       EXPECT_EQ(loop.hold[i] != 0, axisymmetric && loop.middles[i].x() < rounding);
@@ -282,10 +282,10 @@ TEST(PartBoundary, HoldsTheAxisOfABodyOfRevolution) {
 
 TEST(PartBoundary, KeepsNodesThatAloneCarrySomething) {
   Scene scene = block(ElementKind::quad4);
-  const std::vector<Index> right = nodes_at(scene.mesh, 0, width);
+  const std::vector<Index> right = nodes_at(scene.part.mesh, 0, width);
   const Index held_node = right[1], set_node = right[2];
-  scene.supports.push_back({{held_node}, 1, TimeFunction(0.0)});
-  scene.mesh.node_sets["gauge"] = {set_node};
+  scene.part.supports.push_back({{held_node}, 1, TimeFunction(0.0)});
+  scene.part.mesh.node_sets["gauge"] = {set_node};
   const auto kept = [&](const PartBoundary& boundary) {
     std::set<Index> nodes;
     for (std::size_t i = 0; i < boundary.corners[0].size(); ++i)
@@ -300,9 +300,10 @@ TEST(PartBoundary, KeepsNodesThatAloneCarrySomething) {
 
 TEST(PartBoundary, OfAPartWithAHoleIsTwoLoops) {
   Scene scene;
-  scene.mesh =
+  scene.part.mesh =
       mechanics::box_mesh({ElementKind::quad4, Vec3::Zero(), Vec3(3, 3, 0), {3, 3, 1}, {1, 1, 1}});
-  scene.mesh.cells.erase(scene.mesh.cells.begin() + 16, scene.mesh.cells.begin() + 20);
+  scene.part.mesh.cells.erase(scene.part.mesh.cells.begin() + 16,
+                              scene.part.mesh.cells.begin() + 20);
   scene.material = billet_steel();
   const PartBoundary boundary = untouched_boundary(scene);
   ASSERT_EQ(boundary.loops.size(), 2u);
@@ -317,25 +318,25 @@ TEST(PartBoundary, OfAPartWithAHoleIsTwoLoops) {
 // ------------------------------------------------------------- on a new mesh
 
 void expect_all_hangs(const Scene& scene) {
-  const mechanics::Mesh& mesh = scene.mesh;
+  const mechanics::Mesh& mesh = scene.part.mesh;
   ASSERT_EQ(mesh.kind, ElementKind::tri6);
   EXPECT_EQ(mesh.node_sets.at("x-min"), boundary_nodes_at(mesh, 0, 0.0));
   EXPECT_EQ(mesh.node_sets.at("x-max"), boundary_nodes_at(mesh, 0, width));
   EXPECT_EQ(mesh.node_sets.at("y-min"), boundary_nodes_at(mesh, 1, 0.0));
   EXPECT_EQ(mesh.node_sets.at("y-max"), boundary_nodes_at(mesh, 1, height));
   EXPECT_EQ(mesh.node_sets.size(), 4u) << "no sets of the mesher's";
-  ASSERT_EQ(scene.supports.size(), 2u);
-  EXPECT_EQ(scene.supports[0].component, 0);
-  EXPECT_EQ(scene.supports[0].nodes, boundary_nodes_at(mesh, 0, 0.0));
-  EXPECT_EQ(scene.supports[1].component, 1);
-  EXPECT_EQ(scene.supports[1].nodes, boundary_nodes_at(mesh, 1, 0.0));
-  ASSERT_EQ(scene.loads.size(), 1u);
-  const std::vector<mechanics::Face>& pressed = std::get<PressureOn>(scene.loads[0]).faces;
+  ASSERT_EQ(scene.part.supports.size(), 2u);
+  EXPECT_EQ(scene.part.supports[0].component, 0);
+  EXPECT_EQ(scene.part.supports[0].nodes, boundary_nodes_at(mesh, 0, 0.0));
+  EXPECT_EQ(scene.part.supports[1].component, 1);
+  EXPECT_EQ(scene.part.supports[1].nodes, boundary_nodes_at(mesh, 1, 0.0));
+  ASSERT_EQ(scene.part.loads.size(), 1u);
+  const std::vector<mechanics::Face>& pressed = std::get<PressureOn>(scene.part.loads[0]).faces;
   for (const mechanics::Face& face : pressed)
     for (const Index a : face.nodes)
       EXPECT_NEAR(mesh.points[as_size(a)].y(), height, rounding * height);
   EXPECT_NEAR(length(mesh, pressed), width, rounding * width);
-  EXPECT_NEAR(length(mesh, scene.contact_faces), width + height, rounding * width);
+  EXPECT_NEAR(length(mesh, scene.part.contact_faces), width + height, rounding * width);
 }
 
 TEST(RemeshedPart, CarriesAllThatHungOnTheOldOne) {
@@ -363,26 +364,27 @@ TEST(RemeshedPart, EnclosesWhatTheOldOneDid) {
 
 TEST(RemeshedPart, CarriesWhatHangsOnSingleNodes) {
   Scene scene = block(ElementKind::quad4);
-  const std::vector<Index> right = nodes_at(scene.mesh, 0, width);
-  const Vec3 held_at = scene.mesh.points[as_size(right[1])];
-  const Vec3 gauge_at = scene.mesh.points[as_size(right[2])];
-  scene.supports.push_back({{right[1]}, 1, TimeFunction(0.5)});
-  scene.mesh.node_sets["gauge"] = {right[2]};
+  const std::vector<Index> right = nodes_at(scene.part.mesh, 0, width);
+  const Vec3 held_at = scene.part.mesh.points[as_size(right[1])];
+  const Vec3 gauge_at = scene.part.mesh.points[as_size(right[2])];
+  scene.part.supports.push_back({{right[1]}, 1, TimeFunction(0.5)});
+  scene.part.mesh.node_sets["gauge"] = {right[2]};
   for (const double size : {1.3, 0.9, 1.7}) {
     scene = meshed_anew(std::move(scene), size);
-    ASSERT_EQ(scene.supports[2].nodes.size(), 1u);
-    EXPECT_EQ(scene.mesh.points[as_size(scene.supports[2].nodes[0])], held_at) << "to the bit";
-    EXPECT_EQ(scene.supports[2].displacement(0.0), 0.5);
-    ASSERT_EQ(scene.mesh.node_sets.at("gauge").size(), 1u);
-    EXPECT_EQ(scene.mesh.points[as_size(scene.mesh.node_sets.at("gauge")[0])], gauge_at);
+    ASSERT_EQ(scene.part.supports[2].nodes.size(), 1u);
+    EXPECT_EQ(scene.part.mesh.points[as_size(scene.part.supports[2].nodes[0])], held_at)
+        << "to the bit";
+    EXPECT_EQ(scene.part.supports[2].displacement(0.0), 0.5);
+    ASSERT_EQ(scene.part.mesh.node_sets.at("gauge").size(), 1u);
+    EXPECT_EQ(scene.part.mesh.points[as_size(scene.part.mesh.node_sets.at("gauge")[0])], gauge_at);
   }
 }
 
 TEST(RemeshedPart, KeepsTheCornersOfASetIfAsked) {
   const Scene scene = block(ElementKind::quad4);
   std::set<double> wanted;
-  for (const Index a : nodes_at(scene.mesh, 0, width))
-    wanted.insert(scene.mesh.points[as_size(a)].y());
+  for (const Index a : nodes_at(scene.part.mesh, 0, width))
+    wanted.insert(scene.part.mesh.points[as_size(a)].y());
   const Scene kept = meshed_anew(block(ElementKind::quad4), 1.7, {"x-max"});
   std::set<double> found;
   for (const Index a : kept.mesh.node_sets.at("x-max"))
@@ -393,10 +395,10 @@ TEST(RemeshedPart, KeepsTheCornersOfASetIfAsked) {
 TEST(RemeshedPart, HasAllItsNodesInWhatHeldThemAll) {
   Scene scene = block(ElementKind::quad8);
   std::vector<Index> all;
-  for (Index a = 0; a < scene.mesh.n_points(); ++a)
+  for (Index a = 0; a < scene.part.mesh.n_points(); ++a)
     all.push_back(a);
-  scene.mesh.node_sets["all"] = all;
-  scene.supports.push_back({all, 1, TimeFunction(0.0)});
+  scene.part.mesh.node_sets["all"] = all;
+  scene.part.supports.push_back({all, 1, TimeFunction(0.0)});
   const Scene anew = meshed_anew(std::move(scene), 1.1);
   EXPECT_EQ(anew.mesh.node_sets.at("all").size(), as_size(anew.mesh.n_points()));
   EXPECT_EQ(anew.supports[2].nodes.size(), as_size(anew.mesh.n_points()));
@@ -405,8 +407,8 @@ TEST(RemeshedPart, HasAllItsNodesInWhatHeldThemAll) {
 TEST(RemeshedPart, KeepsThePointsWhereToolsCeaseToTouch) {
   const Scene scene = block(ElementKind::quad8);
   std::vector<int> touching;
-  for (const mechanics::Face& face : scene.contact_faces)
-    touching.push_back(scene.mesh.points[as_size(face.nodes[2])].x() < 0.5 * width ? 1 : -1);
+  for (const mechanics::Face& face : scene.part.contact_faces)
+    touching.push_back(scene.part.mesh.points[as_size(face.nodes[2])].x() < 0.5 * width ? 1 : -1);
   const RemeshedPart part = remesh_part(scene, boundary_of(scene, touching), sides_of(0.7), {});
   ASSERT_EQ(part.places.size(), part.contact_faces.size());
   double touched = 0.0;
@@ -452,10 +454,11 @@ TEST(PointSources, LieOnEitherSideOfTheNewPoint) {
     for (const ElementKind kind : {ElementKind::quad8, ElementKind::quad4, ElementKind::tri6}) {
       SCOPED_TRACE(mechanics::name(kind));
       Scene scene = block(kind);
-      scene.contact_faces = mechanics::boundary_faces(scene.mesh); // all around, without an end
+      scene.part.contact_faces =
+          mechanics::boundary_faces(scene.part.mesh); // all around, without an end
       const PartBoundary boundary = untouched_boundary(scene);
-      const Surface old(scene.mesh, scene.contact_faces, form);
-      const ContactStops stops(boundary, scene.contact_faces, old.of.line_coordinates());
+      const Surface old(scene.part.mesh, scene.part.contact_faces, form);
+      const ContactStops stops(boundary, scene.part.contact_faces, old.of.line_coordinates());
       const RemeshedPart part = remesh_part(scene, boundary, sides_of(0.7), {});
       const Surface anew(part.mesh, part.contact_faces, form);
       const std::vector<contact::PointSource> sources =
@@ -489,10 +492,10 @@ TEST(PointSources, LieOnEitherSideOfTheNewPoint) {
 
 TEST(PointSources, BeyondTheLastPointAreThatPoint) {
   Scene scene = block(ElementKind::quad8);
-  scene.contact_faces = faces_on(scene.mesh, 1, height);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 1, height);
   const PartBoundary boundary = untouched_boundary(scene);
-  const Surface old(scene.mesh, scene.contact_faces, contact::Form::mixed);
-  const ContactStops stops(boundary, scene.contact_faces, old.of.line_coordinates());
+  const Surface old(scene.part.mesh, scene.part.contact_faces, contact::Form::mixed);
+  const ContactStops stops(boundary, scene.part.contact_faces, old.of.line_coordinates());
   const RemeshedPart part = remesh_part(scene, boundary, sides_of(0.5), {});
   const Surface anew(part.mesh, part.contact_faces, contact::Form::mixed);
   const std::vector<contact::PointSource> sources =

@@ -1,7 +1,7 @@
 #include "geometry/surfaces/profile.h"
 #include "geometry/surfaces/triangle_surface.h"
-#include "process/passage_guard.h"
-#include "process/run.h"
+#include "process/loop/process.h"
+#include "process/tools/passage_guard.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/support/contact_scenes.h"
 
@@ -26,16 +26,16 @@ geometry::SurfacePtr blade(double thickness) {
 /// with the nodes of the side behind it.
 Scene blade_scene(const geometry::Motion& motion) {
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh(
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh = mechanics::box_mesh(
       {ElementKind::quad4, Vec3::Zero(), Vec3(10, 10, 0), {4, 4, 1}, {1, 1, 1}});
   scene.material = elastic_body(1000.0, 0.3);
   for (const int axis : {0, 1})
-    scene.supports.push_back({nodes_at(scene.mesh, 1, 0.0), axis, TimeFunction(0.0)});
+    scene.part.supports.push_back({nodes_at(scene.part.mesh, 1, 0.0), axis, TimeFunction(0.0)});
   scene.tools.push_back(moving_tool("blade", blade(0.2), Vec3::Zero()));
   scene.tools[0].motion = motion;
   scene.touch = {0};
-  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
   scene.stages.push_back({"press", 0.3, {1}, false});
   scene.increments.first = scene.increments.max = 0.3;
   return scene;
@@ -44,10 +44,10 @@ Scene blade_scene(const geometry::Motion& motion) {
 void expect_pressed(Scene scene) {
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  EXPECT_GT(done.process->cutbacks(), 0);
+  EXPECT_GT(done.process->view().state.counters.cutbacks, 0);
   EXPECT_LT(done.last().loads[0].force[0], -1.0) << "the block pushes back";
   // The side has gone along with the blade.
-  const auto left = nodes_at(done.process->scene().mesh, 0, 0.0);
+  const auto left = nodes_at(done.process->view().mesh(), 0, 0.0);
   EXPECT_GT(done.last().positions[as_size(2 * left.back())], 0.4);
 }
 
@@ -76,13 +76,15 @@ TEST(PassageGuard, TheReasonNamesToolAndPlace) {
 
 TEST(PassageGuard, ASurfaceThatMovesThroughAStandingDieIsSeen) {
   const Process process(blade_scene({}));
-  const std::vector<double> before(process.positions().begin(), process.positions().end());
+  const std::vector<double> before(process.view().positions().begin(),
+                                   process.view().positions().end());
   for (const double shift : {-0.9, -1.05, -1.15, -3.0}) {
     std::vector<double> after = before;
     for (std::size_t i = 0; i < after.size(); i += 2)
       after[i] += shift;
-    const std::string complaint = passage_complaint(process.scene().tools, *process.surface(),
-                                                    *process.contact(), {0.0, 0.1, before, after});
+    const std::string complaint =
+        passage_complaint(process.view().tools(), *process.view().model.surface,
+                          *process.view().contact(), {0.0, 0.1, before, after});
     EXPECT_EQ(complaint.empty(), shift > -1.1) << shift << ": the middle of the blade is at -1.1";
   }
 }
@@ -94,17 +96,17 @@ TEST(PassageGuard, AThinPlateOfTrianglesDoesNotPassASolid) {
   geometry::Motion motion;
   motion.velocity = Vec3(5, 0, 0);
   Scene scene = blade_scene(motion);
-  scene.analysis = Analysis::solid;
-  scene.mesh = mechanics::box_mesh(
+  scene.part.analysis = Analysis::solid;
+  scene.part.mesh = mechanics::box_mesh(
       {ElementKind::hex8, Vec3::Zero(), Vec3(10, 10, 10), {3, 3, 3}, {1, 1, 1}});
-  scene.supports.clear();
+  scene.part.supports.clear();
   for (const int axis : {0, 1, 2})
-    scene.supports.push_back({nodes_at(scene.mesh, 2, 0.0), axis, TimeFunction(0.0)});
+    scene.part.supports.push_back({nodes_at(scene.part.mesh, 2, 0.0), axis, TimeFunction(0.0)});
   scene.tools[0].surface = geometry::make_triangle_surface(plate);
-  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  EXPECT_GT(done.process->cutbacks(), 0);
+  EXPECT_GT(done.process->view().state.counters.cutbacks, 0);
   EXPECT_LT(done.last().loads[0].force[0], -1.0);
 }
 
@@ -113,13 +115,13 @@ TEST(PassageGuard, ATravelOfADrivenDieCounts) {
   motion.force = geometry::Drive{Vec3::Zero(), Vec3::UnitX(), TimeFunction(1.0)};
   motion.place.translation = Vec3(1, 0, 0); // it touches
   const Process process(blade_scene(motion));
-  std::vector<double> before(process.positions().begin(), process.positions().end());
+  std::vector<double> before(process.view().positions().begin(), process.view().positions().end());
   before.push_back(0.0);
   std::vector<double> after = before;
   const auto complaint = [&](double travel) {
     after.back() = travel;
-    return passage_complaint(process.scene().tools, *process.surface(), *process.contact(),
-                             {0.0, 0.1, before, after});
+    return passage_complaint(process.view().tools(), *process.view().model.surface,
+                             *process.view().contact(), {0.0, 0.1, before, after});
   };
   EXPECT_EQ(complaint(0.05), "");
   EXPECT_NE(complaint(0.15), "");

@@ -1,7 +1,7 @@
 // max_penetration is honoured: the report of every increment obeys it, by stiffer penalties or by
 // multipliers, and a limit that no pressure can meet ends the run with the reason.
 
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -66,13 +66,15 @@ TEST(PenetrationLimit, HoldsInEveryIncrementOfEveryAnalysisByBothMethods) {
                   "within %.2g of a stiff penalty's; balance %.1e, without %.1e\n",
                   std::string(mechanics::name(kind)).c_str(),
                   method == contact::Method::penalty ? "penalty" : "augmented", deepest(done),
-                  limit, deepest(loose), done.process->contact()->stiffening(), off,
-                  done.process->energy().error(), loose.process->energy().error());
+                  limit, deepest(loose), done.process->view().contact()->stiffening(), off,
+                  done.process->view().state.energy.error(),
+                  loose.process->view().state.energy.error());
       EXPECT_LE(deepest(done), limit);
       EXPECT_GT(deepest(done), 0.0);
       EXPECT_LT(off, 2e-3);
       // The first increments take the body across yield, where the books miss their share.
-      EXPECT_LT(done.process->energy().error(), 2.0 * stiff.process->energy().error() + 1e-3);
+      EXPECT_LT(done.process->view().state.energy.error(),
+                2.0 * stiff.process->view().state.energy.error() + 1e-3);
     }
   }
 }
@@ -113,7 +115,7 @@ TEST(PenetrationLimit, StopsWithTheReasonWhereTheToolPassesBetweenPoints) {
     EXPECT_EQ(post.worst_node, -1);
     EXPECT_GT(post.worst_position[0], 5.0) << "near the corner";
     EXPECT_LE(deepest(done), 1e-4); // what was accepted obeys
-    EXPECT_GT(done.process->increments(), 0);
+    EXPECT_GT(done.process->view().state.increment, 0);
   }
 }
 

@@ -1,6 +1,6 @@
 // The process window of runs whose pressure, sliding and strain are known in closed form.
 
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/figures.h"
 
@@ -34,7 +34,7 @@ TEST(ProcessWindowOfARun, IsThatOfUniformUpsetting) {
     speed += 2.0 / 3.0 * r / (2.0 * h) / h; // the mean of r over a circle is 2/3 of its radius
     rate += 1.0 / h / h;
   }
-  const contact::Window window = done.process->window().tool(0);
+  const contact::Window window = done.process->view().state.record.window.tool(0);
   const auto& p = window[WindowQuantity::pressure];
   show("WINDOW", "mean pressure [MPa]", p.mean, pressure / weight);
   show("WINDOW", "mean sliding speed [mm/s]", window[WindowQuantity::speed].mean, speed / weight);
@@ -53,31 +53,32 @@ TEST(ProcessWindowOfARun, IsThatOfUniformUpsetting) {
   show("WINDOW", "longest way [mm], that of the rim", most, rim);
   EXPECT_LT(most, rim);
   EXPECT_GT(most, 0.9 * rim);
-  EXPECT_EQ(done.process->window().total()[WindowQuantity::pressure].mean, p.mean);
+  EXPECT_EQ(done.process->view().state.record.window.total()[WindowQuantity::pressure].mean,
+            p.mean);
 }
 
 TEST(ProcessWindowOfARun, IsThatOfABlockThatSlides) {
   // A stiff block is pressed by 100 MPa and then pushed over a floor by 2 mm in 4 s.
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh =
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh =
       mechanics::box_mesh({ElementKind::quad4, Vec3(0, 0, 0), Vec3(4, 1, 0), {8, 2, 1}, {1, 1, 1}});
   scene.material = elastic_body(200e3, 0.0);
-  scene.supports.push_back(
-      {nodes_at(scene.mesh, 1, 1.0), 0, TimeFunction({{0.0, 0.0}, {1.0, 0.0}, {5.0, 2.0}})});
-  scene.loads.emplace_back(
-      PressureOn{faces_on(scene.mesh, 1, 1.0), TimeFunction({{0.0, 0.0}, {1.0, 100.0}})});
+  scene.part.supports.push_back(
+      {nodes_at(scene.part.mesh, 1, 1.0), 0, TimeFunction({{0.0, 0.0}, {1.0, 0.0}, {5.0, 2.0}})});
+  scene.part.loads.emplace_back(
+      PressureOn{faces_on(scene.part.mesh, 1, 1.0), TimeFunction({{0.0, 0.0}, {1.0, 100.0}})});
   contact::Tool floor =
       moving_tool("floor", geometry::make_plane({0, 0, 0}, {0, 1, 0}), Vec3::Zero());
   floor.friction = contact::Coulomb{0.1};
   scene.tools.push_back(std::move(floor));
   scene.touch = {0};
-  scene.contact_faces = faces_on(scene.mesh, 1, 0.0);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 1, 0.0);
   scene.stages.push_back({"slide", 5.0, {1}, false});
   scene.landing_times = {1.0};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const contact::Window window = done.process->window().total();
+  const contact::Window window = done.process->view().state.record.window.total();
   show("WINDOW", "mean pressure [MPa]", window[WindowQuantity::pressure].mean, 90.0);
   show("WINDOW", "mean sliding speed [mm/s]", window[WindowQuantity::speed].mean, 0.4);
   show("WINDOW", "sliding distance [mm]", window[WindowQuantity::sliding].last_mean, 2.0);

@@ -2,9 +2,9 @@
 
 #include "geometry/surfaces/analytic_surfaces.h"
 #include "geometry/surfaces/profile.h"
-#include "process/part_boundary.h"
-#include "process/remeshing.h"
-#include "process/run.h"
+#include "process/loop/process.h"
+#include "process/remeshing/part_boundary.h"
+#include "process/remeshing/remeshing.h"
 #include "tests/support/remeshed_billet.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,9 @@ TEST(Remeshing, ComesForWhateverItIsToldTo) {
     change(settings);
     const FinishedRun done =
         run(remeshed(billet(ElementKind::quad8, 6, 0.3, contact::Sticking{}), settings));
-    return done.process->remeshings().empty() ? "" : done.process->remeshings()[0].cause;
+    return done.process->view().state.record.remeshings.empty()
+               ? ""
+               : done.process->view().state.record.remeshings[0].cause;
   };
   EXPECT_EQ(first_cause([](RemeshSettings&) {}), "") << "a good mesh stays";
   EXPECT_EQ(first_cause([](RemeshSettings& s) { s.interval = 2.0; }), "interval");
@@ -40,9 +42,9 @@ TEST(Remeshing, ComesForWhateverItIsToldTo) {
   RemeshSettings settings;
   settings.quality = 0.9; // no new mesh is that good: worn counts from where it began
   const FinishedRun done = run(remeshed(std::move(bad), settings));
-  ASSERT_FALSE(done.process->remeshings().empty());
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
   double began = 1.0;
-  for (const RemeshReport& r : done.process->remeshings()) {
+  for (const RemeshReport& r : done.process->view().state.record.remeshings) {
     if (r.cause.starts_with("element quality")) {
       EXPECT_LT(r.quality.before, 0.7 * began + 1e-12);
     }
@@ -72,7 +74,9 @@ TEST(Remeshing, AMeshThatIsNearlyDueDoesNotGoIntoAnIncrementThatRuinsIt) {
     Scene s = scene();
     s.remesh = settings;
     const FinishedRun done = run(std::move(s));
-    return done.process->remeshings().empty() ? RemeshReport{} : done.process->remeshings()[0];
+    return done.process->view().state.record.remeshings.empty()
+               ? RemeshReport{}
+               : done.process->view().state.record.remeshings[0];
   };
   const RemeshReport soon = first_mesh(quality / 1.05);
   EXPECT_EQ(soon.time, entries[last].report.time);
@@ -84,17 +88,17 @@ TEST(Remeshing, AMeshThatIsNearlyDueDoesNotGoIntoAnIncrementThatRuinsIt) {
 /// A bar of radius 12 mm is pressed 0.1 mm deep into half a block of n x n elements.
 Scene bar_on_block(int n, ElementKind kind = ElementKind::quad8, double mm = 1.0) {
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh =
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh =
       mechanics::box_mesh({kind, Vec3::Zero(), mm * Vec3(12, 12, 0), {n, n, 1}, {1, 1, 1}});
   scene.material = billet_steel();
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, 0.0)};
   const double radius = 12.0 * mm;
   constexpr double depth = 0.1;
   scene.tools.push_back(
       moving_tool("bar", geometry::make_circle(Vec3(0, 12.0 * mm + radius, 0), radius, false),
                   -mm * Vec3::UnitY()));
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   scene.contact.form = contact::Form::compatible;
   scene.stages.push_back({"press", depth, {1}, false});
   scene.landing_times = {0.05, 0.075};
@@ -118,13 +122,13 @@ TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  const RemeshReport& first = done.process->remeshings().front();
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
+  const RemeshReport& first = done.process->view().state.record.remeshings.front();
   EXPECT_EQ(first.cause, "bar comes to touch on 1 side");
   EXPECT_EQ(first.increment, 0) << "before anything is out of place";
   EXPECT_TRUE(first.balanced);
   EXPECT_EQ(first.energy, 0.0);
-  EXPECT_LE(done.process->remeshings().size(), 3u);
+  EXPECT_LE(done.process->view().state.record.remeshings.size(), 3u);
   EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
   EXPECT_TRUE(fine.process->poorly_resolved_tools().empty());
   ASSERT_EQ(kept.process->poorly_resolved_tools().size(), 1u);
@@ -149,8 +153,8 @@ TEST(Remeshing, ComesBeforeASecondToolTouchesOnAFewSides) {
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  const RemeshReport& first = done.process->remeshings().front();
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
+  const RemeshReport& first = done.process->view().state.record.remeshings.front();
   EXPECT_EQ(first.cause, "bar comes to touch on 1 side");
   EXPECT_GT(first.increment, 0);
   EXPECT_LE(first.time, 0.05);
@@ -169,7 +173,7 @@ TEST(Remeshing, ResolvesAllThatComesToTouchAtOnce) {
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const auto& made = done.process->remeshings();
+  const auto& made = done.process->view().state.record.remeshings;
   ASSERT_FALSE(made.empty());
   EXPECT_EQ(made[0].increment, 0);
   EXPECT_EQ(std::count_if(made.begin(), made.end(),
@@ -206,15 +210,17 @@ TEST(Remeshing, ComesWhereSidesCutOffTheEdgeOfATool) {
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  const RemeshReport& first = done.process->remeshings().front();
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
+  const RemeshReport& first = done.process->view().state.record.remeshings.front();
   EXPECT_EQ(first.cause, "punch turns by 34 degrees along a side");
   EXPECT_LT(first.time, 0.05);
   const double worst = most_off(done, fine, {0.25, 0.5, 0.75, 1.0});
   const double worst_kept = most_off(kept, fine, {0.25, 0.5, 0.75, 1.0});
   std::printf("  %zu meshes, force off by %.2f %%, %.2f %% on the mesh that is kept\n",
-              done.process->remeshings().size(), 100.0 * worst, 100.0 * worst_kept);
-  EXPECT_LE(done.process->remeshings().size(), 4u) << "a sharp edge is no reason for ever";
+              done.process->view().state.record.remeshings.size(), 100.0 * worst,
+              100.0 * worst_kept);
+  EXPECT_LE(done.process->view().state.record.remeshings.size(), 4u)
+      << "a sharp edge is no reason for ever";
   EXPECT_LT(worst, 0.006);
   EXPECT_GT(worst_kept, 0.009);
 }
@@ -228,7 +234,7 @@ TEST(Remeshing, AtTheEdgeOfAToolDoesNotDependOnTheUnits) {
     const FinishedRun done = run(std::move(scene));
     EXPECT_EQ(done.status, RunStatus::done);
     std::vector<double> all;
-    for (const RemeshReport& r : done.process->remeshings())
+    for (const RemeshReport& r : done.process->view().state.record.remeshings)
       all.insert(all.end(),
                  {static_cast<double>(r.elements[1]), r.time, r.forces[0].after / (mm * 5e3)});
     for (const Entry& entry : done.recorder.entries)
@@ -259,7 +265,8 @@ TEST(Remeshing, DoesNotFollowACornerForEver) {
   const FinishedRun done = run(std::move(scene));
   EXPECT_EQ(done.status, RunStatus::done);
   const auto for_the_corner =
-      std::count_if(done.process->remeshings().begin(), done.process->remeshings().end(),
+      std::count_if(done.process->view().state.record.remeshings.begin(),
+                    done.process->view().state.record.remeshings.end(),
                     [](const RemeshReport& r) { return r.cause.ends_with("along a side"); });
   EXPECT_GE(for_the_corner, 1);
   EXPECT_LE(for_the_corner, 2);
@@ -292,7 +299,7 @@ TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
     for (const Entry& entry : done.recorder.entries)
       worst = std::min(worst, entry.report.min_quality);
     // The first mesh has not seen how metal flows round the tip, a side of it is stiff beneath it.
-    for (const RemeshReport& r : done.process->remeshings())
+    for (const RemeshReport& r : done.process->view().state.record.remeshings)
       if (!r.cause.ends_with("presses with a corner"))
         largest = std::max(largest, r.force_jump());
       else
@@ -300,11 +307,11 @@ TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
     std::printf(
         "  wedge of %.0f degrees to a side: %zu meshes, quality at least %.2f, force changed "
         "by at most %.1f %%\n",
-        degrees, done.process->remeshings().size(), worst, 100.0 * largest);
-    const RemeshReport& first = done.process->remeshings().front();
+        degrees, done.process->view().state.record.remeshings.size(), worst, 100.0 * largest);
+    const RemeshReport& first = done.process->view().state.record.remeshings.front();
     EXPECT_EQ(first.cause, "wedge comes to touch on 1 side");
     EXPECT_EQ(first.forces[0].before, 0.0);
-    EXPECT_TRUE(done.process->refusals().empty());
+    EXPECT_TRUE(done.process->view().state.record.refusals.empty());
     EXPECT_GT(worst, 0.05);
     EXPECT_LT(largest, 0.12); // 0.5 on sides of 0.25, on which the first new mesh was made before
   }
@@ -321,7 +328,7 @@ TEST(Remeshing, KeepsTheSizeAtAContactThatGrows) {
   scene.remesh->size_contact = 0.4;
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const auto& made = done.process->remeshings();
+  const auto& made = done.process->view().state.record.remeshings;
   const auto for_size = std::count_if(made.begin(), made.end(), [](const RemeshReport& r) {
     return r.cause == "contact on sides longer than 0.64";
   });
@@ -343,8 +350,8 @@ TEST(Remeshing, DoesNotFollowAContactThatShrinks) {
   scene.remesh = every(0.24); // coarser again as the contact grows
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  for (const RemeshReport& r : done.process->remeshings())
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
+  for (const RemeshReport& r : done.process->view().state.record.remeshings)
     EXPECT_TRUE(r.time <= 1.0 || !r.cause.starts_with("bar touches")) << r.time << ": " << r.cause;
   EXPECT_EQ(done.last().loads[0].force.norm(), 0.0) << "it has left";
 }
@@ -355,8 +362,8 @@ TEST(Remeshing, ReplacesElementsThatAreDrawnOut) {
   settings.penetration = 1e3; // never
   const FinishedRun done = run(remeshed(std::move(u), settings));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  const RemeshReport& first = done.process->remeshings()[0];
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
+  const RemeshReport& first = done.process->view().state.record.remeshings[0];
   EXPECT_TRUE(first.cause.starts_with("element aspect")) << first.cause;
   EXPECT_GT(first.quality.before, 0.99) << "of right angles";
   EXPECT_LT(first.force_jump(), 1e-3) << "a homogeneous state";
@@ -398,7 +405,8 @@ TEST(Remeshing, LeavesTheMeshOfMetalThatSpringsBack) {
   const FinishedRun done = run(std::move(again));
   ASSERT_EQ(done.status, RunStatus::done);
   EXPECT_LT(done.last().report.min_quality, *settings.quality);
-  EXPECT_TRUE(done.process->remeshings().empty()) << done.process->remeshings()[0].cause;
+  EXPECT_TRUE(done.process->view().state.record.remeshings.empty())
+      << done.process->view().state.record.remeshings[0].cause;
 }
 
 TEST(Remeshing, AsksMoreOfSquaresThanOfTriangles) {
@@ -431,9 +439,9 @@ TEST(Remeshing, AnswersFailedIncrements) {
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  EXPECT_EQ(done.process->remeshings()[0].cause, "failed increments");
-  EXPECT_LE(done.process->remeshings()[0].time, 1.0 + 0.005);
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
+  EXPECT_EQ(done.process->view().state.record.remeshings[0].cause, "failed increments");
+  EXPECT_LE(done.process->view().state.record.remeshings[0].time, 1.0 + 0.005);
   // The tries that failed have softened the contact. Those on the old mesh must not soften that of
   // the new one: an increment was taken with a face half an element deep and an eighth of the
   // force.
@@ -455,8 +463,8 @@ TEST(Remeshing, AtTheBeginningOfAStageBalancesWhereItIs) {
   scene.remesh = RemeshSettings{};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_FALSE(done.process->remeshings().empty());
-  const RemeshReport& first = done.process->remeshings()[0];
+  ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
+  const RemeshReport& first = done.process->view().state.record.remeshings[0];
   EXPECT_EQ(first.time, 1.0);
   EXPECT_EQ(first.again, 0) << "what other tools did is not solved again with those of this stage";
   EXPECT_TRUE(first.balanced);
@@ -471,7 +479,7 @@ TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
   const FinishedRun done =
       run(remeshed(billet(ElementKind::quad8, 4, 0.2, contact::Sticking{}), tiny));
   EXPECT_EQ(done.status, RunStatus::done);
-  EXPECT_TRUE(done.process->remeshings().empty());
+  EXPECT_TRUE(done.process->view().state.record.remeshings.empty());
   EXPECT_EQ(done.last().positions, plain.last().positions) << "to the bit";
 
   Scene scene = sudden_billet();
@@ -483,7 +491,7 @@ TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
   EXPECT_NE(ended.recorder.failures[0].reason.find("; the part could not be meshed anew: "),
             std::string::npos)
       << ended.recorder.failures[0].reason;
-  EXPECT_EQ(ended.process->scene().mesh.kind, ElementKind::quad8);
+  EXPECT_EQ(ended.process->view().mesh().kind, ElementKind::quad8);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "geometry/surfaces/analytic_surfaces.h"
 #include "mechanics/elements/mesh_locator.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/remeshed_billet.h"
 
 #include <gtest/gtest.h>
@@ -28,23 +28,23 @@ std::string name_of(ElementKind kind, Analysis analysis) {
 /// Looks at a process just before and just after each exchange of its mesh.
 class Watcher final : public Observer {
 public:
-  explicit Watcher(std::function<void(const Process&)> before,
-                   std::function<void(const Process&, const RemeshReport&)> after)
+  explicit Watcher(std::function<void(const Run&)> before,
+                   std::function<void(const Run&, const RemeshReport&)> after)
       : before_(std::move(before)), after_(std::move(after)) {}
-  void remeshing(const Process& process) override { before_(process); }
-  void remeshed(const Process& process, const RemeshReport& report) override {
+  void remeshing(const Run& process) override { before_(process); }
+  void remeshed(const Run& process, const RemeshReport& report) override {
     after_(process, report);
   }
 
 private:
-  std::function<void(const Process&)> before_;
-  std::function<void(const Process&, const RemeshReport&)> after_;
+  std::function<void(const Run&)> before_;
+  std::function<void(const Run&, const RemeshReport&)> after_;
 };
 
 // ------------------------------------------------------------------- budgets
 
 void expect_whole_ledger(const FinishedRun& done, Index first_elements) {
-  const std::span<const RemeshReport> ledger = done.process->remeshings();
+  const std::span<const RemeshReport> ledger = done.process->view().state.record.remeshings;
   ASSERT_GE(ledger.size(), 3u);
   Index elements = first_elements;
   double time = 0.0;
@@ -75,9 +75,9 @@ void expect_whole_ledger(const FinishedRun& done, Index first_elements) {
     elements = r.elements[1];
     time = r.time;
   }
-  EXPECT_EQ(elements, done.process->scene().mesh.n_elements());
-  EXPECT_EQ(ledger.back().nodes[1], done.process->scene().mesh.n_points());
-  EXPECT_EQ(done.process->scene().mesh.kind, ElementKind::tri6);
+  EXPECT_EQ(elements, done.process->view().mesh().n_elements());
+  EXPECT_EQ(ledger.back().nodes[1], done.process->view().mesh().n_points());
+  EXPECT_EQ(done.process->view().mesh().kind, ElementKind::tri6);
 }
 
 TEST(Remeshing, KeepsTheVolumeAndFillsItsLedger) {
@@ -92,7 +92,7 @@ TEST(Remeshing, KeepsTheVolumeAndFillsItsLedger) {
       ASSERT_EQ(done.status, RunStatus::done);
       expect_whole_ledger(done, 49);
       double most = 0.0, sum = 0.0, jump = 0.0, work = 0.0;
-      for (const RemeshReport& r : done.process->remeshings()) {
+      for (const RemeshReport& r : done.process->view().state.record.remeshings) {
         most = std::max(most, r.volume.change());
         sum += r.volume.change();
         jump = std::max(jump, r.force_jump());
@@ -100,7 +100,8 @@ TEST(Remeshing, KeepsTheVolumeAndFillsItsLedger) {
       }
       std::printf("%s: %zu remeshings, volume %.1e at most, %.1e in all; plastic work %.1e, force "
                   "%.1e\n",
-                  name.c_str(), done.process->remeshings().size(), most, sum, work, jump);
+                  name.c_str(), done.process->view().state.record.remeshings.size(), most, sum,
+                  work, jump);
       EXPECT_LT(sum, 1e-8) << "RM-01 allows 1e-4 a remeshing";
       EXPECT_LT(jump, 0.01) << "the budget";
       EXPECT_LT(work, 0.005) << "the budget";
@@ -177,19 +178,20 @@ TEST(Remeshing, LeavesAHomogeneousStateAlone) {
     const FinishedRun done =
         run(remeshed(billet(kind, 3, 0.3, contact::Frictionless{}), every(0.9)));
     ASSERT_EQ(done.status, RunStatus::done);
-    ASSERT_GE(done.process->remeshings().size(), 3u);
+    ASSERT_GE(done.process->view().state.record.remeshings.size(), 3u);
     const double h = largest_position(done.last(), 2, 1), R = largest_position(done.last(), 2, 0);
     const double e = std::log(billet_height / h);
     const double exact = // FRM-01
         100.0 * std::numbers::pi * (700.0 + 300.0 * e) / (1.0 + 300.0 / 200e3) * billet_height / h;
     const double force = done.last().loads[0].force[1] / exact - 1.0;
     double low = 1e300, high = 0.0, off = 0.0;
-    for (const mechanics::PointState& state : done.process->bulk().states()) {
+    for (const mechanics::PointState& state : done.process->view().model.bulk->states()) {
       low = std::min(low, state.plastic_strain);
       high = std::max(high, state.plastic_strain);
     }
     // Displacements go on from mesh to mesh: origins are linear in the present place.
-    const std::span<const double> x = done.process->positions(), x0 = done.process->origins();
+    const std::span<const double> x = done.process->view().positions(),
+                                  x0 = done.process->view().state.origins;
     for (std::size_t i = 0; i < x.size(); i += 2)
       off = std::max({off, std::abs(x0[i] - x[i] * 10.0 / R),
                       std::abs(x0[i + 1] - x[i + 1] * billet_height / h)});
@@ -208,7 +210,7 @@ TEST(Remeshing, IsFinerWhereTheRateOfFlowVaries) { // (P.22)
     const FinishedRun done =
         run(remeshed(billet(ElementKind::quad8, 6, 0.2, friction), every(0.9)));
     EXPECT_EQ(done.status, RunStatus::done);
-    return done.process->remeshings().back().elements[1];
+    return done.process->view().state.record.remeshings.back().elements[1];
   };
   const Index even = elements(contact::Frictionless{}), uneven = elements(contact::Sticking{});
   std::printf("new mesh of a billet: %d elements without friction, %d sticking\n", even, uneven);
@@ -221,11 +223,11 @@ struct OnSurface {
   double worn = 0.0;
 };
 
-OnSurface on_surface(const Process& process) {
+OnSurface on_surface(const Run& process) {
   const std::vector<contact::PointResult> results = process.contact()->results();
   std::vector<double> areas(results.size());
-  process.surface()->areas(process.unknowns(), areas);
-  const std::vector<double> depth = process.wear()->workpiece_depth();
+  process.model.surface->areas(process.state.x, areas);
+  const std::vector<double> depth = process.model.wear->workpiece_depth();
   OnSurface mean;
   double area = 0.0;
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -252,34 +254,34 @@ TEST(Remeshing, CarriesSlidingAndWearOn) {
   OnSurface before;
   double worn_before = 0.0;
   Watcher watcher(
-      [&](const Process& p) {
+      [&](const Run& p) {
         before = on_surface(p);
-        worn_before = p.wear()->map(0)->volume();
+        worn_before = p.model.wear->map(0)->volume();
       },
-      [&](const Process& p, const RemeshReport& r) {
+      [&](const Run& p, const RemeshReport& r) {
         const OnSurface after = on_surface(p);
         std::printf("remeshing %d: slid %.6f -> %.6f, worn %.4e -> %.4e\n", r.number,
                     before.sliding, after.sliding, before.worn, after.worn);
         // The first time, when only the rim has slid, 3.0 and 3.9 % were found, later below 1 %.
         EXPECT_NEAR(after.sliding, before.sliding, 0.05 * before.sliding);
         EXPECT_NEAR(after.worn, before.worn, 0.05 * before.worn);
-        EXPECT_EQ(p.wear()->map(0)->volume(), worn_before) << "tools keep what they have lost";
+        EXPECT_EQ(p.model.wear->map(0)->volume(), worn_before) << "tools keep what they have lost";
       });
   std::vector<double> wear, workpiece;
   ASSERT_EQ(process.run({&recorder, &watcher}), RunStatus::done);
-  ASSERT_GE(process.remeshings().size(), 3u);
+  ASSERT_GE(process.view().state.record.remeshings.size(), 3u);
   double friction = 0.0;
   for (const Entry& entry : recorder.entries) {
     EXPECT_GE(entry.report.energy.friction, friction);
     friction = entry.report.energy.friction;
   }
   // 0.6 and 0.4 % were found; the mesh kept is 1 % above one of 20 x 20 elements.
-  const double volume = process.wear()->map(0)->volume();
-  const double plain_volume = plain.process->wear()->map(0)->volume();
+  const double volume = process.view().model.wear->map(0)->volume();
+  const double plain_volume = plain.process->view().model.wear->map(0)->volume();
   std::printf("worn %.6e (without %.6e), friction %.6g (%.6g)\n", volume, plain_volume, friction,
-              plain.process->energy().friction);
+              plain.process->view().state.energy.friction);
   EXPECT_NEAR(volume, plain_volume, 0.01 * plain_volume);
-  EXPECT_NEAR(friction, plain.process->energy().friction, 0.01 * friction);
+  EXPECT_NEAR(friction, plain.process->view().state.energy.friction, 0.01 * friction);
 }
 
 TEST(Remeshing, LetsDisplacementsAndEnergiesGoOn) {
@@ -288,8 +290,8 @@ TEST(Remeshing, LetsDisplacementsAndEnergiesGoOn) {
   scene.remesh = every(0.6);
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const Process& with = *done.process;
-  const Process& without = *plain.process;
+  const Run& with = *done.process;
+  const Run& without = *plain.process;
   const mechanics::MeshLocator locator(without.scene().mesh, without.positions());
   double most = 0.0;
   const std::span<const double> x = with.positions();
@@ -320,21 +322,21 @@ TEST(Remeshing, TellsItsObserversBeforeAndAfter) {
   Process process(remeshed(billet(ElementKind::quad8, 4, 0.2, contact::Sticking{}), every(0.9)));
   int about_to = 0, done = 0;
   Watcher watcher(
-      [&](const Process& p) {
+      [&](const Run& p) {
         EXPECT_EQ(about_to++, done);
-        EXPECT_EQ(static_cast<int>(p.remeshings().size()), done);
-        EXPECT_EQ(p.scene().mesh.kind, done == 0 ? ElementKind::quad8 : ElementKind::tri6);
+        EXPECT_EQ(static_cast<int>(p.state.record.remeshings.size()), done);
+        EXPECT_EQ(p.mesh().kind, done == 0 ? ElementKind::quad8 : ElementKind::tri6);
       },
-      [&](const Process& p, const RemeshReport& report) {
+      [&](const Run& p, const RemeshReport& report) {
         EXPECT_EQ(++done, about_to);
         EXPECT_EQ(report.number, done);
-        EXPECT_EQ(report.time, p.time());
-        EXPECT_EQ(p.scene().mesh.n_elements(), report.elements[1]);
-        EXPECT_EQ(p.positions().size(), 2 * as_size(p.scene().mesh.n_points()));
-        EXPECT_EQ(p.origins().size(), p.positions().size());
-        EXPECT_EQ(p.velocity().size(), p.positions().size());
-        EXPECT_EQ(p.plastic_rate().size(), p.bulk().states().size());
-        EXPECT_EQ(p.contact()->results().size(), p.surface()->n_points());
+        EXPECT_EQ(report.time, p.state.time);
+        EXPECT_EQ(p.mesh().n_elements(), report.elements[1]);
+        EXPECT_EQ(p.positions().size(), 2 * as_size(p.mesh().n_points()));
+        EXPECT_EQ(p.state.origins.size(), p.positions().size());
+        EXPECT_EQ(p.state.velocity.size(), p.positions().size());
+        EXPECT_EQ(p.state.plastic_rate.size(), p.model.bulk->states().size());
+        EXPECT_EQ(p.contact()->results().size(), p.model.surface->n_points());
       });
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
   EXPECT_GE(done, 3);
@@ -349,12 +351,12 @@ public:
     double by_speed; ///< what it is by the velocity that the new mesh has taken over
   };
   FirstTouches(double radius, double speed) : radius_(radius), speed_(speed) {}
-  void remeshed(const Process& process, const RemeshReport&) override {
-    velocity_.resize(process.surface()->n_points());
-    process.surface()->positions(process.velocity(), velocity_);
+  void remeshed(const Run& process, const RemeshReport&) override {
+    velocity_.resize(process.model.surface->n_points());
+    process.model.surface->positions(process.state.velocity, velocity_);
     history_ = process.contact()->state().history[0];
   }
-  void incremented(const Process& process, const IncrementReport& report) override {
+  void incremented(const Run& process, const IncrementReport& report) override {
     for (const contact::ClosedPoint& at : process.contact()->closed()[0])
       if (const double gap = at.from.norm() - radius_;
           !velocity_.empty() && at.pressure_old == 0.0 && gap > 0.0) {
@@ -403,11 +405,12 @@ TEST(Remeshing, IsTheSameToTheBitForAnyNumberOfThreads) {
     scene.remesh = every(0.9);
     const FinishedRun done = run(std::move(scene));
     EXPECT_EQ(done.status, RunStatus::done);
-    std::vector<double> all(done.process->positions().begin(), done.process->positions().end());
+    std::vector<double> all(done.process->view().positions().begin(),
+                            done.process->view().positions().end());
     for (const Entry& entry : done.recorder.entries)
       all.insert(all.end(),
                  {entry.loads[0].force[1], entry.report.energy.external, entry.report.residual});
-    for (const RemeshReport& r : done.process->remeshings())
+    for (const RemeshReport& r : done.process->view().state.record.remeshings)
       all.insert(all.end(), {r.volume.after, r.plastic_work.after, r.residual, r.forces[0].after});
     return all;
   };
@@ -426,9 +429,9 @@ TEST(Remeshing, DoesNotDependOnTheUnits) {
     scene.tools[0].motion.velocity = Vec3(0.0, -mm, 0.0);
     scene.stages[0].end = 0.2 * billet_height;
     const FinishedRun done = run(std::move(scene));
-    EXPECT_EQ(done.process->remeshings().size(), 3u);
+    EXPECT_EQ(done.process->view().state.record.remeshings.size(), 3u);
     std::vector<double> all;
-    for (const double x : done.process->positions())
+    for (const double x : done.process->view().positions())
       all.push_back(x / (mm * billet_height));
     for (const Entry& entry : done.recorder.entries)
       all.push_back(entry.loads[0].force[1] / (MPa * mm * mm) / 1e5);
@@ -455,13 +458,13 @@ TEST(Remeshing, KeepsAPressureOnItsFaces) {
     Scene scene;
     scene.increments.max =
         0.0025; // what is solved again has others: their trapezoids must not tell
-    scene.analysis = Analysis::axisymmetric;
-    scene.mesh = mechanics::box_mesh(
+    scene.part.analysis = Analysis::axisymmetric;
+    scene.part.mesh = mechanics::box_mesh(
         {ElementKind::quad8, Vec3::Zero(), Vec3(10, billet_height, 0), {3, 4, 1}, {1, 1, 1}});
     scene.material = billet_steel();
-    scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
-    scene.loads.push_back(PressureOn{faces_on(scene.mesh, 1, billet_height),
-                                     TimeFunction({{0.0, 0.0}, {1.0, 900.0}})});
+    scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, 0.0)};
+    scene.part.loads.push_back(PressureOn{faces_on(scene.part.mesh, 1, billet_height),
+                                          TimeFunction({{0.0, 0.0}, {1.0, 900.0}})});
     scene.stages.push_back({"press", 1.0, {}, false});
     if (remesh)
       scene.remesh = every(0.2);
@@ -469,21 +472,22 @@ TEST(Remeshing, KeepsAPressureOnItsFaces) {
   };
   const auto reaction = [](const FinishedRun& done) {
     double sum = 0.0;
-    for (std::size_t i = 1; i < done.process->reactions().size(); i += 2)
-      sum += done.process->reactions()[i];
+    for (std::size_t i = 1; i < done.process->view().state.reactions.size(); i += 2)
+      sum += done.process->view().state.reactions[i];
     return sum;
   };
   const FinishedRun plain = pressed(false), done = pressed(true);
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_GE(done.process->remeshings().size(), 3u);
+  ASSERT_GE(done.process->view().state.record.remeshings.size(), 3u);
   constexpr double rounding = 1e-7; // the state is homogeneous; Newton's tolerance remains
   const double R = largest_position(plain.last(), 2, 0);
   EXPECT_NEAR(largest_position(done.last(), 2, 0), R, rounding * R);
   EXPECT_NEAR(largest_position(done.last(), 2, 1), largest_position(plain.last(), 2, 1),
               rounding * billet_height);
   EXPECT_NEAR(reaction(done), 900.0 * std::numbers::pi * R * R, 1e-6 * reaction(done));
-  EXPECT_NEAR(done.process->energy().external, plain.process->energy().external,
-              1e-6 * plain.process->energy().external)
+  EXPECT_NEAR(done.process->view().state.energy.external,
+              plain.process->view().state.energy.external,
+              1e-6 * plain.process->view().state.energy.external)
       << "work of loads on earlier meshes is kept";
 }
 
@@ -491,26 +495,26 @@ TEST(Remeshing, CarriesTemperaturesOn) {
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 6, 0.3, contact::Sticking{}));
   scene.material.heating = 0.25; // [degC/MPa]: steel at nine tenths of the work
   scene.remesh = every(0.9);
-  const auto mean = [](const Process& p) {
+  const auto mean = [](const Run& p) {
     double sum = 0.0, volume = 0.0;
-    for (std::size_t k = 0; k < p.bulk().volumes().size(); ++k) {
-      sum += p.bulk().volumes()[k] * p.bulk().temperature(k);
-      volume += p.bulk().volumes()[k];
+    for (std::size_t k = 0; k < p.model.bulk->volumes().size(); ++k) {
+      sum += p.model.bulk->volumes()[k] * p.model.bulk->temperature(k);
+      volume += p.model.bulk->volumes()[k];
     }
     return sum / volume;
   };
   Process process(std::move(scene));
   double before = 0.0;
-  Watcher watcher([&](const Process& p) { before = mean(p); },
-                  [&](const Process& p, const RemeshReport& r) {
+  Watcher watcher([&](const Run& p) { before = mean(p); },
+                  [&](const Run& p, const RemeshReport& r) {
                     std::printf("remeshing %d: %.4f -> %.4f degC\n", r.number, before, mean(p));
                     EXPECT_NEAR(mean(p), before, 3e-3 * (before - 20.0));
                   });
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
-  ASSERT_GE(process.remeshings().size(), 3u);
+  ASSERT_GE(process.view().state.record.remeshings.size(), 3u);
   // Nine tenths of all plastic work is in the metal.
   const double volume = 100.0 * std::numbers::pi * billet_height;
-  const double rise = 0.25 * process.energy().plastic / volume;
+  const double rise = 0.25 * process.view().state.energy.plastic / volume;
   std::printf("rise %.4f, of the work %.4f degC\n", mean(process) - 20.0, rise);
   EXPECT_NEAR(mean(process) - 20.0, rise, 5e-3 * rise);
 }
@@ -518,24 +522,24 @@ TEST(Remeshing, CarriesTemperaturesOn) {
 TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
   // Two dies press a billet that no support holds along its axis.
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 4, 0.2, contact::Coulomb{0.1}));
-  scene.supports.pop_back();
+  scene.part.supports.pop_back();
   scene.tools.push_back(moving_tool("anvil", geometry::make_plane({0, 0, 0}, {0, 1, 0}),
                                     Vec3::Zero(), contact::Coulomb{0.1}));
   scene.touch = {1, 0};
-  scene.contact_faces = faces_on(scene.mesh, 0, 0.0, true);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 0, 0.0, true);
   scene.stages[0].tools = {1, 1};
   scene.remesh = every(0.6);
   Process process(std::move(scene));
-  ASSERT_EQ(process.grounded_motions(), 1);
+  ASSERT_EQ(process.view().model.free_motions, 1);
   double before = 0.0;
-  Watcher watcher([&](const Process& p) { before = p.energy().grounding; },
-                  [&](const Process& p, const RemeshReport&) {
+  Watcher watcher([&](const Run& p) { before = p.state.energy.grounding; },
+                  [&](const Run& p, const RemeshReport&) {
                     EXPECT_GT(before, 0.0);
                     // Squares of steps: what is solved again in longer ones has more of it.
-                    EXPECT_LT(p.energy().grounding, 1.5 * before);
+                    EXPECT_LT(p.state.energy.grounding, 1.5 * before);
                   });
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
-  EXPECT_GE(process.remeshings().size(), 3u);
+  EXPECT_GE(process.view().state.record.remeshings.size(), 3u);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "geometry/base/error.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Process, BringsAToolToTouchFromBothSides) {
     ASSERT_EQ(done.status, RunStatus::done);
     // Touching at the start: 0.15 mm of elastic and plastic upsetting, the force of a 1 %
     // reduction.
-    EXPECT_NEAR(done.process->scene().tools[0].motion.offset[1], -away, 1e-9);
+    EXPECT_NEAR(done.process->view().tools()[0].motion.offset[1], -away, 1e-9);
     EXPECT_NEAR(largest_position(done.last(), 2, 1), 14.85, 1e-3);
   }
 }
@@ -63,7 +63,7 @@ TEST(Process, RefusesABodyThatNothingHolds) {
   Scene scene = small_billet(0.01);
   scene.tools.clear();
   scene.touch.clear();
-  scene.supports.resize(1); // the radius only
+  scene.part.supports.resize(1); // the radius only
   scene.stages[0].tools.clear();
   EXPECT_EQ(fault_of(std::move(scene)), Fault::case_file);
 }
@@ -75,15 +75,15 @@ TEST(Process, GroundsABodyThatOnlyToolsHold) {
       {ElementKind::quad8, Vec3::Zero(), Vec3(10, 15, 0), {3, 4, 1}, {1, 1, 1}});
   u.reduction = 0.1;
   Scene scene = upsetting_scene(std::move(u));
-  scene.supports.pop_back();
+  scene.part.supports.pop_back();
   scene.tools.push_back(
       moving_tool("anvil", geometry::make_plane({0, 0, 0}, {0, 1, 0}), Vec3::Zero()));
   scene.touch = {1, 0};
-  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
   scene.stages[0].tools = {1, 1};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  EXPECT_EQ(done.process->grounded_motions(), 1);
+  EXPECT_EQ(done.process->view().model.free_motions, 1);
   const double down = done.last().loads[0].force[1], up_force = done.last().loads[1].force[1];
   EXPECT_GT(down, 1e5);
   constexpr double share = 1e-6; // of the force: Newton's tolerance and what the grounding carries
@@ -96,7 +96,7 @@ TEST(Process, StopsWhenAnObserverAsksForIt) {
   Recorder recorder;
   recorder.stop_after = 3;
   EXPECT_EQ(process.run({&recorder}), RunStatus::stopped);
-  EXPECT_EQ(process.increments(), 3);
+  EXPECT_EQ(process.view().state.increment, 3);
   EXPECT_EQ(recorder.entries.size(), 3u);
   EXPECT_EQ(recorder.starts, 1);
   EXPECT_EQ(recorder.finishes, 1);
@@ -126,8 +126,8 @@ TEST(Process, CutsBackFromAnIncrementTooLargeAndLosesNothing) {
   scene.increments.first = scene.increments.max = 9.0;
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  EXPECT_GT(done.process->cutbacks(), 0);
-  EXPECT_GT(done.process->wasted_iterations(), 0);
+  EXPECT_GT(done.process->view().state.counters.cutbacks, 0);
+  EXPECT_GT(done.process->view().state.counters.wasted_iterations, 0);
   EXPECT_GT(done.recorder.entries.front().report.cutbacks, 0);
   const double h = largest_position(done.last(), 2, 1);
   const double e = std::log(15.0 / h);
@@ -186,15 +186,15 @@ TEST(Process, EndsAnImpossibleCaseWithAPostMortem) {
   const PostMortem& post = done.recorder.failures[0];
   EXPECT_FALSE(post.reason.empty());
   EXPECT_FALSE(post.tried.empty());
-  EXPECT_GT(post.time, done.process->time());
+  EXPECT_GT(post.time, done.process->view().state.time);
   EXPECT_GE(post.worst_node, 0);
-  EXPECT_LT(post.worst_node, done.process->scene().mesh.n_points());
+  EXPECT_LT(post.worst_node, done.process->view().mesh().n_points());
   EXPECT_TRUE(post.worst_position.allFinite());
   EXPECT_EQ(done.recorder.finishes, 1);
-  for (const double x : done.process->positions())
+  for (const double x : done.process->view().positions())
     EXPECT_TRUE(std::isfinite(x));
   // The committed state is the last accepted increment.
-  EXPECT_EQ(done.process->time(), done.last().report.time);
+  EXPECT_EQ(done.process->view().state.time, done.last().report.time);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "process/scene.h"
+#include "process/scene/scene.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@ namespace {
 
 Scene unheld(ElementKind kind, Analysis analysis) {
   Scene scene;
-  scene.analysis = analysis;
-  scene.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3::Ones(), {2, 2, 2}, {1, 1, 1}});
+  scene.part.analysis = analysis;
+  scene.part.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3::Ones(), {2, 2, 2}, {1, 1, 1}});
   return scene;
 }
 
@@ -21,28 +21,28 @@ TEST(Scene, CountsTheRigidMotionsOfEachAnalysis) {
 
 TEST(Scene, TakesOffWhatTheSupportsHold) {
   Scene scene = unheld(ElementKind::hex8, Analysis::solid);
-  scene.supports.push_back(held(scene.mesh, 0, 0.0)); // a symmetry plane
+  scene.part.supports.push_back(held(scene.part.mesh, 0, 0.0)); // a symmetry plane
   EXPECT_EQ(free_rigid_motions(scene), 3);
-  scene.supports.push_back(held(scene.mesh, 1, 0.0));
+  scene.part.supports.push_back(held(scene.part.mesh, 1, 0.0));
   EXPECT_EQ(free_rigid_motions(scene), 1);
-  scene.supports.push_back(held(scene.mesh, 2, 0.0));
+  scene.part.supports.push_back(held(scene.part.mesh, 2, 0.0));
   EXPECT_EQ(free_rigid_motions(scene), 0);
 }
 
 TEST(Scene, KnowsThatOneNodeHoldsNoRotation) {
   Scene scene = unheld(ElementKind::quad4, Analysis::plane_strain);
-  scene.supports.push_back({{0}, 0, TimeFunction(0.0)});
-  scene.supports.push_back({{0}, 1, TimeFunction(0.0)});
+  scene.part.supports.push_back({{0}, 0, TimeFunction(0.0)});
+  scene.part.supports.push_back({{0}, 1, TimeFunction(0.0)});
   EXPECT_EQ(free_rigid_motions(scene), 1);
-  scene.supports.push_back({{2}, 1, TimeFunction(0.0)}); // a second node, to its right
+  scene.part.supports.push_back({{2}, 1, TimeFunction(0.0)}); // a second node, to its right
   EXPECT_EQ(free_rigid_motions(scene), 0);
 }
 
 TEST(Scene, KnowsThatARadiusHoldsNoAxialMotion) {
   Scene scene = unheld(ElementKind::quad8, Analysis::axisymmetric);
-  scene.supports.push_back(held(scene.mesh, 0, 0.0));
+  scene.part.supports.push_back(held(scene.part.mesh, 0, 0.0));
   EXPECT_EQ(free_rigid_motions(scene), 1);
-  scene.supports.push_back(held(scene.mesh, 1, 0.0));
+  scene.part.supports.push_back(held(scene.part.mesh, 1, 0.0));
   EXPECT_EQ(free_rigid_motions(scene), 0);
 }
 

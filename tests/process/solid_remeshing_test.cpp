@@ -2,8 +2,8 @@
 
 #include "mechanics/elements/mesh_check.h"
 #include "mechanics/elements/mesh_locator.h"
-#include "process/run.h"
-#include "process/solid_part.h"
+#include "process/loop/process.h"
+#include "process/remeshing/solid_part.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -62,25 +62,26 @@ TEST(SolidPart, FindsSupportsSetsAndLoadsAgain) {
   for (const ElementKind kind : {ElementKind::hex20, ElementKind::hex8, ElementKind::tet10}) {
     SCOPED_TRACE(mechanics::name(kind));
     Scene scene = upsetting_scene(quarter(kind, contact::Frictionless{}, 0.1));
-    scene.loads.push_back(PressureOn{faces_on(scene.mesh, 2, height), TimeFunction(10.0)});
+    scene.part.loads.push_back(
+        PressureOn{faces_on(scene.part.mesh, 2, height), TimeFunction(10.0)});
     // A line and a point that carry something alone.
     std::vector<Index> line, point;
-    for (Index a = 0; a < scene.mesh.n_points(); ++a) {
-      const Vec3& x = scene.mesh.points[as_size(a)];
+    for (Index a = 0; a < scene.part.mesh.n_points(); ++a) {
+      const Vec3& x = scene.part.mesh.points[as_size(a)];
       if (std::abs(std::hypot(x.x(), x.y()) - radius) < 1e-6 && std::abs(x.z() - height) < rounding)
         line.push_back(a);
       if (std::abs(x.z() - height) < rounding && std::hypot(x.x(), x.y()) < rounding)
         point.push_back(a);
     }
-    scene.supports.push_back({line, 2, TimeFunction(0.0)});
-    scene.mesh.node_sets["pole"] = point;
-    const std::vector<double> x = mechanics::node_positions(scene.mesh);
+    scene.part.supports.push_back({line, 2, TimeFunction(0.0)});
+    scene.part.mesh.node_sets["pole"] = point;
+    const std::vector<double> x = mechanics::node_positions(scene.part.mesh);
     std::vector<int> touching; // the die, above: what touches is not moved for the volume
-    for (const mechanics::Face& face : scene.contact_faces)
+    for (const mechanics::Face& face : scene.part.contact_faces)
       touching.push_back(std::all_of(face.nodes.begin(), face.nodes.end(),
                                      [&](Index a) {
-                                       return std::abs(scene.mesh.points[as_size(a)].z() - height) <
-                                              rounding;
+                                       return std::abs(scene.part.mesh.points[as_size(a)].z() -
+                                                       height) < rounding;
                                      })
                              ? 0
                              : -1);
@@ -96,7 +97,7 @@ TEST(SolidPart, FindsSupportsSetsAndLoadsAgain) {
                 static_cast<int>(anew.mesh.n_elements()),
                 *std::min_element(qualities.begin(), qualities.end()), off);
     EXPECT_LT(std::abs(off), 1e-10);
-    ASSERT_EQ(anew.supports.size(), scene.supports.size());
+    ASSERT_EQ(anew.supports.size(), scene.part.supports.size());
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_EQ(anew.supports[as_size(axis)].nodes, nodes_at(anew.mesh, axis, 0.0)) << axis;
     std::vector<Index> rim;
@@ -122,12 +123,13 @@ TEST(SolidPart, FindsSupportsSetsAndLoadsAgain) {
 
 TEST(SolidPart, ContactPointsAreFoundBetweenTheOldOnes) {
   const Scene scene = upsetting_scene(bar_upsetting(ElementKind::hex20));
-  const std::vector<double> x = mechanics::node_positions(scene.mesh);
-  const SolidPart part = solid_part(scene, x, std::vector<int>(scene.contact_faces.size(), -1), {});
-  const mechanics::Bulk bulk(scene.mesh, scene.analysis, scene.material,
-                             mechanics::block_pattern(scene.mesh));
-  const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.mesh);
-  const contact::ContactSurface surface(scene.mesh, bulk, pattern, scene.contact_faces,
+  const std::vector<double> x = mechanics::node_positions(scene.part.mesh);
+  const SolidPart part =
+      solid_part(scene, x, std::vector<int>(scene.part.contact_faces.size(), -1), {});
+  const mechanics::Bulk bulk(scene.part.mesh, scene.part.analysis, scene.material,
+                             mechanics::block_pattern(scene.part.mesh));
+  const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.part.mesh);
+  const contact::ContactSurface surface(scene.part.mesh, bulk, pattern, scene.part.contact_faces,
                                         scene.contact);
   std::vector<Vec3> old(surface.n_points());
   surface.positions(x, old);
@@ -161,9 +163,9 @@ TEST(SolidRemeshingLong, GivesTheForceOfTheRunWithout) {
   with.remesh = every(0.08 * height, 1.6);
   const FinishedRun done = run(std::move(with));
   ASSERT_EQ(done.status, RunStatus::done);
-  ASSERT_GE(done.process->remeshings().size(), 3u);
-  EXPECT_EQ(done.process->scene().mesh.kind, ElementKind::tet10);
-  for (const RemeshReport& r : done.process->remeshings()) {
+  ASSERT_GE(done.process->view().state.record.remeshings.size(), 3u);
+  EXPECT_EQ(done.process->view().mesh().kind, ElementKind::tet10);
+  for (const RemeshReport& r : done.process->view().state.record.remeshings) {
     std::printf("remeshing %d at %.3f: %d -> %d elements, quality %.2f -> %.2f, volume %+.1e, work "
                 "%.1e, force %.1e, residual %.1e\n",
                 r.number, r.time, static_cast<int>(r.elements[0]), static_cast<int>(r.elements[1]),
@@ -195,7 +197,7 @@ TEST(SolidRemeshing, GivesTheSameBitsForAnyNumberOfThreads) {
     scene.remesh = every(0.02 * height, 2.5);
     const FinishedRun done = run(std::move(scene));
     ASSERT_EQ(done.status, RunStatus::done);
-    ASSERT_GE(done.process->remeshings().size(), 2u);
+    ASSERT_GE(done.process->view().state.record.remeshings.size(), 2u);
     positions.push_back(done.last().positions);
   }
   EXPECT_EQ(positions[0], positions[1]);

@@ -1,7 +1,7 @@
 // The last part of the way solved again on a new mesh. (P.19), (P.20)
 
 #include "geometry/surfaces/analytic_surfaces.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/remeshed_billet.h"
 
 #include <gtest/gtest.h>
@@ -21,9 +21,9 @@ TEST(SolvedAgain, LosesNoForceWhereTheMetalFlows) {
   for (const ElementKind kind : {ElementKind::quad8, ElementKind::quad4}) {
     const FinishedRun done = run(remeshed(billet(kind, 8, 0.3, contact::Sticking{}), every(0.9)));
     ASSERT_EQ(done.status, RunStatus::done);
-    ASSERT_GE(done.process->remeshings().size(), 3u);
+    ASSERT_GE(done.process->view().state.record.remeshings.size(), 3u);
     double lowest = 1.0;
-    for (const RemeshReport& r : done.process->remeshings()) {
+    for (const RemeshReport& r : done.process->view().state.record.remeshings) {
       EXPECT_GT(r.again, 0);
       EXPECT_TRUE(r.balanced);
       EXPECT_LT(r.force_jump(), 0.01) << "the budget of RM-01";
@@ -44,7 +44,7 @@ TEST(SolvedAgain, KeepsToTheIncrementsOfTheCase) {
     scene.landing_times = std::move(landings);
     const FinishedRun done = run(std::move(scene));
     EXPECT_EQ(done.status, RunStatus::done);
-    const std::span<const RemeshReport> ledger = done.process->remeshings();
+    const std::span<const RemeshReport> ledger = done.process->view().state.record.remeshings;
     EXPECT_FALSE(ledger.empty());
     return ledger.empty() ? 0 : ledger[0].again;
   };
@@ -84,7 +84,7 @@ TEST(SolvedAgain, BeginsAfterTheForcesOfAToolThatLeftHaveFaded) {
   scene.remesh = every(1.0);
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const std::span<const RemeshReport> ledger = done.process->remeshings();
+  const std::span<const RemeshReport> ledger = done.process->view().state.record.remeshings;
   ASSERT_GE(ledger.size(), 2u);
   EXPECT_LT(ledger[0].time, 1.2);
   EXPECT_EQ(ledger[0].again, 0) << "from t = " << ledger[0].time;
@@ -136,8 +136,8 @@ Scene block_met_by_a_nose(double radius) {
 /// led to the new mesh.
 class SpeedOfTheTop final : public Observer {
 public:
-  void remeshing(const Process& process) override { before_ = speed(process); }
-  void remeshed(const Process& process, const RemeshReport& report) override {
+  void remeshing(const Run& process) override { before_ = speed(process); }
+  void remeshed(const Run& process, const RemeshReport& report) override {
     if (report.again > 0)
       return;
     ++given_up;
@@ -150,7 +150,7 @@ public:
 
 private:
   /// Average of the nodes at the die [mm/s].
-  static double speed(const Process& process) {
+  static double speed(const Run& process) {
     constexpr double near = 0.01;
     double top = 0.0;
     for (std::size_t i = 1; i < process.positions().size(); i += 2)
@@ -158,7 +158,7 @@ private:
     double sum = 0.0, number = 0.0;
     for (std::size_t i = 1; i < process.positions().size(); i += 2)
       if (process.positions()[i] > top - near) {
-        sum += process.velocity()[i];
+        sum += process.state.velocity[i];
         number += 1.0;
       }
     return sum / number;

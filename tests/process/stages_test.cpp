@@ -1,6 +1,6 @@
 // Stages: unloading and springback, tools that come and go, a roll that drags.
 
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Unloading, RecoversTheElasticStrainOfABar) {
   for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::hex8}) {
     const FinishedRun done = run(bar(kind, 0.2, contact::Frictionless{}));
     ASSERT_EQ(done.status, RunStatus::done);
-    const int dim = done.process->scene().mesh.dimension();
+    const int dim = done.process->view().mesh().dimension();
     const Entry& pressed = done.at(0.2 * height);
     const double h = largest_position(pressed, dim, dim - 1);
     const double force = std::abs(pressed.loads[0].force[dim - 1]);
@@ -66,8 +66,8 @@ TEST(Unloading, LeavesABilletInEquilibriumWithoutTools) {
   ASSERT_EQ(done.status, RunStatus::done);
   EXPECT_EQ(done.last().loads[0].force, Vec3::Zero());
   double reaction = 0.0;
-  for (const Index a : nodes_at(done.process->scene().mesh, 1, 0.0))
-    reaction += done.process->reactions()[as_size(2 * a + 1)];
+  for (const Index a : nodes_at(done.process->view().mesh(), 1, 0.0))
+    reaction += done.process->view().state.reactions[as_size(2 * a + 1)];
   const double pressed = done.at(0.2 * height).loads[0].force.norm();
   EXPECT_NEAR(reaction, 0.0, 1e-6 * pressed) << "the symmetry plane carries nothing";
   EXPECT_LT(done.last().report.energy.error(), 5e-3);
@@ -120,14 +120,14 @@ TEST(Stages, LetARollDragAStrip) {
   roll.motion.rotation = geometry::Rotation{roll.reference, Vec3::UnitZ(),
                                             TimeFunction({{1.0, 0.0}, {1.5, angle / 0.75}})};
   scene.tools.push_back(std::move(roll));
-  scene.contact_faces = faces_on(scene.mesh, 1, 2.0);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 1, 2.0);
   scene.stages.push_back({"press and turn", 2.0, {1}, false});
   scene.landing_times = {1.0};
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  EXPECT_EQ(done.process->grounded_motions(), 1);
+  EXPECT_EQ(done.process->view().model.free_motions, 1);
   double moved = 0.0, count = 0.0;
-  for (const Index a : nodes_at(done.process->scene().mesh, 1, 0.0)) {
+  for (const Index a : nodes_at(done.process->view().mesh(), 1, 0.0)) {
     moved += done.last().positions[as_size(2 * a)] - done.at(1.0).positions[as_size(2 * a)];
     count += 1.0;
   }

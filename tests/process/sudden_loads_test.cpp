@@ -1,7 +1,7 @@
 // Loads that are there at once. (P.26)
 
 #include "geometry/surfaces/analytic_surfaces.h"
-#include "process/sudden_loads.h"
+#include "process/setup/sudden_loads.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -51,21 +51,21 @@ TEST(SuddenLoads, GrowInIncrementsNoShorterThanMayBe) {
 TEST(SuddenLoads, GrowOverTheFirstIncrementAndAreThenWhatTheyWere) {
   Scene scene = scene_of({1.0});
   add_press(scene, TimeFunction({{0.0, 100.0}, {1.0, 200.0}}), {1});
-  scene.loads.emplace_back(PressureOn{{}, TimeFunction(5.0)});
-  scene.loads.emplace_back(DeadForces{{}, TimeFunction({{0.0, 0.0}, {0.001, 7.0}})});
-  scene.supports.push_back({{}, 0, TimeFunction(-0.3)});
-  scene.supports.push_back({{}, 1, TimeFunction(0.0)});
+  scene.part.loads.emplace_back(PressureOn{{}, TimeFunction(5.0)});
+  scene.part.loads.emplace_back(DeadForces{{}, TimeFunction({{0.0, 0.0}, {0.001, 7.0}})});
+  scene.part.supports.push_back({{}, 0, TimeFunction(-0.3)});
+  scene.part.supports.push_back({{}, 1, TimeFunction(0.0)});
   grow_sudden_loads(scene);
   EXPECT_EQ(load(scene, 0, 0.0), 0.0);
   EXPECT_DOUBLE_EQ(load(scene, 0, 0.01), 101.0);
   EXPECT_DOUBLE_EQ(load(scene, 0, 0.005), 50.5);
   EXPECT_DOUBLE_EQ(load(scene, 0, 0.5), 150.0);
-  EXPECT_DOUBLE_EQ(std::get<PressureOn>(scene.loads[0]).pressure(0.0025), 1.25);
-  EXPECT_EQ(std::get<PressureOn>(scene.loads[0]).pressure(0.7), 5.0);
-  EXPECT_EQ(std::get<DeadForces>(scene.loads[1]).amplitude(0.0005), 3.5) << "grows by itself";
-  EXPECT_DOUBLE_EQ(scene.supports[0].displacement(0.005), -0.15);
-  EXPECT_EQ(scene.supports[0].displacement(1.0), -0.3);
-  EXPECT_EQ(scene.supports[1].displacement.points().size(), 1U);
+  EXPECT_DOUBLE_EQ(std::get<PressureOn>(scene.part.loads[0]).pressure(0.0025), 1.25);
+  EXPECT_EQ(std::get<PressureOn>(scene.part.loads[0]).pressure(0.7), 5.0);
+  EXPECT_EQ(std::get<DeadForces>(scene.part.loads[1]).amplitude(0.0005), 3.5) << "grows by itself";
+  EXPECT_DOUBLE_EQ(scene.part.supports[0].displacement(0.005), -0.15);
+  EXPECT_EQ(scene.part.supports[0].displacement(1.0), -0.3);
+  EXPECT_EQ(scene.part.supports[1].displacement.points().size(), 1U);
   for (const double quarter : {0.0025, 0.005, 0.0075, 0.01})
     EXPECT_TRUE(lands(scene, quarter)) << quarter;
 }

@@ -1,6 +1,6 @@
 #include "geometry/surfaces/profile.h"
 #include "geometry/surfaces/triangle_surface.h"
-#include "process/tool_meetings.h"
+#include "process/setup/tool_meetings.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/support/contact_scenes.h"
 
@@ -19,13 +19,13 @@ using geometry::Motion;
 
 Scene scene_with(Analysis analysis, std::vector<contact::Tool> tools, double end) {
   Scene scene;
-  scene.analysis = analysis;
+  scene.part.analysis = analysis;
   const bool solid = analysis == Analysis::solid;
-  scene.mesh = mechanics::box_mesh({solid ? ElementKind::hex8 : ElementKind::quad4,
-                                    Vec3::Zero(),
-                                    Vec3(1, 1, solid ? 1 : 0),
-                                    {1, 1, 1},
-                                    {1, 1, 1}});
+  scene.part.mesh = mechanics::box_mesh({solid ? ElementKind::hex8 : ElementKind::quad4,
+                                         Vec3::Zero(),
+                                         Vec3(1, 1, solid ? 1 : 0),
+                                         {1, 1, 1},
+                                         {1, 1, 1}});
   scene.material = elastic_body(1.0, 0.3);
   scene.stages.push_back({"press", end, std::vector<char>(tools.size(), 1), false});
   scene.touch.assign(tools.size(), 0);

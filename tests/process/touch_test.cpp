@@ -1,8 +1,8 @@
 #include "geometry/base/error.h"
 #include "geometry/surfaces/profile.h"
 #include "geometry/surfaces/triangle_surface.h"
-#include "process/run.h"
-#include "process/touch.h"
+#include "process/loop/process.h"
+#include "process/setup/touch.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/support/contact_scenes.h"
 
@@ -22,29 +22,29 @@ namespace {
 Scene one_face(Analysis analysis, geometry::SurfacePtr surface, double height) {
   const bool solid = analysis == Analysis::solid;
   Scene scene;
-  scene.analysis = analysis;
-  scene.mesh = mechanics::box_mesh({solid ? ElementKind::hex8 : ElementKind::quad4,
-                                    solid ? Vec3(-1, -1, -2) : Vec3(-1, -2, 0),
-                                    solid ? Vec3(1, 1, 0) : Vec3(1, 0, 0),
-                                    {1, 1, 1},
-                                    {1, 1, 1}});
+  scene.part.analysis = analysis;
+  scene.part.mesh = mechanics::box_mesh({solid ? ElementKind::hex8 : ElementKind::quad4,
+                                         solid ? Vec3(-1, -1, -2) : Vec3(-1, -2, 0),
+                                         solid ? Vec3(1, 1, 0) : Vec3(1, 0, 0),
+                                         {1, 1, 1},
+                                         {1, 1, 1}});
   scene.material = elastic_body(1000.0, 0.3);
   const int axis = up(analysis);
   for (int d = 0; d <= axis; ++d)
-    scene.supports.push_back({nodes_at(scene.mesh, axis, -2.0), d, TimeFunction(0.0)});
+    scene.part.supports.push_back({nodes_at(scene.part.mesh, axis, -2.0), d, TimeFunction(0.0)});
   scene.tools.push_back(moving_tool("tool", std::move(surface), -Vec3::Unit(axis)));
   scene.tools[0].motion.place.translation = height * Vec3::Unit(axis);
   scene.touch = {1};
-  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
   scene.stages.push_back({"press", 1.0, {1}, false});
   return scene;
 }
 
 /// How far the tool went down.
 double travel(Scene scene) {
-  const int axis = up(scene.analysis);
+  const int axis = up(scene.part.analysis);
   const Process process(std::move(scene));
-  return -process.scene().tools[0].motion.offset[axis];
+  return -process.view().tools()[0].motion.offset[axis];
 }
 
 /// A slender pyramid on its tip, at the origin; it passes between points of a face.
@@ -104,19 +104,20 @@ TEST(Touch, ARollComesToRestAtTheBottomOfATroughEitherWay) {
     Scene scene =
         one_face(Analysis::solid,
                  geometry::make_cylinder({0, 0, radius}, Vec3::Unit(along), radius, false), 1.5);
-    scene.mesh = mechanics::box_mesh(
+    scene.part.mesh = mechanics::box_mesh(
         {ElementKind::hex20, Vec3(-1, -1, -2), Vec3(1, 1, 0), {1, 1, 1}, {1, 1, 1}});
-    for (Vec3& p : scene.mesh.points)
+    for (Vec3& p : scene.part.mesh.points)
       if (p.z() == 0.0)
         p.z() = hollow * p[1 - along] * p[1 - along];
-    scene.supports.clear();
+    scene.part.supports.clear();
     for (int d = 0; d < 3; ++d)
-      scene.supports.push_back({nodes_at(scene.mesh, 2, -2.0), d, TimeFunction(0.0)});
-    scene.contact_faces = mechanics::boundary_faces(scene.mesh);
-    std::erase_if(scene.contact_faces, [&](const mechanics::Face& face) { // the sides are as hollow
-      return std::any_of(face.nodes.begin(), face.nodes.end(),
-                         [&](Index a) { return scene.mesh.points[as_size(a)].z() < 0.0; });
-    });
+      scene.part.supports.push_back({nodes_at(scene.part.mesh, 2, -2.0), d, TimeFunction(0.0)});
+    scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
+    std::erase_if(
+        scene.part.contact_faces, [&](const mechanics::Face& face) { // the sides are as hollow
+          return std::any_of(face.nodes.begin(), face.nodes.end(),
+                             [&](Index a) { return scene.part.mesh.points[as_size(a)].z() < 0.0; });
+        });
     EXPECT_NEAR(travel(std::move(scene)), 1.5, 1e-9) << "roll along axis " << along;
   }
 }

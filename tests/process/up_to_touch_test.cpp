@@ -1,6 +1,6 @@
 // Increments that end where a tool comes to touch.
 
-#include "process/up_to_touch.h"
+#include "process/increment/up_to_touch.h"
 #include "tests/support/contact_scenes.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ Scene pressed_block(ElementKind kind, double place) {
   u.height = 10.0;
   u.material = billet_steel();
   Scene scene = upsetting_scene(std::move(u));
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   const TimeFunction rests(0.0),
       comes({{0.0, 0.0}, {longest, -4.5}, {1.0, -4.5 - 1e-6}}); // no flight
   scene.tools[0].motion.velocity.reset();
@@ -91,7 +91,7 @@ TEST_P(UpToTouchIn, IsDoneForSomeIncrementsAfterARefusedOne) {
     const double place = side(alone.last(), kind) + (10.0 + eighth / 8.0) * longest;
     const FinishedRun done = run(pressed_block(kind, place));
     ASSERT_EQ(done.status, RunStatus::done);
-    ASSERT_GT(done.process->cutbacks(), 0);
+    ASSERT_GT(done.process->view().state.counters.cutbacks, 0);
     ASSERT_GT(done.last().loads[1].force.norm(), 0.0);
     const double left = left_before_touch(done, kind, place);
     EXPECT_FALSE(left > 0.55 && left < 0.94) << left;

@@ -7,7 +7,7 @@
 #include "geometry/surfaces/analytic_surfaces.h"
 #include "mechanics/mesh/mesh_edges.h"
 #include "mechanics/mesh/mesh_generators.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 
 #include <algorithm>
 #include <array>
@@ -129,14 +129,14 @@ struct Upsetting {
 inline Scene upsetting_scene(Upsetting u) {
   Scene scene;
   scene.title = "upsetting";
-  scene.analysis = u.analysis;
-  scene.mesh = std::move(u.mesh);
+  scene.part.analysis = u.analysis;
+  scene.part.mesh = std::move(u.mesh);
   scene.material = u.material;
   for (int axis = 0; axis <= up(u.analysis); ++axis)
-    scene.supports.push_back(held(scene.mesh, axis, 0.0));
+    scene.part.supports.push_back(held(scene.part.mesh, axis, 0.0));
   scene.tools.push_back(flat_die(u.analysis, u.height, u.friction));
   scene.touch = {1};
-  scene.contact_faces = free_faces(scene.mesh, u.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, u.analysis);
   scene.stages.push_back({"press", u.reduction * u.height, {1}, false});
   return scene;
 }
@@ -144,11 +144,11 @@ inline Scene upsetting_scene(Upsetting u) {
 /// A strip 2 mm high in plane strain that lies on y = 0, `half` to either side of x = 0.
 inline Scene strip_on_table(ElementKind kind, double half, int nx, int ny) {
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh =
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh =
       mechanics::box_mesh({kind, Vec3(-half, 0, 0), Vec3(half, 2, 0), {nx, ny, 1}, {1, 1, 1}});
   scene.material = billet_steel();
-  scene.supports.push_back(held(scene.mesh, 1, 0.0));
+  scene.part.supports.push_back(held(scene.part.mesh, 1, 0.0));
   scene.touch = {0};
   return scene;
 }
@@ -215,15 +215,15 @@ struct Entry {
 /// Keeps what happens in a run.
 class Recorder final : public Observer {
 public:
-  void started(const Process&) override { ++starts; }
-  void incremented(const Process& process, const IncrementReport& report) override {
+  void started(const Run&) override { ++starts; }
+  void incremented(const Run& process, const IncrementReport& report) override {
     Entry entry{report, {}, {process.positions().begin(), process.positions().end()}};
     if (process.contact() != nullptr)
       entry.loads.assign(process.contact()->loads().begin(), process.contact()->loads().end());
     entries.push_back(std::move(entry));
   }
-  void failed(const Process&, const PostMortem& post) override { failures.push_back(post); }
-  void finished(const Process&) override { ++finishes; }
+  void failed(const Run&, const PostMortem& post) override { failures.push_back(post); }
+  void finished(const Run&) override { ++finishes; }
   [[nodiscard]] bool stop_requested() const override {
     return stop_after > 0 && static_cast<int>(entries.size()) >= stop_after;
   }

@@ -5,7 +5,7 @@
 
 #include "geometry/surfaces/analytic_surfaces.h"
 #include "mechanics/mesh/mesh_generators.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/tensors.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,8 @@ inline void support(process::Scene& scene,
                     const std::string& set,
                     int component,
                     TimeFunction displacement = 0.0) {
-  scene.supports.push_back({scene.mesh.node_sets.at(set), component, std::move(displacement)});
+  scene.part.supports.push_back(
+      {scene.part.mesh.node_sets.at(set), component, std::move(displacement)});
 }
 
 /// Boundary faces all of whose nodes satisfy a predicate.
@@ -54,16 +55,15 @@ inline std::vector<mechanics::Face> faces_where(const mechanics::Mesh& mesh,
 /// Calls a function after each increment and keeps the reports.
 class Recorder : public process::Observer {
 public:
-  using Look = std::function<void(const process::Process&, const process::IncrementReport&)>;
+  using Look = std::function<void(const process::Run&, const process::IncrementReport&)>;
   explicit Recorder(Look look = {}) : look_(std::move(look)) {}
 
-  void incremented(const process::Process& process,
-                   const process::IncrementReport& report) override {
+  void incremented(const process::Run& process, const process::IncrementReport& report) override {
     reports.push_back(report);
     if (look_)
       look_(process, report);
   }
-  void failed(const process::Process&, const process::PostMortem& post) override {
+  void failed(const process::Run&, const process::PostMortem& post) override {
     reason = post.reason;
     failed_time = post.time;
   }
@@ -82,9 +82,9 @@ inline void run_to_end(process::Process& process, Recorder& recorder) {
 }
 
 /// Displacement of a node since the start.
-inline Vec3 displacement(const process::Process& process, Index node) {
-  const int dim = process.scene().mesh.dimension();
-  Vec3 u = -process.scene().mesh.points[static_cast<std::size_t>(node)];
+inline Vec3 displacement(const process::Run& process, Index node) {
+  const int dim = process.mesh().dimension();
+  Vec3 u = -process.mesh().points[static_cast<std::size_t>(node)];
   for (int i = 0; i < dim; ++i)
     u[i] += process.positions()[static_cast<std::size_t>(node * dim + i)];
   return u;
@@ -97,8 +97,8 @@ inline process::Scene unit_bar(mechanics::ElementKind kind,
                                TimeFunction displacement) {
   process::Scene scene;
   const bool solid = mechanics::dimension(kind) == 3;
-  scene.analysis = solid ? mechanics::Analysis::solid : mechanics::Analysis::axisymmetric;
-  scene.mesh = mechanics::box_mesh({.kind = kind});
+  scene.part.analysis = solid ? mechanics::Analysis::solid : mechanics::Analysis::axisymmetric;
+  scene.part.mesh = mechanics::box_mesh({.kind = kind});
   support(scene, "x-min", 0);
   support(scene, "y-min", 1);
   if (solid)

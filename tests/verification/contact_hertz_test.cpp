@@ -76,8 +76,8 @@ struct ContactPoints {
   std::size_t per_face;
 };
 
-ContactPoints contact_points(const Process& process) {
-  const contact::ContactSurface& surface = *process.surface();
+ContactPoints contact_points(const Run& process) {
+  const contact::ContactSurface& surface = *process.model.surface;
   ContactPoints points{process.contact()->results(), std::vector<Vec3>(surface.n_points()),
                        std::vector<double>(surface.n_points()),
                        static_cast<std::size_t>(surface.points())};
@@ -110,14 +110,14 @@ TEST_P(HertzContact, HasThePressureOfHertzOnEveryFace) {
   const Hertz h = hertz(analysis, a);
   Scene scene;
   scene.title = "Hertz";
-  scene.analysis = analysis;
-  scene.mesh = block(kind, a);
+  scene.part.analysis = analysis;
+  scene.part.mesh = block(kind, a);
   scene.material = elastic_body(young, poisson);
   double bottom = 0.0;
-  for (const Vec3& p : scene.mesh.points)
+  for (const Vec3& p : scene.part.mesh.points)
     bottom = std::min(bottom, p[1]);
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, bottom)};
-  scene.contact_faces = faces_on(scene.mesh, 1, 0.0);
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, bottom)};
+  scene.part.contact_faces = faces_on(scene.part.mesh, 1, 0.0);
   scene.contact.form = form;
   scene.tools.push_back(
       moving_tool("die", geometry::make_circle({0, R, 0}, R, false), Vec3::Zero()));
@@ -202,15 +202,15 @@ SolidHertz solid_hertz(ElementKind kind, contact::Form form, int n) {
   const int cells = grading.cells();
   Scene scene;
   scene.title = "Hertz in space";
-  scene.analysis = Analysis::solid;
-  scene.mesh = mechanics::box_mesh(
+  scene.part.analysis = Analysis::solid;
+  scene.part.mesh = mechanics::box_mesh(
       {kind, Vec3::Zero(), Vec3(cells, cells, cells), {cells, cells, cells}, {1, 1, 1}});
-  for (Vec3& p : scene.mesh.points)
+  for (Vec3& p : scene.part.mesh.points)
     p = Vec3(grading.place(p[0]), grading.place(p[1]), -grading.place(cells - p[2]));
   scene.material = elastic_body(young, poisson);
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0),
-                    held(scene.mesh, 2, -grading.place(cells))};
-  scene.contact_faces = faces_on(scene.mesh, 2, 0.0);
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, 0.0),
+                         held(scene.part.mesh, 2, -grading.place(cells))};
+  scene.part.contact_faces = faces_on(scene.part.mesh, 2, 0.0);
   scene.contact.form = form;
   scene.tools.push_back(
       moving_tool("ball", geometry::make_sphere({0, 0, R}, R, false), Vec3::Zero()));
@@ -221,8 +221,8 @@ SolidHertz solid_hertz(ElementKind kind, contact::Form form, int n) {
   scene.touch = {1};
   scene.stages.push_back({"press", 1.0, {1}, false});
   scene.increments.first = scene.increments.max = 0.5;
-  const std::vector<mechanics::Face> faces = scene.contact_faces;
-  const std::vector<Vec3> places = scene.mesh.points;
+  const std::vector<mechanics::Face> faces = scene.part.contact_faces;
+  const std::vector<Vec3> places = scene.part.mesh.points;
   const FinishedRun done = run(std::move(scene));
   SolidHertz result;
   EXPECT_EQ(done.status, RunStatus::done);

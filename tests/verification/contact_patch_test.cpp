@@ -66,20 +66,21 @@ geometry::SurfacePtr facetted_floor() {
 Scene patch_scene(const Patch& patch) {
   Scene scene;
   const bool solid = mechanics::dimension(patch.kind) == 3;
-  scene.analysis = solid ? Analysis::solid : Analysis::plane_strain;
-  scene.mesh = block(patch);
+  scene.part.analysis = solid ? Analysis::solid : Analysis::plane_strain;
+  scene.part.mesh = block(patch);
   scene.material = elastic_body(1000.0, 0.3);
   if (!patch.free) {
-    scene.supports.push_back(held(scene.mesh, 0, 0.0));
+    scene.part.supports.push_back(held(scene.part.mesh, 0, 0.0));
     if (solid)
-      scene.supports.push_back(held(scene.mesh, 2, 0.0));
+      scene.part.supports.push_back(held(scene.part.mesh, 2, 0.0));
   }
-  scene.contact_faces = faces_on(scene.mesh, 1, 0.0);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 1, 0.0);
   // Raised in the first second and held in the next: at rest the grounding vanishes.
-  scene.loads.push_back(PressureOn{faces_on(scene.mesh, 1, 1.0),
-                                   TimeFunction({{0.0, 0.0}, {1.0, pressure}, {2.0, pressure}})});
+  scene.part.loads.push_back(
+      PressureOn{faces_on(scene.part.mesh, 1, 1.0),
+                 TimeFunction({{0.0, 0.0}, {1.0, pressure}, {2.0, pressure}})});
   const geometry::Pose pose = geometry::rotation_about(Vec3::Zero(), Vec3::UnitZ(), patch.tilt);
-  for (Vec3& p : scene.mesh.points)
+  for (Vec3& p : scene.part.mesh.points)
     p = pose.to_space(p);
   contact::Tool tool;
   tool.name = "floor";
@@ -103,13 +104,14 @@ double pressure_error(const Patch& patch, const std::string& name) {
   const FinishedRun done = run(patch_scene(patch));
   EXPECT_EQ(done.status, RunStatus::done) << name;
   double worst = 0.0, shear = 0.0, stress = 0.0;
-  const auto results = done.process->contact()->results();
+  const auto results = done.process->view().contact()->results();
   for (const auto& point : results) {
     worst = std::max(worst, std::abs(point.pressure / pressure - 1.0));
     shear = std::max(shear, point.shear.norm());
   }
   const Vec3 normal(-std::sin(patch.tilt), std::cos(patch.tilt), 0.0);
-  for (const Mat3& sigma : done.process->bulk().stresses(done.process->positions()))
+  for (const Mat3& sigma :
+       done.process->view().model.bulk->stresses(done.process->view().positions()))
     stress = std::max(stress, (sigma * normal + pressure * normal).norm() / pressure);
   std::printf("%-34s %3zu points: p = 10 (1 +- %.1e) (<= 1e-8), traction inside %.1e\n",
               name.c_str(), results.size(), worst, stress);
@@ -186,17 +188,17 @@ TEST(ContactPatch, HasUniformPressureWhereDepthsDiffer) {
 /// its height. Height of its lowest node at the end.
 double lowest_after_pressing(double inside) {
   Scene scene;
-  scene.analysis = Analysis::solid;
-  scene.mesh = mechanics::box_mesh(
+  scene.part.analysis = Analysis::solid;
+  scene.part.mesh = mechanics::box_mesh(
       {ElementKind::hex8, Vec3::Zero(), Vec3(10, 10, 10), {1, 1, 1}, {1, 1, 1}});
   scene.material = elastic_body(1e5, 0.3);
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
-  scene.loads.push_back(
-      PressureOn{faces_on(scene.mesh, 2, 10.0), TimeFunction({{0, 0}, {1, 100}})});
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, 0.0)};
+  scene.part.loads.push_back(
+      PressureOn{faces_on(scene.part.mesh, 2, 10.0), TimeFunction({{0, 0}, {1, 100}})});
   scene.tools.push_back(
       moving_tool("floor", geometry::make_plane({0, 0, inside}, {0, 0, 1}), Vec3::Zero()));
   scene.touch = {0};
-  scene.contact_faces = faces_on(scene.mesh, 2, 0.0);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 2, 0.0);
   scene.stages.push_back({"press", 1.0, {1}, false});
   const FinishedRun done = run(std::move(scene));
   double lowest = 1e300;

@@ -23,23 +23,24 @@ constexpr double tolerance = 1e-6; // VALIDATION CON-04
 Scene block_scene(ElementKind kind) {
   constexpr double young = 1e5;
   Scene scene;
-  scene.analysis = Analysis::solid;
-  scene.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3(10, 10, 10), {1, 1, 1}, {1, 1, 1}});
+  scene.part.analysis = Analysis::solid;
+  scene.part.mesh =
+      mechanics::box_mesh({kind, Vec3::Zero(), Vec3(10, 10, 10), {1, 1, 1}, {1, 1, 1}});
   scene.material = elastic_body(young, 0.0);
   Support pushed;
   pushed.component = 0;
-  for (Index a = 0; a < scene.mesh.n_points(); ++a)
+  for (Index a = 0; a < scene.part.mesh.n_points(); ++a)
     pushed.nodes.push_back(a);
   pushed.displacement = TimeFunction({{1, 0}, {2, 0.1}, {4, -0.1}, {6, 0.1}});
-  scene.supports = {pushed, held(scene.mesh, 1, 0.0)};
-  scene.loads.push_back(
-      PressureOn{faces_on(scene.mesh, 2, 10.0), TimeFunction({{0, 0}, {1, pressure}})});
+  scene.part.supports = {pushed, held(scene.part.mesh, 1, 0.0)};
+  scene.part.loads.push_back(
+      PressureOn{faces_on(scene.part.mesh, 2, 10.0), TimeFunction({{0, 0}, {1, pressure}})});
   scene.tools.push_back(moving_tool("floor", geometry::make_plane({0, 0, 0}, {0, 0, 1}),
                                     Vec3::Zero(), contact::Coulomb{mu}));
   // A little inside the block: what only touches gives Newton's first iteration no stiffness.
   scene.tools[0].motion.offset = Vec3(0, 0, 1e-6);
   scene.touch = {0};
-  scene.contact_faces = faces_on(scene.mesh, 2, 0.0);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 2, 0.0);
   scene.contact.penalty = 1.0;
   scene.contact.penalty_tangent = stick_stiffness * 10.0 / young;
   scene.stages.push_back({"cycle", 6.0, {1}, false});
@@ -95,13 +96,13 @@ TEST(SlidingBlock, FollowsTheStickSlopeTheLimitAndTheLoop) {
 TEST(SlidingBlock, StaysOnASlopeUpToTheAngleOfFriction) {
   for (const double share : {0.99, 1.01}) {
     Scene scene = block_scene(ElementKind::hex8);
-    scene.supports.clear();
-    scene.supports.push_back(held(scene.mesh, 1, 0.0));
+    scene.part.supports.clear();
+    scene.part.supports.push_back(held(scene.part.mesh, 1, 0.0));
     // tan(angle) = share * mu: the tangential force is that share of the normal one.
-    const auto faces = faces_on(scene.mesh, 2, 0.0);
-    auto forces = mechanics::traction_forces(scene.mesh, scene.analysis, faces,
+    const auto faces = faces_on(scene.part.mesh, 2, 0.0);
+    auto forces = mechanics::traction_forces(scene.part.mesh, scene.part.analysis, faces,
                                              Vec3(share * mu * pressure, 0, 0));
-    scene.loads.push_back(DeadForces{std::move(forces), TimeFunction({{1, 0}, {2, 1}})});
+    scene.part.loads.push_back(DeadForces{std::move(forces), TimeFunction({{1, 0}, {2, 1}})});
     scene.stages[0].end = 2.0;
     const FinishedRun done = run(std::move(scene));
     double moved = 0.0;
@@ -124,8 +125,8 @@ TEST(SlidingBlock, StaysOnASlopeUpToTheAngleOfFriction) {
 class CapWatch final : public Observer {
 public:
   explicit CapWatch(double m) : m_(m) {}
-  void started(const Process& process) override { remember(process); }
-  void incremented(const Process& process, const IncrementReport&) override {
+  void started(const Run& process) override { remember(process); }
+  void incremented(const Run& process, const IncrementReport&) override {
     const auto results = process.contact()->results();
     const std::vector<double> old = k_;
     remember(process);
@@ -142,13 +143,14 @@ public:
   double against_old = 0.0, against_now = 0.0;
 
 private:
-  void remember(const Process& process) {
+  void remember(const Run& process) {
     k_.clear();
-    for (std::size_t i = 0; i < process.surface()->n_points(); ++i)
+    for (std::size_t i = 0; i < process.model.surface->n_points(); ++i)
       k_.push_back(
           mechanics::yield_stress(
-              process.bulk().material().flow,
-              {process.bulk().states()[process.surface()->beneath(i)].plastic_strain, 0.0, 20.0}) /
+              process.model.bulk->material().flow,
+              {process.model.bulk->states()[process.model.surface->beneath(i)].plastic_strain, 0.0,
+               20.0}) /
           std::numbers::sqrt3);
   }
   double m_;

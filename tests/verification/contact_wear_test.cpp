@@ -1,7 +1,7 @@
 // WEA-01: the wear integral of Archard, Hansen and Bay against closed forms (VALIDATION,
 // wea01_archard.csv), and what it may not depend on.
 
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/figures.h"
 
@@ -48,23 +48,23 @@ struct Sliding {
 
 Scene sliding_block(const Sliding& s) {
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh({ElementKind::quad4,
-                                    Vec3(-0.5 * s.length, 0, 0),
-                                    Vec3(0.5 * s.length, 0.5 * s.length, 0),
-                                    {s.faces, s.faces / 2, 1},
-                                    {1, 1, 1}});
-  for (Vec3& p : scene.mesh.points)
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh = mechanics::box_mesh({ElementKind::quad4,
+                                         Vec3(-0.5 * s.length, 0, 0),
+                                         Vec3(0.5 * s.length, 0.5 * s.length, 0),
+                                         {s.faces, s.faces / 2, 1},
+                                         {1, 1, 1}});
+  for (Vec3& p : scene.part.mesh.points)
     if (s.radius > 0.0)
       p[1] += p[0] * p[0] / (2.0 * s.radius) * (1.0 - 2.0 * p[1] / s.length);
   scene.material = elastic_body(200e3, 0.0);
-  scene.supports.push_back({nodes_at(scene.mesh, 1, 0.5 * s.length), 0, s.way});
-  scene.loads.emplace_back(PressureOn{faces_on(scene.mesh, 1, 0.5 * s.length),
-                                      TimeFunction({{0.0, 0.0}, {1.0, s.force / s.length}})});
+  scene.part.supports.push_back({nodes_at(scene.part.mesh, 1, 0.5 * s.length), 0, s.way});
+  scene.part.loads.emplace_back(PressureOn{faces_on(scene.part.mesh, 1, 0.5 * s.length),
+                                           TimeFunction({{0.0, 0.0}, {1.0, s.force / s.length}})});
   scene.tools.push_back(
       worn(moving_tool("floor", geometry::make_plane({0, 0, 0}, {0, 1, 0}), Vec3::Zero())));
   scene.touch = {0};
-  scene.contact_faces = faces_on(scene.mesh, 1, 0.5 * s.length, true);
+  scene.part.contact_faces = faces_on(scene.part.mesh, 1, 0.5 * s.length, true);
   scene.stages.push_back({"slide", s.end, {1}, false});
   for (const auto& [t, v] : s.way.points())
     scene.landing_times.push_back(t);
@@ -80,7 +80,7 @@ TEST(ArchardWear, IsThatOfUniformSliding) {
   Scene scene = sliding_block({.force = 500.0 * 4.0, .way = TimeFunction(way), .end = end});
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const contact::WearMap& map = *done.process->wear()->map(0);
+  const contact::WearMap& map = *done.process->view().model.wear->map(0);
   constexpr double expected = 6.25e-4;
   const double tool = mean_depth(map, -0.5, 1.5);
   show("WEA-01", "uniform, tool [mm]", tool, expected);
@@ -90,7 +90,7 @@ TEST(ArchardWear, IsThatOfUniformSliding) {
       EXPECT_NEAR(cell.depth, expected, one_percent * expected) << x;
     }
   std::size_t worn_points = 0; // two a face of the underside
-  for (const double depth : done.process->wear()->workpiece(0)->depth) {
+  for (const double depth : done.process->view().model.wear->workpiece(0)->depth) {
     worn_points += depth > 0.0 ? 1 : 0;
     EXPECT_NEAR(depth, depth > 0.0 ? expected : 0.0, one_percent * expected);
   }
@@ -106,7 +106,7 @@ TEST(ArchardWear, OfAPassDoesNotDependOnTheWidthOfContact) {
     s.end = 2.0;
     const FinishedRun done = run(sliding_block(s));
     ASSERT_EQ(done.status, RunStatus::done);
-    const contact::WearMap& map = *done.process->wear()->map(0);
+    const contact::WearMap& map = *done.process->view().model.wear->map(0);
     const double half_width = 0.5 * done.last().report.contact_area;
     const double depth = mean_depth(map, half_width + 0.3, 8.0 - half_width - 0.3);
     show("WEA-01", fmt::format("Hertz pass, a = {:.2f} mm, tool [mm]", half_width), depth,
@@ -127,7 +127,7 @@ TEST(ArchardWear, FollowsTheFlowOfAnUpsetBillet) {
   const double L = -std::log(0.7);
   const double slope = K / H * 0.5 * (700.0 * L + 0.5 * 300.0 * L * L);
   for (const double r : {2.0, 4.0, 6.0, 8.0}) {
-    const double depth = mean_depth(*done.process->wear()->map(0), r - 0.5, r + 0.5);
+    const double depth = mean_depth(*done.process->view().model.wear->map(0), r - 0.5, r + 0.5);
     show("WEA-01", fmt::format("upsetting, die at r = {} mm [mm]", r), depth, slope * r);
     // A point's wear is spread evenly over its piece of the face, though it lies off the middle.
     EXPECT_NEAR(depth, slope * r, 2.0 * one_percent * slope * r);
@@ -156,8 +156,8 @@ TEST(ArchardWear, OfCoulombFrictionIsItsWork) {
   // Up to a hundredth of the way the stick stiffness stores what the last slide has paid (C.17).
   const FinishedRun done = upset(0.03);
   ASSERT_EQ(done.status, RunStatus::done);
-  const double expected = K / H * done.process->energy().friction / 0.1;
-  const double volume = done.process->wear()->map(0)->volume();
+  const double expected = K / H * done.process->view().state.energy.friction / 0.1;
+  const double volume = done.process->view().model.wear->map(0)->volume();
   show("WEA-01", "volume, (K/H) friction work / mu [mm^3]", volume, expected);
   EXPECT_NEAR(volume, expected, one_percent * expected);
 }
@@ -166,13 +166,14 @@ TEST(ArchardWear, DoesNotDependOnIncrements) {
   // What is left is the first increment: the trapezoidal rule is coarse where the pressure rises.
   const FinishedRun fine = upset(0.015);
   ASSERT_EQ(fine.status, RunStatus::done);
-  const contact::WearMap& reference = *fine.process->wear()->map(0);
+  const contact::WearMap& reference = *fine.process->view().model.wear->map(0);
   for (const double increment : {0.03, 0.06, 0.1}) {
     const FinishedRun coarse = upset(increment);
     ASSERT_EQ(coarse.status, RunStatus::done);
-    const contact::WearMap& map = *coarse.process->wear()->map(0);
-    const auto what = fmt::format("{} increments, {} cut-backs", coarse.process->increments(),
-                                  coarse.process->cutbacks());
+    const contact::WearMap& map = *coarse.process->view().model.wear->map(0);
+    const auto what =
+        fmt::format("{} increments, {} cut-backs", coarse.process->view().state.increment,
+                    coarse.process->view().state.counters.cutbacks);
     show("WEA-01", what + ": volume [mm^3]", map.volume(), reference.volume());
     show("WEA-01", what + ": at r = 6 [mm]", mean_depth(map, 5, 7), mean_depth(reference, 5, 7));
     EXPECT_NEAR(map.volume(), reference.volume(), one_percent * reference.volume());
@@ -186,8 +187,8 @@ TEST(ArchardWear, DoesNotDependOnUnits) {
   const FinishedRun mm = upset(0.06);
   for (const double unit : {1e-3, 1e3}) {
     const FinishedRun other = upset(0.06, unit);
-    const contact::WearMap& a = *mm.process->wear()->map(0);
-    const contact::WearMap& b = *other.process->wear()->map(0);
+    const contact::WearMap& a = *mm.process->view().model.wear->map(0);
+    const contact::WearMap& b = *other.process->view().model.wear->map(0);
     const double cube = unit * unit * unit;
     support::show_error("WEA-01", fmt::format("units times {}", unit),
                         std::abs(b.volume() / cube / a.volume() - 1.0), rounding);

@@ -22,13 +22,13 @@ struct Gate {
 
 void expect_force(const FinishedRun& done, const Gate& gate, const std::string& name) {
   const Entry& entry = done.at(gate.reduction * height);
-  const Scene& scene = done.process->scene();
+  const Scene& scene = done.process->view().scene;
   // Along the axis: a quarter in space also feels shear that the other quarters balance, which adds
   // 2 to 4 % to the resultant.
-  const double force = std::abs(entry.loads[0].force[up(scene.analysis)]) / 1e3;
+  const double force = std::abs(entry.loads[0].force[up(scene.part.analysis)]) / 1e3;
   std::printf("%s at %.0f %%: F = %.2f kN (ref %.2f +- %.1f %%), R = %.3f\n", name.c_str(),
               100.0 * gate.reduction, force, gate.force, 100.0 * gate.tolerance,
-              largest_position(entry, scene.mesh.dimension(), 0));
+              largest_position(entry, scene.part.mesh.dimension(), 0));
   EXPECT_NEAR(force, gate.force, gate.tolerance * gate.force) << name;
 }
 
@@ -56,7 +56,8 @@ void check_billet(ElementKind kind) {
           most = std::max(most, entry.report.energy.error());
         return most;
       }(),
-      done.process->increments(), done.process->iterations(), done.process->cutbacks());
+      done.process->view().state.increment, done.process->view().state.counters.iterations,
+      done.process->view().state.counters.cutbacks);
   EXPECT_NEAR(largest_position(end, 2, 0), 16.51, 0.06);
   EXPECT_NEAR(end.report.volume / volume, 0.9964, 0.001);
   EXPECT_LT(end.report.energy.error(), 5e-3);

@@ -74,7 +74,7 @@ Scene closed_die(ElementKind kind, const contact::Friction& friction) {
   u.friction = friction;
   u.reduction = stroke / side;
   Scene scene = upsetting_scene(std::move(u));
-  scene.supports.resize(1); // the symmetry plane; the floor is a tool
+  scene.part.supports.resize(1); // the symmetry plane; the floor is a tool
   const auto still = [&](const char* name, const Vec3& point, const Vec3& normal) {
     scene.tools.push_back(
         moving_tool(name, geometry::make_plane(point, normal), Vec3::Zero(), friction));
@@ -82,7 +82,7 @@ Scene closed_die(ElementKind kind, const contact::Friction& friction) {
   still("wall", {wall, 0, 0}, {-1, 0, 0});
   still("floor", {0, 0, 0}, {0, 1, 0});
   scene.touch = {1, 0, 0};
-  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
   scene.stages = {{"press", stroke, {1, 1, 1}, false}};
   return scene;
 }
@@ -117,7 +117,7 @@ TEST(ClosedDie, FillsItsCornersWhateverTheFriction) {
     for (const double mu : {0.1, 0.3, 1.0}) {
       const FinishedRun done = run(closed_die(kind, contact::Coulomb{mu}));
       ASSERT_EQ(done.status, RunStatus::done) << mu;
-      EXPECT_LE(done.process->cutbacks(), 2) << mu;
+      EXPECT_LE(done.process->view().state.counters.cutbacks, 2) << mu;
       Vec3 sum = Vec3::Zero();
       double largest = 0.0;
       for (const auto& load : done.last().loads) {

@@ -38,7 +38,7 @@ Scene ring_scene(const contact::Friction& friction) {
   u.material = soft_steel(400.0, 2.0);
   u.reduction = 0.6;
   Scene scene = upsetting_scene(std::move(u));
-  scene.supports = {held(scene.mesh, 1, 0.0)};
+  scene.part.supports = {held(scene.part.mesh, 1, 0.0)};
   scene.landing_times = {0.4 * 3.0};
   return scene;
 }
@@ -73,7 +73,7 @@ TEST(Ring, HasTheBoreOfTheReference) {
     ASSERT_EQ(done.status, RunStatus::done) << row.m;
     for (const std::size_t i : {0U, 1U}) {
       const double reduction = i == 0 ? 0.4 : 0.6;
-      const Bore bore = bore_of(done.at(3.0 * reduction), done.process->scene().mesh);
+      const Bore bore = bore_of(done.at(3.0 * reduction), done.process->view().mesh());
       std::printf("FRM-03 m = %.2f at %.0f %%: bore -%.2f %% in the middle (%.2f), %.2f %% at the "
                   "die; force %.2f kN (%.2f)\n",
                   row.m, 100.0 * reduction, bore.middle, row.middle[i], bore.contact, bore.force,
@@ -174,26 +174,26 @@ double capstan_ratio(const contact::Friction& friction, int n) {
   constexpr double slack = 1.0; // [N/mm]
   Scene scene;
   scene.title = "capstan";
-  scene.mesh = wrapped_strip(n);
+  scene.part.mesh = wrapped_strip(n);
   scene.material = elastic_body(5e4, 0.0);
-  scene.contact_faces = mechanics::boundary_faces(scene.mesh);
+  scene.part.contact_faces = mechanics::boundary_faces(scene.part.mesh);
   scene.tools.push_back(
       moving_tool("drum", geometry::make_circle({0, 0, 0}, drum, false), Vec3::Zero(), friction));
   scene.touch = {0};
-  DeadForces pull{std::vector<double>(2 * scene.mesh.points.size(), 0.0),
+  DeadForces pull{std::vector<double>(2 * scene.part.mesh.points.size(), 0.0),
                   TimeFunction({{0.0, 0.0}, {1.0, 1.0}})};
-  for (const auto& [node, share] : end_nodes(scene.mesh, -1.0))
+  for (const auto& [node, share] : end_nodes(scene.part.mesh, -1.0))
     pull.forces[2 * as_size(node) + 1] = -slack * share;
-  scene.loads.emplace_back(std::move(pull));
+  scene.part.loads.emplace_back(std::move(pull));
   Support drawn{{}, 1, TimeFunction({{0.0, 0.0}, {1.0, 0.0}, {2.0, -0.2}})};
-  for (const auto& [node, share] : end_nodes(scene.mesh, 1.0))
+  for (const auto& [node, share] : end_nodes(scene.part.mesh, 1.0))
     drawn.nodes.push_back(node);
-  scene.supports.push_back(std::move(drawn));
+  scene.part.supports.push_back(std::move(drawn));
   scene.stages.push_back({"slide", 2.0, {1}, false});
   const FinishedRun done = run(std::move(scene));
   EXPECT_EQ(done.status, RunStatus::done);
   // Light contact: with the penalty for forming pressures it takes ten thousand (C.24).
-  EXPECT_LT(done.process->increments(), 200);
+  EXPECT_LT(done.process->view().state.increment, 200);
   return (-done.last().loads[0].force[1] - slack) / slack;
 }
 

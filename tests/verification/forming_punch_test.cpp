@@ -63,27 +63,27 @@ Scene indented(ElementKind kind,
                const contact::Friction& friction,
                double end) {
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = block(kind, n);
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh = block(kind, n);
   scene.material = {{1000.0 * yield, 0.49}, mechanics::Perfect{yield}};
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 0, size),
-                    held(scene.mesh, 1, -size)};
-  const std::vector<Index> top = nodes_at(scene.mesh, 1, 0.0);
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 0, size),
+                         held(scene.part.mesh, 1, -size)};
+  const std::vector<Index> top = nodes_at(scene.part.mesh, 1, 0.0);
   if (punch == Punch::nodes) {
     constexpr double rounding = 1e-9;
     std::vector<Index> under;
     for (const Index a : top)
-      if (scene.mesh.points[as_size(a)][0] <= 1.0 + rounding)
+      if (scene.part.mesh.points[as_size(a)][0] <= 1.0 + rounding)
         under.push_back(a);
-    scene.supports.push_back({under, 0, TimeFunction(0.0)});
-    scene.supports.push_back({under, 1, TimeFunction({{0.0, 0.0}, {end, -end}})});
+    scene.part.supports.push_back({under, 0, TimeFunction(0.0)});
+    scene.part.supports.push_back({under, 1, TimeFunction({{0.0, 0.0}, {end, -end}})});
   } else {
     const std::array<Vec2, 4> corners{Vec2(-2, 0), Vec2(1, 0), Vec2(1, 2), Vec2(-2, 2)};
     scene.tools.push_back(moving_tool("punch",
                                       geometry::make_profile(geometry::polygon(corners, true)),
                                       -Vec3::UnitY(), friction));
     scene.touch = {0};
-    scene.contact_faces = faces_on(scene.mesh, 1, 0.0);
+    scene.part.contact_faces = faces_on(scene.part.mesh, 1, 0.0);
     // In mixed form the outermost face loses one point, then the other: without friction p falls by
     // 9 % at 0.047 on quad8, n = 16, and tri6 under sticking do not converge beyond 0.02.
     scene.contact.form = contact::Form::compatible;
@@ -103,14 +103,14 @@ public:
                 const contact::Friction& friction,
                 double end) {
     Process process(indented(kind, n, punch, friction, end));
-    support::Recorder recorder([&](const Process& now, const IncrementReport& report) {
+    support::Recorder recorder([&](const Run& now, const IncrementReport& report) {
       curve_.emplace_back(report.time, force(now) / twice_shear_yield);
     });
     support::run_to_end(process, recorder);
     fmt::print("[FRM-07] {} n = {}: {} increments, {} iterations, {} cut-backs\n",
-               mechanics::name(kind), n, process.increments(), process.iterations(),
-               process.cutbacks());
-    EXPECT_LT(process.energy().error(), 5e-3);
+               mechanics::name(kind), n, process.view().state.increment,
+               process.view().state.counters.iterations, process.view().state.counters.cutbacks);
+    EXPECT_LT(process.view().state.energy.error(), 5e-3);
   }
 
   [[nodiscard]] double at(double penetration) const {
@@ -122,12 +122,12 @@ public:
   }
 
 private:
-  static double force(const Process& process) {
+  static double force(const Run& process) {
     if (process.contact() != nullptr)
       return process.contact()->loads()[0].force[1];
     double sum = 0.0;
-    for (const Index a : process.scene().supports.back().nodes)
-      sum -= process.reactions()[as_size(2 * a + 1)];
+    for (const Index a : process.part().supports.back().nodes)
+      sum -= process.state.reactions[as_size(2 * a + 1)];
     return sum;
   }
 
@@ -207,13 +207,14 @@ constexpr double slow = 0.03; // VALIDATION: growth on the finest mesh, of quad8
 /// shear yield stress.
 Scene under_round_punch(ElementKind kind, double penalty, int n = 15) {
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh({kind, Vec3::Zero(), Vec3(6, 3, 0), {2 * n, n, 1}, {1, 1, 1}});
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh =
+      mechanics::box_mesh({kind, Vec3::Zero(), Vec3(6, 3, 0), {2 * n, n, 1}, {1, 1, 1}});
   scene.material = {{200e3, 0.3}, mechanics::Linear{400.0, 300.0}};
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0)};
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, 0.0)};
   scene.tools.push_back(moving_tool("punch", geometry::make_circle({0, 5, 0}, 2.0, false),
                                     Vec3(0, -1, 0), contact::Tresca{0.5, {}}));
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   scene.contact.penalty = penalty;
   scene.stages.push_back({"indent", 0.3, {1}, false});
   scene.increments.first = 0.003;
@@ -227,7 +228,8 @@ TEST(RoundPunch, TouchesStraightFacesWithBothTheirPoints) {
   const auto end = [](ElementKind kind, double penalty) {
     const FinishedRun done = run(under_round_punch(kind, penalty));
     EXPECT_EQ(done.status, RunStatus::done);
-    return std::array<double, 2>{done.process->contact()->area(), done.last().loads[0].force[1]};
+    return std::array<double, 2>{done.process->view().contact()->area(),
+                                 done.last().loads[0].force[1]};
   };
   const auto [area, force] = end(ElementKind::quad8, 100.0);
   ASSERT_GT(area, 0.5);
@@ -247,14 +249,15 @@ TEST(RoundPunch, TouchesStraightFacesWithBothTheirPoints) {
 /// quarter of a ball.
 Scene under_ball(ElementKind kind, int n) {
   Scene scene = under_round_punch(ElementKind::quad8, 100.0);
-  scene.analysis = Analysis::solid;
-  scene.mesh =
+  scene.part.analysis = Analysis::solid;
+  scene.part.mesh =
       mechanics::box_mesh({kind, Vec3::Zero(), Vec3(3, 1.5, 3), {n, (n + 1) / 2, n}, {1, 1, 1}});
-  scene.supports = {held(scene.mesh, 0, 0.0), held(scene.mesh, 1, 0.0), held(scene.mesh, 2, 0.0)};
+  scene.part.supports = {held(scene.part.mesh, 0, 0.0), held(scene.part.mesh, 1, 0.0),
+                         held(scene.part.mesh, 2, 0.0)};
   scene.tools.clear();
   scene.tools.push_back(moving_tool("ball", geometry::make_sphere({0, 4.5, 0}, 3.0, false),
                                     Vec3(0, -1, 0), contact::Tresca{0.5, {}}));
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   scene.stages.front().end = 0.12;
   return scene;
 }
@@ -295,19 +298,21 @@ struct RoundPunchEnd {
 };
 
 RoundPunchEnd end_of(Scene scene) {
-  const ElementKind kind = scene.mesh.kind;
+  const ElementKind kind = scene.part.mesh.kind;
   const contact::Form form = scene.contact.form;
   const FinishedRun done = run(std::move(scene));
   EXPECT_EQ(done.status, RunStatus::done);
-  const Process& process = *done.process;
-  const RoundPunchEnd end{unevenness(*process.contact(), *process.surface(), process.positions()),
-                          process.contact()->area()};
+  const Run& process = *done.process;
+  const RoundPunchEnd end{
+      unevenness(*process.contact(), *process.model.surface, process.positions()),
+      process.contact()->area()};
   fmt::print(
       "{}, {}: uneven by {:.3f}, area {:.4f}, force {:.1f} N, {} increments, {} iterations\n",
       mechanics::name(kind), form == contact::Form::mixed ? "mixed" : "compatible", end.uneven,
-      end.area, done.last().loads[0].force[1], process.increments(), process.iterations());
+      end.area, done.last().loads[0].force[1], process.state.increment,
+      process.state.counters.iterations);
   // Under the ball, whose contact grows by whole faces of a coarse mesh, 0.6 % with and without.
-  EXPECT_LT(process.energy().error(), kind == ElementKind::tet10 ? 1e-2 : 5e-3);
+  EXPECT_LT(process.state.energy.error(), kind == ElementKind::tet10 ? 1e-2 : 5e-3);
   return end;
 }
 

@@ -61,15 +61,15 @@ Scene rolled_strip(const Pass& pass) {
   const double bite = pass.bite();
   const Vec3 centre(0, pass.centre(), 0);
   Scene scene;
-  scene.analysis = Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh({ElementKind::quad4,
-                                    Vec3(bite - pass.length, 0, 0),
-                                    Vec3(bite, 0.5 * pass.entry, 0),
-                                    pass.cells,
-                                    {1, 1, 1}});
+  scene.part.analysis = Analysis::plane_strain;
+  scene.part.mesh = mechanics::box_mesh({ElementKind::quad4,
+                                         Vec3(bite - pass.length, 0, 0),
+                                         Vec3(bite, 0.5 * pass.entry, 0),
+                                         pass.cells,
+                                         {1, 1, 1}});
   scene.material = {{pass.young, poisson},
                     mechanics::Perfect{0.5 * pass.twice_shear_yield * std::numbers::sqrt3}};
-  scene.supports.push_back(held(scene.mesh, 1, 0.0));
+  scene.part.supports.push_back(held(scene.part.mesh, 1, 0.0));
   contact::Tool roll =
       moving_tool("roll", geometry::make_circle(centre, pass.radius, false), Vec3::Zero(),
                   contact::Coulomb{pass.mu, 0.0, contact::Strength::yield});
@@ -85,7 +85,7 @@ Scene rolled_strip(const Pass& pass) {
   scene.tools.push_back(std::move(roll));
   scene.tools.push_back(std::move(plate));
   scene.touch = {0, 0};
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   scene.stages.push_back({"roll", pass.end, {1, 1}, false});
   scene.landing_times = {pass.pushed / pass.speed}; // as the reader of cases says of a table
   return scene;
@@ -119,7 +119,7 @@ class NeutralAngle final : public Observer {
 public:
   explicit NeutralAngle(const Pass& pass) : pass_(pass) {}
 
-  void incremented(const Process& process, const IncrementReport& report) override {
+  void incremented(const Run& process, const IncrementReport& report) override {
     if (report.time < pass_.steady)
       return;
     // From the exit, where the shear holds the strip back, to the entry.
@@ -141,8 +141,8 @@ private:
     double shear; ///< along x, mean of its points [MPa]
   };
 
-  [[nodiscard]] std::vector<FaceShear> under_the_roll(const Process& process) const {
-    const contact::ContactSurface& surface = *process.surface();
+  [[nodiscard]] std::vector<FaceShear> under_the_roll(const Run& process) const {
+    const contact::ContactSurface& surface = *process.model.surface;
     const std::vector<contact::PointResult> points = process.contact()->results();
     std::vector<Vec3> at(surface.n_points());
     surface.positions(process.positions(), at);
@@ -196,8 +196,9 @@ RolledStrip roll(const Pass& pass, const SlabFigures& slab) {
   support::show("FRM-11", "force per width", strip.mean.force, slab.force);
   support::show("FRM-11", "torque per width", strip.mean.torque, slab.torque);
   support::show("FRM-11", "neutral angle [deg]", strip.neutral, slab.neutral);
-  std::printf("[FRM-11] %d increments, %d cut-backs, energy %.1e\n", done.process->increments(),
-              done.process->cutbacks(), done.last().report.energy.error());
+  std::printf("[FRM-11] %d increments, %d cut-backs, energy %.1e\n",
+              done.process->view().state.increment, done.process->view().state.counters.cutbacks,
+              done.last().report.energy.error());
   EXPECT_EQ(done.status, RunStatus::done);
   EXPECT_EQ(done.last().loads[1].force.norm(), 0.0) << "nothing pushes any more";
   EXPECT_LT(done.last().report.energy.error(), 5e-3);
@@ -213,7 +214,9 @@ TEST(Rolling, FRM_11_friction_above_the_bite_draws_a_thin_strip_in) {
   EXPECT_NEAR(strip.mean.force, force, 0.015 * force);
   EXPECT_NEAR(strip.mean.torque, slab_thin.torque, 0.08 * slab_thin.torque);
   // With a turn of the shear that is a jump it takes ten times as many.
-  EXPECT_LT(strip.done.process->increments() + strip.done.process->cutbacks(), 250);
+  EXPECT_LT(strip.done.process->view().state.increment +
+                strip.done.process->view().state.counters.cutbacks,
+            250);
 }
 
 // The arc is 1.9 mean thicknesses long: VALIDATION allows 10 %.

@@ -55,7 +55,7 @@ mechanics::Mesh box(ElementKind kind, int n, int m, bool distorted) {
 /// (largest - smallest) / largest pressure over the points in contact at the end.
 double pressure_spread(const FinishedRun& done) {
   double least = 1e300, most = 0.0;
-  for (const auto& point : done.process->contact()->results())
+  for (const auto& point : done.process->view().contact()->results())
     if (point.pressure > 0.0) {
       least = std::min(least, point.pressure);
       most = std::max(most, point.pressure);
@@ -81,7 +81,7 @@ void check(Body body, double tolerance) {
     const double force = entry.loads[0].force.norm();
     // The part is higher than the die stands by the penetration.
     const double now =
-        largest_position(entry, done.process->scene().mesh.dimension(), up(body.analysis));
+        largest_position(entry, done.process->view().mesh().dimension(), up(body.analysis));
     const double exact = exact_stress(1.0 - now / height) * body.area;
     worst = std::max(worst, std::abs(force / exact - 1.0));
     worst_deep =

@@ -21,32 +21,34 @@ using mechanics::ElementKind;
 Scene membrane(ElementKind kind, int n, double poisson) {
   Scene scene;
   const bool solid = mechanics::dimension(kind) == 3;
-  scene.analysis = solid ? Analysis::solid : Analysis::plane_strain;
-  scene.mesh = mechanics::box_mesh({.kind = kind, .cells = {n, n, 1}});
+  scene.part.analysis = solid ? Analysis::solid : Analysis::plane_strain;
+  scene.part.mesh = mechanics::box_mesh({.kind = kind, .cells = {n, n, 1}});
   for (const char* wall : {"z-min", "z-max"})
     if (solid)
       support::support(scene, wall, 2);
   support::support(scene, "x-min", 0);
   support::support(scene, "x-min", 1);
-  const auto right = support::faces_where(scene.mesh, [](const Vec3& p) { return p[0] == 1.0; });
-  for (Vec3& p : scene.mesh.points) {
+  const auto right =
+      support::faces_where(scene.part.mesh, [](const Vec3& p) { return p[0] == 1.0; });
+  for (Vec3& p : scene.part.mesh.points) {
     const double x = 48.0 * p[0];
     p = Vec3(x, 44.0 / 48.0 * x + p[1] * (44.0 - 28.0 / 48.0 * x), p[2]);
   }
   scene.material = {{240.565, poisson}, mechanics::Elastic{}};
-  scene.loads.push_back(DeadForces{
-      mechanics::traction_forces(scene.mesh, scene.analysis, right, Vec3(0.0, 100.0 / 16.0, 0.0)),
-      TimeFunction({{0.0, 0.0}, {1.0, 1.0}})});
+  scene.part.loads.push_back(
+      DeadForces{mechanics::traction_forces(scene.part.mesh, scene.part.analysis, right,
+                                            Vec3(0.0, 100.0 / 16.0, 0.0)),
+                 TimeFunction({{0.0, 0.0}, {1.0, 1.0}})});
   support::one_stage(scene, 1.0, 5);
   return scene;
 }
 
 /// By how much the mean stress at the points differs from the mean at the nodes around, root mean
 /// square over that of the mean stress itself: large where it alternates.
-double roughness(const Process& process) {
-  const mechanics::Mesh& mesh = process.scene().mesh;
-  const auto stresses = process.bulk().stresses(process.positions());
-  const int points = process.bulk().points();
+double roughness(const Run& process) {
+  const mechanics::Mesh& mesh = process.mesh();
+  const auto stresses = process.model.bulk->stresses(process.positions());
+  const int points = process.model.bulk->points();
   std::vector<double> at_nodes(mesh.points.size(), 0.0);
   std::vector<double> count(mesh.points.size(), 0.0);
   const auto of_element = [&](Index e) {
@@ -85,7 +87,7 @@ double corner_rise(ElementKind kind, int n, double poisson) {
       "ELT-06",
       fmt::format("{} nu {} n {} roughness of the mean stress", mechanics::name(kind), poisson, n),
       roughness(process), 0.0);
-  const auto corner = support::nodes_where(process.scene().mesh, [](const Vec3& p) {
+  const auto corner = support::nodes_where(process.view().mesh(), [](const Vec3& p) {
     return p[0] == 48.0 && std::abs(p[1] - 60.0) < 1e-9;
   });
   EXPECT_GE(corner.size(), 1U);
@@ -149,9 +151,10 @@ TEST(Cook, ELT_06_small_strain_plane_strain_limit_is_linear_in_the_load) {
   // A tenth of a thousandth of the load gives that share of the linear answer: no hidden scale.
   const auto rise = [](double share) {
     Scene scene = membrane(ElementKind::quad8, 4, 0.3);
-    std::get<DeadForces>(scene.loads[0]).amplitude = TimeFunction({{0.0, 0.0}, {1.0, share}});
-    const auto corner = support::nodes_where(
-        scene.mesh, [](const Vec3& p) { return p[0] == 48.0 && std::abs(p[1] - 60.0) < 1e-9; });
+    std::get<DeadForces>(scene.part.loads[0]).amplitude = TimeFunction({{0.0, 0.0}, {1.0, share}});
+    const auto corner = support::nodes_where(scene.part.mesh, [](const Vec3& p) {
+      return p[0] == 48.0 && std::abs(p[1] - 60.0) < 1e-9;
+    });
     Process process(std::move(scene));
     support::Recorder recorder;
     support::run_to_end(process, recorder);

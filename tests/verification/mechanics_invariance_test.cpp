@@ -83,15 +83,15 @@ Scene block(ElementKind kind,
             Below below = Below::clamp) {
   const bool solid = mechanics::dimension(kind) == 3;
   Scene scene;
-  scene.analysis = solid ? Analysis::solid : Analysis::plane_strain;
+  scene.part.analysis = solid ? Analysis::solid : Analysis::plane_strain;
   const auto mesh =
       mechanics::box_mesh({.kind = kind,
                            .high = {3, 2, 2},
                            .cells = solid ? std::array{3, 2, 2} : std::array{6, 5, 1}});
   std::vector<mechanics::Face> top;
-  scene.mesh = told(mesh, telling, number);
+  scene.part.mesh = told(mesh, telling, number);
   const Mat3 back = telling.Q.transpose();
-  scene.contact_faces = support::faces_where(scene.mesh, [&](const Vec3& p) {
+  scene.part.contact_faces = support::faces_where(scene.part.mesh, [&](const Vec3& p) {
     return std::abs(std::abs((back * p)[1] - 1.0) - 1.0) < 1e-9;
   });
   scene.material = {{200e3, 0.3}, mechanics::Linear{300.0, 500.0}};
@@ -109,7 +109,7 @@ Scene block(ElementKind kind,
     anvil.friction = contact::Sticking{};
     scene.tools.push_back(std::move(anvil));
   } else {
-    for (int c = 0; c < scene.mesh.dimension(); ++c)
+    for (int c = 0; c < scene.part.mesh.dimension(); ++c)
       support::support(scene, "y-min", c);
   }
   scene.touch.assign(scene.tools.size(), 0);
@@ -139,14 +139,14 @@ pressed(ElementKind kind, const Telling& telling, Index n_points, Below below = 
     result.iterations.push_back(report.iterations);
   const Mat3 back = telling.Q.transpose();
   for (const Index node : number) {
-    const Vec3 p = back * (process.scene().mesh.points[static_cast<std::size_t>(node)] +
+    const Vec3 p = back * (process.view().mesh().points[static_cast<std::size_t>(node)] +
                            support::displacement(process, node));
     result.positions.insert(result.positions.end(), p.begin(), p.end());
   }
-  result.force = back * process.contact()->loads()[0].force;
-  result.raw.assign(process.positions().begin(), process.positions().end());
-  EXPECT_GT(process.energy().friction, 0.0);
-  EXPECT_GT(process.energy().plastic, 0.0);
+  result.force = back * process.view().contact()->loads()[0].force;
+  result.raw.assign(process.view().positions().begin(), process.view().positions().end());
+  EXPECT_GT(process.view().state.energy.friction, 0.0);
+  EXPECT_GT(process.view().state.energy.plastic, 0.0);
   return result;
 }
 

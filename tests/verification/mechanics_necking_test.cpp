@@ -41,10 +41,10 @@ mechanics::FlowTable simos_law() {
 /// The upper half of the bar, y = 0 its middle; the end is pulled by half the elongation a second.
 Scene bar(ElementKind kind, std::array<int, 3> cells, double elongation) {
   Scene scene;
-  scene.analysis = mechanics::Analysis::axisymmetric;
-  scene.mesh =
+  scene.part.analysis = mechanics::Analysis::axisymmetric;
+  scene.part.mesh =
       mechanics::box_mesh({kind, Vec3::Zero(), Vec3(radius, half_length, 0.0), cells, {1, 1, 1}});
-  for (Vec3& p : scene.mesh.points)
+  for (Vec3& p : scene.part.mesh.points)
     p[0] *= narrowing + (1.0 - narrowing) * p[1] / half_length;
   scene.material = {{206.9e3, 0.29}, simos_law()};
   support::support(scene, "x-min", 0);
@@ -62,26 +62,27 @@ struct Row {
   double neck;       ///< radius in the middle over that of the bar [-]
 };
 
-Row measured(const Process& process, double elongation) {
+Row measured(const Run& process, double elongation) {
   double force = 0.0;
-  for (const Index node : process.scene().mesh.node_sets.at("y-max"))
-    force += process.reactions()[static_cast<std::size_t>(2 * node + 1)];
+  for (const Index node : process.mesh().node_sets.at("y-max"))
+    force += process.state.reactions[static_cast<std::size_t>(2 * node + 1)];
   double neck = 0.0;
-  for (const Index node : process.scene().mesh.node_sets.at("y-min"))
+  for (const Index node : process.mesh().node_sets.at("y-min"))
     neck = std::max(neck, process.positions()[static_cast<std::size_t>(2 * node)]);
   return {elongation, force / 1e3, neck / radius};
 }
 
 std::vector<Row> history(Scene scene) {
   std::vector<Row> rows;
-  support::Recorder recorder([&](const Process& process, const IncrementReport& report) {
+  support::Recorder recorder([&](const Run& process, const IncrementReport& report) {
     rows.push_back(measured(process, report.time));
   });
   Process process(std::move(scene));
   support::run_to_end(process, recorder);
-  fmt::print("[MAT-10] {} increments, {} iterations, energy error {:.1e}\n", process.increments(),
-             process.iterations(), process.energy().error());
-  EXPECT_LT(process.energy().error(), 5e-3);
+  fmt::print("[MAT-10] {} increments, {} iterations, energy error {:.1e}\n",
+             process.view().state.increment, process.view().state.counters.iterations,
+             process.view().state.energy.error());
+  EXPECT_LT(process.view().state.energy.error(), 5e-3);
   return rows;
 }
 

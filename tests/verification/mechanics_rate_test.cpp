@@ -39,9 +39,9 @@ Scene at_constant_rate(ElementKind kind,
 }
 
 /// Kirchhoff stress of the first point, von Mises [MPa].
-double stress(const Process& process) {
-  return mechanics::mises_stress(process.bulk().material(), process.bulk().states()[0], 0.0, 1.0,
-                                 20.0)
+double stress(const Run& process) {
+  return mechanics::mises_stress(process.model.bulk->material(), process.model.bulk->states()[0],
+                                 0.0, 1.0, 20.0)
       .stress;
 }
 
@@ -86,9 +86,8 @@ TEST(Rate, MAT_06b_a_bar_held_at_its_length_relaxes_as_backward_euler_does) {
     scene.increments.first = scene.increments.max = 1.0;
     scene.increments.min = 1.0; // none is gone in parts
     std::vector<double> stresses;
-    support::Recorder recorder([&](const Process& process, const IncrementReport&) {
-      stresses.push_back(stress(process));
-    });
+    support::Recorder recorder(
+        [&](const Run& process, const IncrementReport&) { stresses.push_back(stress(process)); });
     Process process(std::move(scene));
     support::run_to_end(process, recorder);
     ASSERT_EQ(stresses.size(), 101U) << mechanics::name(kind);
@@ -142,8 +141,8 @@ TEST(Rate, overstress_leads_to_the_rate_independent_billet_as_eta_vanishes) {
     Process process(billet(material, 1.0, contact::Coulomb{0.1}));
     support::Recorder recorder;
     support::run_to_end(process, recorder);
-    iterations = process.iterations();
-    return process.contact()->loads()[0].force[1];
+    iterations = process.view().state.counters.iterations;
+    return process.view().contact()->loads()[0].force[1];
   };
   int iterations = 0;
   const double limit = pressed({elasticity, base}, iterations);
@@ -163,8 +162,8 @@ TEST(Rate, a_molten_billet_is_pressed_to_the_end) {
   Process process(billet({elasticity, support::steel_4340, 2000.0}, 1.0, contact::Tresca{0.3, {}}));
   support::Recorder recorder;
   support::run_to_end(process, recorder);
-  EXPECT_LT(std::abs(process.contact()->loads()[0].force[1]), 1e4 * 1e-4);
-  EXPECT_TRUE(std::isfinite(process.energy().plastic));
+  EXPECT_LT(std::abs(process.view().contact()->loads()[0].force[1]), 1e4 * 1e-4);
+  EXPECT_TRUE(std::isfinite(process.view().state.energy.plastic));
 }
 
 TEST(Heating, the_rise_of_temperature_is_the_share_of_the_plastic_work) {
@@ -175,24 +174,25 @@ TEST(Heating, the_rise_of_temperature_is_the_share_of_the_plastic_work) {
     Process process(at_constant_rate(kind, {elasticity, linear, 20.0, per_work}, 1.0, 0.5, 10));
     support::Recorder recorder;
     support::run_to_end(process, recorder);
-    const double eps = process.bulk().states()[0].plastic_strain;
+    const double eps = process.view().model.bulk->states()[0].plastic_strain;
     const double closed = 20.0 + per_work * (700.0 * eps + 150.0 * eps * eps);
     support::show("heating", std::string(mechanics::name(kind)) + " temperature",
-                  process.bulk().temperature(0), closed);
-    for (std::size_t k = 0; k < process.bulk().temperatures().size(); ++k)
-      EXPECT_NEAR(process.bulk().temperature(k), closed, 1e-9 * closed);
+                  process.view().model.bulk->temperature(0), closed);
+    for (std::size_t k = 0; k < process.view().model.bulk->temperatures().size(); ++k)
+      EXPECT_NEAR(process.view().model.bulk->temperature(k), closed, 1e-9 * closed);
     double heat = 0.0;
-    for (std::size_t k = 0; k < process.bulk().temperatures().size(); ++k)
-      heat += process.bulk().volumes()[k] * (process.bulk().temperature(k) - 20.0);
-    EXPECT_NEAR(heat, per_work * process.energy().plastic, 1e-9 * heat);
+    for (std::size_t k = 0; k < process.view().model.bulk->temperatures().size(); ++k)
+      heat += process.view().model.bulk->volumes()[k] *
+              (process.view().model.bulk->temperature(k) - 20.0);
+    EXPECT_NEAR(heat, per_work * process.view().state.energy.plastic, 1e-9 * heat);
   }
 }
 
 TEST(Heating, is_stored_only_where_it_is_asked_for) {
   Process process(
       at_constant_rate(ElementKind::quad8, {elasticity, support::steel_4340, 300.0}, 1.0, 0.1, 2));
-  EXPECT_TRUE(process.bulk().temperatures().empty());
-  EXPECT_EQ(process.bulk().temperature(0), 300.0);
+  EXPECT_TRUE(process.view().model.bulk->temperatures().empty());
+  EXPECT_EQ(process.view().model.bulk->temperature(0), 300.0);
 }
 
 /// dT = chi sigma(eps, rate, T) d eps by Runge and Kutta: temperature after `strain`.
@@ -226,13 +226,13 @@ TEST(Heating, MAT_07_adiabatic_johnson_cook_converges_with_first_order) {
         at_constant_rate(ElementKind::quad4, {elasticity, law, 20.0, chi}, rate, 0.5, n));
     support::Recorder recorder;
     support::run_to_end(process, recorder);
-    const double eps = process.bulk().states()[0].plastic_strain;
+    const double eps = process.view().model.bulk->states()[0].plastic_strain;
     const double T = adiabatic(law, chi, rate, eps);
     const double sigma = law.flow_stress({eps, rate, T}).stress;
-    errors[i] = process.bulk().temperature(0) - T;
+    errors[i] = process.view().model.bulk->temperature(0) - T;
     of_stress[i] = stress(process) - sigma;
     support::show("MAT-07", fmt::format("{} increments: temperature", n),
-                  process.bulk().temperature(0), T);
+                  process.view().model.bulk->temperature(0), T);
     support::show("MAT-07", fmt::format("{} increments: stress", n), stress(process), sigma);
   }
   const double order = std::log2(errors[1] / errors[2]);
@@ -252,7 +252,7 @@ struct Units {
 /// Forces, temperature and work of a billet in mm, N, MPa.
 std::vector<double> pressed(const Units& u, const Material& in_MPa, std::vector<int>& iterations) {
   Scene scene = billet(in_MPa, 0.2, contact::Tresca{0.3, {}});
-  for (Vec3& p : scene.mesh.points)
+  for (Vec3& p : scene.part.mesh.points)
     p *= u.length;
   scene.tools[0].surface = geometry::make_plane(Vec3(0, 15.0 * u.length, 0), -Vec3::UnitY());
   scene.tools[0].motion.velocity = Vec3(0, -4.5 * u.length / (0.2 * u.time), 0);
@@ -260,15 +260,14 @@ std::vector<double> pressed(const Units& u, const Material& in_MPa, std::vector<
   // A little more than a twentieth, lest the rounding of a sum of times decide on one more.
   scene.increments.first = scene.increments.max = *scene.increments.max * u.time * (1.0 + 1e-6);
   Process process(std::move(scene));
-  support::Recorder recorder([&](const Process&, const IncrementReport& report) {
-    iterations.push_back(report.iterations);
-  });
+  support::Recorder recorder(
+      [&](const Run&, const IncrementReport& report) { iterations.push_back(report.iterations); });
   support::run_to_end(process, recorder);
-  std::vector<double> values{process.contact()->loads()[0].force[1] /
-                                 (u.stress * u.length * u.length),
-                             process.energy().plastic / (u.stress * std::pow(u.length, 3))};
-  values.insert(values.end(), process.bulk().temperatures().begin(),
-                process.bulk().temperatures().end());
+  std::vector<double> values{
+      process.view().contact()->loads()[0].force[1] / (u.stress * u.length * u.length),
+      process.view().state.energy.plastic / (u.stress * std::pow(u.length, 3))};
+  values.insert(values.end(), process.view().model.bulk->temperatures().begin(),
+                process.view().model.bulk->temperatures().end());
   return values;
 }
 

@@ -68,18 +68,18 @@ constexpr double thickness = 10.0;
 /// A quarter of the ring between a and b; x = 0 and y = 0 are planes of symmetry (or the axis).
 Scene quarter(const Vessel& vessel) {
   Scene scene;
-  scene.analysis = vessel.analysis;
+  scene.part.analysis = vessel.analysis;
   constexpr int around = 12;
-  scene.mesh = mechanics::box_mesh({.kind = vessel.kind,
-                                    .low = {a, 0, 0},
-                                    .high = {b, 1, thickness},
-                                    .cells = {vessel.radial, around, 1}});
+  scene.part.mesh = mechanics::box_mesh({.kind = vessel.kind,
+                                         .low = {a, 0, 0},
+                                         .high = {b, 1, thickness},
+                                         .cells = {vessel.radial, around, 1}});
   support::support(scene, "y-min", 1);
   support::support(scene, "y-max", 0);
   for (const char* side : {"z-min", "z-max"})
     if (vessel.analysis == Analysis::solid)
       support::support(scene, side, 2);
-  for (Vec3& p : scene.mesh.points) {
+  for (Vec3& p : scene.part.mesh.points) {
     const double angle = 0.5 * std::numbers::pi * p[1];
     // To the bit on the planes of symmetry.
     p = p[1] == 1.0 ? Vec3(0.0, p[0], p[2])
@@ -98,10 +98,9 @@ std::vector<mechanics::Face> inner_faces(const mechanics::Mesh& mesh) {
 }
 
 /// Displacement of the first node at a radius on y = 0, as of the softer body.
-double radial_displacement(const Process& process, double radius) {
-  const auto nodes = support::nodes_where(process.scene().mesh, [&](const Vec3& p) {
-    return p[1] == 0.0 && std::abs(p[0] - radius) < 1e-6;
-  });
+double radial_displacement(const Run& process, double radius) {
+  const auto nodes = support::nodes_where(
+      process.mesh(), [&](const Vec3& p) { return p[1] == 0.0 && std::abs(p[0] - radius) < 1e-6; });
   return stiffer * support::displacement(process, nodes.at(0))[0];
 }
 
@@ -118,9 +117,9 @@ double mean_stress(const Vessel& vessel, double r) {
 
 /// Root mean square of the error of the mean stress at the integration points, over the yield
 /// stress; a checkerboard would show.
-double mean_stress_error(const Process& process, const Vessel& vessel) {
-  const mechanics::Mesh& mesh = process.scene().mesh;
-  const auto stresses = process.bulk().stresses(process.positions());
+double mean_stress_error(const Run& process, const Vessel& vessel) {
+  const mechanics::Mesh& mesh = process.mesh();
+  const auto stresses = process.model.bulk->stresses(process.positions());
   double sum = 0.0, count = 0.0;
   mechanics::visit_element(mesh.kind, [&](auto element) {
     using Element = decltype(element);
@@ -143,8 +142,8 @@ double mean_stress_error(const Process& process, const Vessel& vessel) {
 /// Raises the pressure to that of the plastic radius c.
 void check_pressure(const Vessel& vessel, double tolerance) {
   Scene scene = quarter(vessel);
-  scene.loads.push_back(
-      PressureOn{inner_faces(scene.mesh), TimeFunction({{0.0, 0.0}, {1.0, vessel.pressure()}})});
+  scene.part.loads.push_back(PressureOn{inner_faces(scene.part.mesh),
+                                        TimeFunction({{0.0, 0.0}, {1.0, vessel.pressure()}})});
   support::one_stage(scene, 1.0, 12);
   Process process(std::move(scene));
   support::Recorder recorder;
@@ -168,14 +167,14 @@ void check_pressure(const Vessel& vessel, double tolerance) {
 /// Pushes the inner surface out until the wall is all plastic; returns the pressure that it takes.
 double collapse_pressure(const Vessel& vessel) {
   Scene scene = quarter(vessel);
-  const auto faces = inner_faces(scene.mesh);
+  const auto faces = inner_faces(scene.part.mesh);
   constexpr double push = 1.6; // three times the displacement at which the wall is all plastic
   const auto inner = support::nodes_where(
-      scene.mesh, [](const Vec3& p) { return std::abs(p.head<2>().norm() - a) < 1e-6; });
+      scene.part.mesh, [](const Vec3& p) { return std::abs(p.head<2>().norm() - a) < 1e-6; });
   for (const Index node : inner)
     for (int i = 0; i < 2; ++i) {
-      const double direction = scene.mesh.points[static_cast<std::size_t>(node)][i] / a;
-      scene.supports.push_back(
+      const double direction = scene.part.mesh.points[static_cast<std::size_t>(node)][i] / a;
+      scene.part.supports.push_back(
           {{node}, i, TimeFunction({{0.0, 0.0}, {1.0, push / stiffer * direction}})});
     }
   support::one_stage(scene, 1.0, 25);
@@ -183,11 +182,12 @@ double collapse_pressure(const Vessel& vessel) {
   support::Recorder recorder;
   support::run_to_end(process, recorder);
   double force = 0.0; // radial, summed over the inner nodes
-  const int scene_dim = process.scene().mesh.dimension();
+  const int scene_dim = process.view().mesh().dimension();
   for (const Index node : inner) {
-    const Vec3& p = process.scene().mesh.points[static_cast<std::size_t>(node)];
+    const Vec3& p = process.view().mesh().points[static_cast<std::size_t>(node)];
     for (int i = 0; i < 2; ++i)
-      force += process.reactions()[static_cast<std::size_t>(scene_dim * node + i)] * p[i] / a;
+      force +=
+          process.view().state.reactions[static_cast<std::size_t>(scene_dim * node + i)] * p[i] / a;
   }
   const double area = vessel.sphere()
                           ? 2.0 * std::numbers::pi * a * a

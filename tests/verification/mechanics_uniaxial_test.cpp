@@ -26,13 +26,13 @@ Scene bar(ElementKind kind, const mechanics::Material& material, double strain, 
 }
 
 /// Pull of the moved end per initial area [MPa].
-double nominal_stress(const Process& process) {
-  const bool solid = process.scene().analysis == Analysis::solid;
+double nominal_stress(const Run& process) {
+  const bool solid = process.part().analysis == Analysis::solid;
   const int axis = solid ? 2 : 1;
-  const int dim = process.scene().mesh.dimension();
+  const int dim = process.mesh().dimension();
   double force = 0.0;
-  for (const Index node : process.scene().mesh.node_sets.at(solid ? "z-max" : "y-max"))
-    force += process.reactions()[static_cast<std::size_t>(node * dim + axis)];
+  for (const Index node : process.mesh().node_sets.at(solid ? "z-max" : "y-max"))
+    force += process.state.reactions[static_cast<std::size_t>(node * dim + axis)];
   return force / (solid ? 1.0 : std::numbers::pi);
 }
 
@@ -70,10 +70,10 @@ struct LoadMaximum {
 
 LoadMaximum load_maximum(ElementKind kind, const mechanics::Material& material, double strain) {
   LoadMaximum most{0.0, 0.0};
-  support::Recorder recorder([&](const Process& process, const IncrementReport&) {
+  support::Recorder recorder([&](const Run& process, const IncrementReport&) {
     const double nominal = nominal_stress(process);
     if (nominal > most.nominal)
-      most = {process.bulk().states()[0].plastic_strain, nominal};
+      most = {process.model.bulk->states()[0].plastic_strain, nominal};
   });
   Process process(bar(kind, material, strain, 300));
   support::run_to_end(process, recorder);
@@ -135,9 +135,9 @@ TEST(Uniaxial, the_work_of_the_supports_is_stored_or_dissipated) {
     support::Recorder recorder;
     support::run_to_end(process, recorder);
     support::show_error("energy", std::string(mechanics::name(kind)) + " bar",
-                        process.energy().error(), tolerance);
-    EXPECT_LT(process.energy().error(), tolerance);
-    EXPECT_GT(process.energy().plastic, 100.0);
+                        process.view().state.energy.error(), tolerance);
+    EXPECT_LT(process.view().state.energy.error(), tolerance);
+    EXPECT_GT(process.view().state.energy.plastic, 100.0);
   }
 }
 
@@ -145,15 +145,15 @@ TEST(Uniaxial, supports_end_exactly_where_they_are_told) {
   Process process(bar(ElementKind::hex8, {{200e3, 0.3}, mechanics::Perfect{300.0}}, 0.2, 7));
   support::Recorder recorder;
   support::run_to_end(process, recorder);
-  for (const Index node : process.scene().mesh.node_sets.at("z-max"))
-    EXPECT_EQ(process.positions()[static_cast<std::size_t>(3 * node + 2)],
+  for (const Index node : process.view().mesh().node_sets.at("z-max"))
+    EXPECT_EQ(process.view().positions()[static_cast<std::size_t>(3 * node + 2)],
               1.0 + (std::exp(0.2) - 1.0));
-  EXPECT_EQ(process.grounded_motions(), 0);
+  EXPECT_EQ(process.view().model.free_motions, 0);
 }
 
 TEST(Uniaxial, a_body_that_nothing_holds_is_refused) {
   Scene scene = bar(ElementKind::quad8, {{200e3, 0.3}, mechanics::Perfect{300.0}}, 0.1, 2);
-  scene.supports.clear();
+  scene.part.supports.clear();
   try {
     const Process process(std::move(scene));
     FAIL() << "accepted";

@@ -25,8 +25,8 @@ Scene billet(const Units& units, mechanics::ElementKind kind, int increments) {
   const double mm = units.length;
   const double MPa = units.stress;
   Scene scene;
-  scene.analysis = mechanics::Analysis::axisymmetric;
-  scene.mesh =
+  scene.part.analysis = mechanics::Analysis::axisymmetric;
+  scene.part.mesh =
       mechanics::box_mesh({.kind = kind, .high = Vec3(10, 15, 0) * mm, .cells = {4, 6, 1}});
   support::support(scene, "x-min", 0);
   scene.material = {{200e3 * MPa, 0.3}, mechanics::Linear{700 * MPa, 300 * MPa}};
@@ -42,12 +42,12 @@ Scene billet(const Units& units, mechanics::ElementKind kind, int increments) {
   scene.tools.push_back(std::move(die));
   scene.tools.push_back(std::move(base));
   scene.touch = {1, 0};
-  for (const mechanics::Face& face : mechanics::boundary_faces(scene.mesh)) {
+  for (const mechanics::Face& face : mechanics::boundary_faces(scene.part.mesh)) {
     bool on_axis = true;
     for (const Index node : face.nodes)
-      on_axis = on_axis && scene.mesh.points[static_cast<std::size_t>(node)][0] == 0.0;
+      on_axis = on_axis && scene.part.mesh.points[static_cast<std::size_t>(node)][0] == 0.0;
     if (!on_axis)
-      scene.contact_faces.push_back(face);
+      scene.part.contact_faces.push_back(face);
   }
   support::one_stage(scene, 2.0, increments);
   return scene;
@@ -60,9 +60,9 @@ struct Result {
 
 Result pressed(const Units& units, mechanics::ElementKind kind) {
   Process process(billet(units, kind, 12));
-  EXPECT_EQ(process.grounded_motions(), 1);
+  EXPECT_EQ(process.view().model.free_motions, 1);
   Result result;
-  support::Recorder recorder([&](const Process& p, const IncrementReport& report) {
+  support::Recorder recorder([&](const Run& p, const IncrementReport& report) {
     result.iterations.push_back(report.iterations);
     result.values.push_back(p.contact()->loads()[0].force[1] / units.force());
     result.values.push_back(report.energy.external / units.energy());
@@ -70,9 +70,9 @@ Result pressed(const Units& units, mechanics::ElementKind kind) {
     result.values.push_back(report.contact_area / (units.length * units.length));
   });
   support::run_to_end(process, recorder);
-  for (const double x : process.positions())
+  for (const double x : process.view().positions())
     result.values.push_back(x / units.length);
-  for (const auto& state : process.bulk().states())
+  for (const auto& state : process.view().model.bulk->states())
     result.values.push_back(state.plastic_strain);
   return result;
 }
@@ -106,7 +106,7 @@ TEST(Upsetting, the_work_of_the_dies_is_accounted_for) {
     Process process(billet({"mm", 1.0, 1.0}, kind, 60));
     support::Recorder recorder;
     support::run_to_end(process, recorder);
-    const EnergyBalance& energy = process.energy();
+    const EnergyBalance& energy = process.view().state.energy;
     support::show("energy", std::string(mechanics::name(kind)) + " external against the rest",
                   energy.external,
                   energy.elastic + energy.plastic + energy.friction + energy.contact +

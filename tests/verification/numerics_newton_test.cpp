@@ -23,19 +23,19 @@ Scene indentation(ElementKind kind,
   const int n = kind == ElementKind::hex20 ? 3 : 5;
   const double radius = solid ? 20.0 : 10.0;
   Scene scene;
-  scene.analysis = solid ? Analysis::solid : Analysis::plane_strain;
-  scene.mesh =
+  scene.part.analysis = solid ? Analysis::solid : Analysis::plane_strain;
+  scene.part.mesh =
       solid ? mechanics::box_mesh({kind, Vec3::Zero(), Vec3(6, 6, 4), {n, n, 3}, {1, 1, 1}})
             : mechanics::box_mesh({kind, Vec3::Zero(), Vec3(6, 4, 0), {12, 8, 1}, {1, 1, 1}});
   scene.material = billet_steel();
-  for (int axis = 0; axis <= up(scene.analysis); ++axis)
-    scene.supports.push_back(held(scene.mesh, axis, 0.0));
-  const Vec3 along = Vec3::Unit(up(scene.analysis));
+  for (int axis = 0; axis <= up(scene.part.analysis); ++axis)
+    scene.part.supports.push_back(held(scene.part.mesh, axis, 0.0));
+  const Vec3 along = Vec3::Unit(up(scene.part.analysis));
   auto nose = solid ? geometry::make_sphere((4.0 + radius) * along, radius, false)
                     : geometry::make_circle((4.0 + radius) * along, radius, false);
   scene.tools.push_back(moving_tool("punch", std::move(nose), -along, friction));
   scene.touch = {1};
-  scene.contact_faces = free_faces(scene.mesh, scene.analysis);
+  scene.part.contact_faces = free_faces(scene.part.mesh, scene.part.analysis);
   scene.stages.push_back({"indent", 0.4, {1}, false});
   scene.increments.first = scene.increments.max = 0.4 / steps;
   scene.tolerance = to_rounding;
@@ -46,7 +46,7 @@ struct Statuses {
   int stick = 0, slip = 0;
 };
 
-Statuses statuses(const Process& process) {
+Statuses statuses(const Run& process) {
   Statuses count;
   for (const auto& point : process.contact()->results()) {
     count.stick += point.status == contact::Status::stick ? 1 : 0;
@@ -78,7 +78,8 @@ TEST(Newton, ConvergesQuadraticallyWithStickSlipAndFlow) {
         std::string(mechanics::name(kind)).c_str(), count.stick, count.slip, end.max_plastic_strain,
         median, orders.size(), orders.front(),
         of_residuals.empty() ? 0.0 : of_residuals[of_residuals.size() / 2], end.energy.error(),
-        static_cast<double>(done.process->iterations()) / done.process->increments());
+        static_cast<double>(done.process->view().state.counters.iterations) /
+            done.process->view().state.increment);
     EXPECT_GT(count.stick, 0);
     EXPECT_GT(count.slip, 0);
     EXPECT_GT(end.max_plastic_strain, 0.02);
@@ -141,8 +142,9 @@ TEST(Newton, ConvergesQuadraticallyWithEveryLaw) {
         "%-5s %-24s order %.2f in the middle of %zu increments (>= 1.8); %.1f iterations an "
         "increment, %d cut-backs\n",
         std::string(mechanics::name(law.kind)).c_str(), law.name, median, orders.size(),
-        static_cast<double>(done.process->iterations()) / done.process->increments(),
-        done.process->cutbacks());
+        static_cast<double>(done.process->view().state.counters.iterations) /
+            done.process->view().state.increment,
+        done.process->view().state.counters.cutbacks);
     EXPECT_GE(median, order) << law.name;
   }
 }
@@ -168,8 +170,9 @@ void check_flow_law(ElementKind kind,
               "%.1f iterations an increment, %d cut-backs; plastic strain %.3f\n",
               name.c_str(), strength == contact::Strength::yield ? "yield" : "von Mises", median,
               orders.size(), orders.front(),
-              static_cast<double>(done.process->iterations()) / done.process->increments(),
-              done.process->cutbacks(), done.last().report.max_plastic_strain);
+              static_cast<double>(done.process->view().state.counters.iterations) /
+                  done.process->view().state.increment,
+              done.process->view().state.counters.cutbacks, done.last().report.max_plastic_strain);
   EXPECT_GE(median, order) << name;
 }
 

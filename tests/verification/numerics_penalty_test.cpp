@@ -42,18 +42,18 @@ Outcome pressed(ElementKind kind, int n, double factor) {
   u.material = elastic_body(young, 0.0);
   u.reduction = press / height;
   Scene scene = upsetting_scene(std::move(u));
-  scene.contact_faces = faces_on(scene.mesh, up(scene.analysis), height);
+  scene.part.contact_faces = faces_on(scene.part.mesh, up(scene.part.analysis), height);
   scene.contact.penalty = factor / n; // of E over the element's depth, h / n
   scene.increments.first = scene.increments.max = scene.stages[0].end;
   const FinishedRun done = run(std::move(scene));
   EXPECT_EQ(done.status, RunStatus::done);
-  EXPECT_EQ(done.process->increments(), 1);
+  EXPECT_EQ(done.process->view().state.increment, 1);
   double least = 1e300, most = 0.0;
-  for (const auto& point : done.process->contact()->results()) {
+  for (const auto& point : done.process->view().contact()->results()) {
     least = std::min(least, point.pressure);
     most = std::max(most, point.pressure);
   }
-  return {0.5 * (least + most), 1.0 - least / most, done.process->iterations()};
+  return {0.5 * (least + most), 1.0 - least / most, done.process->view().state.counters.iterations};
 }
 
 TEST(PenaltySweep, HasTheExactPressureInThreeIterations) {

@@ -3,7 +3,7 @@
 #include "geometry/base/archive.h"
 #include "io/case/read_case.h"
 #include "io/scene/scene_builder.h"
-#include "process/run.h"
+#include "process/loop/process.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -23,20 +23,20 @@ using process::Process;
 using process::RunStatus;
 
 /// Bytes of an increment, but for clocks.
-std::string bytes_of(const Process& process, IncrementReport report) {
+std::string bytes_of(const Run& process, IncrementReport report) {
   report.wall_time = 0.0;
   ArchiveWriter bytes;
-  bytes(report, std::vector<double>(process.unknowns().begin(), process.unknowns().end()));
+  bytes(report, std::vector<double>(process.state.x.begin(), process.state.x.end()));
   for (const mechanics::IterationRecord& record : report.records)
     bytes(record.iteration, record.residual, record.correction, record.step,
           record.contact_changes);
   if (process.contact() != nullptr)
     for (const contact::ToolLoad& load : process.contact()->loads())
       bytes(load);
-  if (process.wear() != nullptr)
-    for (std::size_t t = 0; t < process.scene().tools.size(); ++t)
-      if (process.wear()->map(t))
-        bytes(process.wear()->map(t)->volume());
+  if (process.model.wear.get() != nullptr)
+    for (std::size_t t = 0; t < process.tools().size(); ++t)
+      if (process.model.wear->map(t))
+        bytes(process.model.wear->map(t)->volume());
   for (const process::BlowReport& blow : process.blows())
     bytes(blow);
   return bytes.take();
@@ -52,11 +52,11 @@ public:
   std::vector<std::string> increments;
   std::vector<Stored> stored;
 
-  void incremented(const Process& process, const IncrementReport& report) override {
+  void incremented(const Run& process, const IncrementReport& report) override {
     increments.push_back(bytes_of(process, report));
   }
-  [[nodiscard]] bool wants_checkpoint(const Process&, CheckpointReason) override { return true; }
-  void checkpoint(const Process&, const std::string& bytes) override {
+  [[nodiscard]] bool wants_checkpoint(const Run&, CheckpointReason) override { return true; }
+  void checkpoint(const Run&, const std::string& bytes) override {
     stored.push_back({increments.size(), bytes});
   }
 };
@@ -87,11 +87,11 @@ protected:
       for (std::size_t k = 0; k < rest.increments.size(); ++k)
         ASSERT_EQ(rest.increments[k] == whole.increments[after + k], true)
             << "stored " << i << ", increment " << after + k + 1;
-      EXPECT_EQ(archived(process->energy()), archived(reference->energy()));
-      EXPECT_EQ(process->iterations(), reference->iterations());
-      EXPECT_EQ(process->wasted_iterations(), reference->wasted_iterations());
-      EXPECT_EQ(process->remeshings().size(), reference->remeshings().size());
-      EXPECT_EQ(process->solver_work().systems, reference->solver_work().systems);
+      EXPECT_EQ(archived(process->view().state.energy), archived(reference->energy()));
+      EXPECT_EQ(process->view().state.counters.iterations, reference->iterations());
+      EXPECT_EQ(process->view().state.counters.wasted_iterations, reference->wasted_iterations());
+      EXPECT_EQ(process->view().state.record.remeshings.size(), reference->remeshings().size());
+      EXPECT_EQ(process->view().solver_work().systems, reference->solver_work().systems);
     }
     std::printf("%zu increments, resumed %zu times, %zu remeshings, %d cut-backs\n",
                 whole.increments.size(), resumed, reference->remeshings().size(),

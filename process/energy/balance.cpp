@@ -1,0 +1,75 @@
+#include "process/energy/balance.h"
+
+#include "process/reports/energy_balance.h"
+#include "process/state/run.h"
+#include "process/state/unknowns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace billet::process {
+
+double work_of_supports(const Run& run, double dt) {
+  double work = 0.0;
+  for (const Index i : prescribed(run, run.state.time + dt).unknowns)
+    work += 0.5 * (run.state.reactions[idx(i)] + run.model.newton->residual()[idx(i)]) *
+            (run.attempt.x[idx(i)] - run.state.x[idx(i)]);
+  return work;
+}
+
+EnergyBalance
+balance_of(const Run& run, double elastic, double plastic, const contact::ContactTerm* contact) {
+  EnergyBalance energy = run.state.energy;
+  energy.elastic = elastic;
+  energy.plastic = plastic;
+  energy.external =
+      run.state.works.supports - run.state.works.tools_gone + run.state.works.loads_before;
+  for (const auto* loads : {&run.model.loads, &run.model.fading})
+    for (const auto& load : *loads)
+      energy.external += load->work();
+  if (contact != nullptr) {
+    const contact::ContactWork& work = contact->work();
+    energy.external += work.external + work.enforcement + work.unseen;
+    energy.enforcement = contact->work().enforcement;
+    energy.friction = contact->work().friction;
+    energy.contact = contact->work().stored;
+  }
+  return energy;
+}
+
+void update_energy(Run& run) {
+  run.state.energy = balance_of(run, run.model.bulk->elastic_energy(run.state.x).sum(),
+                                run.model.bulk->plastic_work(), run.model.contact.get());
+  run.state.energy.most = run.state.energy.scale();
+  run.state.works.most = std::max({run.state.works.most, std::abs(run.state.energy.external),
+                                   run.state.energy.plastic, run.state.energy.elastic});
+}
+
+EnergyBalance energy_after(const Run& run, double dt) {
+  const mechanics::Trial trial = run.trial(dt);
+  std::optional<contact::ContactTerm> contact;
+  if (run.model.contact) {
+    contact = *run.model.contact;
+    contact->commit(trial);
+  }
+  EnergyBalance energy =
+      balance_of(run, run.model.bulk->trial_elastic_energy(run.attempt.x).sum(),
+                 run.model.bulk->plastic_work() + run.model.bulk->trial_plastic_work(),
+                 contact ? &*contact : nullptr);
+  energy.external += work_of_supports(run, dt);
+  for (const auto* loads : {&run.model.loads, &run.model.fading})
+    for (const auto& load : *loads)
+      energy.external += load->work_in(trial);
+  if (run.model.grounding)
+    energy.grounding += run.model.grounding->work_in(trial);
+  return energy;
+}
+
+/// Work of the forces that Newton's method leaves at its floor (N.2), over the size of the part.
+double work_of_rounding(const Run& run) {
+  constexpr double of_stiffness = 1e-12;
+  return of_stiffness * run.scene.material.elasticity.young * run.model.bulk->reference_volume();
+}
+
+} // namespace billet::process

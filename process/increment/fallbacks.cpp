@@ -1,0 +1,98 @@
+#include "process/increment/fallbacks.h"
+
+#include "geometry/base/outcome.h"
+#include "process/increment/force_floor.h"
+#include "process/increment/held_tool.h"
+#include "process/increment/solve_increment.h"
+#include "process/state/run.h"
+
+#include <array>
+#include <optional>
+
+namespace billet::process {
+
+namespace {
+
+using mechanics::Approach;
+
+/// What has been solved and refused has the same solution again.
+bool unsolved(const Run& run) {
+  return run.model.contact && !run.attempt.too_deep && !run.attempt.inside_out;
+}
+
+/// A part that is free but for a touch goes to and fro between points that are off by rounding.
+std::optional<Outcome<Done>> hardly_touching(Run& run, double dt) {
+  if (!may_hardly_touch(run, run.state.time + dt))
+    return std::nullopt;
+  run.attempt.hardly_touches = true;
+  Outcome<Done> solved = try_increment(run, dt, Approach::directly);
+  run.attempt.hardly_touches = false;
+  return solved;
+}
+
+/// Finds the neutral point of a roll.
+std::optional<Outcome<Done>> softer_friction(Run& run, double dt) {
+  return try_increment(run, dt, Approach::softly);
+}
+
+/// Where a sheet lifts off a tool that it lay on a stiff penalty opens little more than a point an
+/// iteration.
+std::optional<Outcome<Done>> softer_penalty(Run& run, double dt) {
+  return try_increment(run, dt, Approach::gently);
+}
+
+/// Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
+/// does not.
+std::optional<Outcome<Done>> with_less_friction(Run& run, double dt, Approach approach) {
+  constexpr int most_rounds = 4; // calm points may leave others chattering
+  std::optional<Outcome<Done>> solved;
+  for (int round = 0; round < most_rounds && run.model.contact->restart_friction_limited();
+       ++round) {
+    solved = solve_increment(run, dt, approach);
+    if (*solved || run.attempt.too_deep || run.attempt.inside_out)
+      break;
+  }
+  return solved;
+}
+
+std::optional<Outcome<Done>> friction_limited(Run& run, double dt) {
+  return with_less_friction(run, dt, Approach::directly);
+}
+
+/// Metal that snaps off an edge has far to go in any increment.
+std::optional<Outcome<Done>> more_iterations(Run& run, double dt) {
+  return try_increment(run, dt, Approach::patiently);
+}
+
+std::optional<Outcome<Done>> friction_limited_and_more_iterations(Run& run, double dt) {
+  return with_less_friction(run, dt, Approach::patiently);
+}
+
+/// A way to a solution.
+struct Fallback {
+  bool Difficulty::*worth_it;                              ///< from what difficulty on
+  std::optional<Outcome<Done>> (*go)(Run& run, double dt); ///< none: it does not apply here
+};
+
+constexpr std::array<Fallback, 7> fallbacks{{
+    {&Difficulty::failed_before, hardly_touching},
+    {&Difficulty::failed_before, softer_friction},
+    {&Difficulty::failed_before, softer_penalty},
+    {&Difficulty::failed_before, friction_limited},
+    {&Difficulty::last_way, more_iterations},
+    {&Difficulty::last_way, friction_limited_and_more_iterations},
+    {&Difficulty::keeps_failing, held_tool},
+}};
+
+} // namespace
+
+Outcome<Done> solve_by_any_way(Run& run, double dt, const Difficulty& difficulty) {
+  Outcome<Done> solved = try_increment(run, dt, Approach::directly);
+  for (const Fallback& way : fallbacks)
+    if (!solved && difficulty.*way.worth_it && unsolved(run))
+      if (const std::optional<Outcome<Done>> by_it = way.go(run, dt))
+        solved = *by_it;
+  return solved;
+}
+
+} // namespace billet::process

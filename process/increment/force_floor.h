@@ -1,0 +1,20 @@
+// Forces that count as none beside the stiffness of the body. (N.2)
+
+#pragma once
+
+#include "process/state/run.h"
+
+namespace billet::process {
+
+/// Largest force so far, or of the loads at a time [N].
+[[nodiscard]] double acting_force(const Run& run, double time);
+
+[[nodiscard]] double force_floor(const Run& run, double time);
+
+/// Whether forces are so small that they may be no more than what rounding makes of a touch.
+[[nodiscard]] bool may_hardly_touch(const Run& run, double time);
+
+/// @param of_grounding  what the grounding has resisted with in the increment [N]
+void note_largest_force(Run& run, double of_grounding);
+
+} // namespace billet::process

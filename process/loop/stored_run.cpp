@@ -1,0 +1,174 @@
+#include "process/loop/stored_run.h"
+
+#include "geometry/base/archive.h"
+#include "geometry/base/error.h"
+#include "geometry/base/stopwatch.h"
+#include "process/increment/force_floor.h"
+#include "process/reports/observer.h"
+#include "process/scene/scene.h"
+#include "process/stages/unloading.h"
+#include "process/state/attempt.h"
+#include "process/state/model.h"
+#include "process/state/run.h"
+#include "process/state/state.h"
+#include "process/tools/flight.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+/// Figures of a solver's work, but for names.
+template <class Archive, class Work> void work_fields(Archive& archive, Work& work) {
+  archive(work.analysis, work.factorization, work.substitution, work.flops, work.factorizations,
+          work.substitutions, work.reused, work.nearly_symmetric, work.systems, work.last_flops,
+          work.last_factor_bytes);
+}
+
+/// The states of those of the models that a run has.
+template <class Archive, class... Model> void archive_present(Archive& archive, Model&... models) {
+  ((models ? archive(*models) : void()), ...);
+}
+
+template <class T> bool has(const Owned<T>& model) { return static_cast<bool>(model); }
+
+[[noreturn]] void another_scene(const std::string& what) {
+  throw Error(Fault::input_output, "", "the stored run has other " + what + " than this case",
+              "resume it with the case that it was run with");
+}
+
+} // namespace
+
+std::string stored(const Run& run) {
+  ArchiveWriter archive;
+  const bool has_new_mesh = !run.state.record.remeshings.empty();
+  archive(run.state, run.attempt, has_new_mesh);
+  if (has_new_mesh)
+    archive(run.part());
+  archive(static_cast<std::uint64_t>(run.model.tools.size()));
+  for (const contact::Tool& tool : run.model.tools)
+    archive(tool.motion.offset, tool.motion.rests_from);
+  archive(*run.model.bulk, static_cast<std::uint64_t>(run.model.loads.size()));
+  for (const auto& load : run.model.loads)
+    archive(*load);
+  for (const auto& load : run.model.fading)
+    archive(*load);
+  archive(has(run.model.grounding), has(run.model.contact), has(run.model.blows),
+          has(run.model.wear));
+  archive_present(archive, run.model.grounding, run.model.contact, run.model.blows, run.model.wear);
+  const mechanics::SolverWork work = run.solver_work();
+  work_fields(archive, work);
+  archive(run.clock.times, run.clock.before + seconds_now() - run.clock.started);
+  return archive.take();
+}
+
+namespace {
+
+/// Puts a part that another run was on in the place of the present one, as where it was made:
+/// nothing has moved on it yet.
+void take_part(Run& run, Part part) {
+  run.state.origins = mechanics::node_positions(part.mesh);
+  std::vector<double> x = run.state.origins;
+  x.resize(x.size() + contact::drive_unknowns(run.model.tools).size(), 0.0);
+  rebuild(run, std::move(part), std::move(x));
+  run.model.newton->set_force_floor(force_floor(run, run.state.time));
+  if (run.model.wear)
+    run.model.wear->change_surface(*run.model.surface, {});
+}
+
+/// The states of what is built on the part.
+void restore_model(Run& run, ArchiveReader& archive) {
+  std::uint64_t n_loads = 0;
+  archive(*run.model.bulk, n_loads);
+  if (n_loads != run.model.loads.size())
+    another_scene("loads");
+  for (const auto& load : run.model.loads)
+    archive(*load);
+  for (const LeavingTools::Forces& forces : run.state.leaving.fading)
+    add_fading(run, forces);
+  for (const auto& load : run.model.fading)
+    archive(*load);
+  bool grounded = false, touches = false, strikes = false, wears = false;
+  archive(grounded, touches, strikes, wears);
+  if (grounded != has(run.model.grounding) || touches != has(run.model.contact) ||
+      strikes != has(run.model.blows) || wears != has(run.model.wear))
+    another_scene("supports, tools, presses or laws of wear");
+  archive_present(archive, run.model.grounding, run.model.contact, run.model.blows, run.model.wear);
+}
+
+/// What refers to the scene is no part of the bytes.
+void refer_to_scene(Run& run) {
+  for (const std::size_t tool : run.state.leaving.retreating)
+    put_on_retreating_surface(run, tool);
+  if (std::optional<Flight>& flight = run.state.flights.now; flight && flight->carrier.pushing_tool)
+    flight->carrier.pusher = run.model.tools.at(*flight->carrier.pushing_tool).motion;
+}
+
+} // namespace
+
+void restore(Run& run, std::string_view stored) {
+  ArchiveReader archive(stored);
+  State state(run.tools().size());
+  Attempt attempt;
+  bool has_new_mesh = false;
+  archive(state, attempt, has_new_mesh);
+  if (has_new_mesh) {
+    Part part;
+    part.analysis = run.part().analysis;
+    archive(part);
+    take_part(run, std::move(part));
+  }
+  if (state.origins.size() != run.n_nodal() || state.x.size() != run.state.x.size())
+    another_scene("elements or driven tools");
+  std::uint64_t n_tools = 0;
+  archive(n_tools);
+  if (n_tools != run.tools().size())
+    another_scene("tools");
+  for (contact::Tool& tool : run.model.tools)
+    archive(tool.motion.offset, tool.motion.rests_from);
+  if (state.progress.stage >= run.scene.stages.size() ||
+      state.time > run.scene.stages[state.progress.stage].end)
+    throw Error(Fault::case_file, "",
+                fmt::format("the stored run is at time {:.6g}, beyond the end that the case gives "
+                            "to its run or stage",
+                            state.time),
+                "give a later end, or go on from an earlier checkpoint");
+  state.part = run.state.part;
+  run.state = std::move(state);
+  run.attempt = std::move(attempt);
+  restore_model(run, archive);
+  work_fields(archive, run.clock.earlier_work);
+  archive(run.clock.earlier, run.clock.before);
+  if (!archive.at_end())
+    another_scene("contents");
+  refer_to_scene(run);
+  run.clock.times = run.clock.earlier;
+  run.clock.started = seconds_now();
+}
+
+void write_checkpoint(Run& run, const std::vector<Observer*>& observers, CheckpointReason reason) {
+  std::vector<Observer*> wanting;
+  std::copy_if(observers.begin(), observers.end(), std::back_inserter(wanting),
+               [&](Observer* observer) { return observer->wants_checkpoint(run, reason); });
+  if (wanting.empty())
+    return;
+  take_times(run);
+  const Stopwatch timed(run.clock.times.output);
+  run.model.newton->forget();
+  const std::string bytes = stored(run);
+  for (Observer* observer : wanting)
+    observer->checkpoint(run, bytes);
+}
+
+} // namespace billet::process

@@ -1,0 +1,218 @@
+#include "process/remeshing/new_part.h"
+
+#include "geometry/base/error.h"
+#include "process/remeshing/attachments.h"
+#include "process/remeshing/contact_zones.h"
+#include "process/remeshing/laps.h"
+#include "process/remeshing/onto_tools.h"
+#include "process/remeshing/part_boundary.h"
+#include "process/remeshing/remeshing.h"
+#include "process/remeshing/sizes.h"
+#include "process/remeshing/solid_part.h"
+#include "process/reports/lap.h"
+#include "process/scene/scene.h"
+#include "process/state/mesh_quality.h"
+#include "process/state/run.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+/// Faces that touch a tool are off it by up to this share of their length.
+constexpr double off = 0.05;
+
+/// Length of the old side that holds a place [mm].
+double chord_at(const PartBoundary& boundary, const geometry::BoundaryPlace& place) {
+  const std::vector<Vec2>& corners = boundary.loops[idx(place.loop)].corners;
+  return (corners[(idx(place.side) + 1) % corners.size()] - corners[idx(place.side)]).norm();
+}
+
+/// What sizes are multiplied with for another mesh of the same part.
+struct OtherSizes {
+  double all;
+  double shortest; ///< that the boundary's own curvature may ask for
+};
+
+/// With shorter sides than asked for where the boundary turns sharply, if it cannot be meshed
+/// otherwise; `sizes` become those it was meshed with.
+RemeshedPart remesh_finely_enough(const Part& part,
+                                  const PartBoundary& boundary,
+                                  geometry::RemeshSizes& sizes,
+                                  const geometry::Settle& settle) {
+  const double least = 0.25 * sizes.min;
+  while (true) {
+    try {
+      return remesh_part(part, boundary, sizes, settle);
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry || sizes.min <= least)
+        throw;
+      sizes.min *= 0.5;
+    }
+  }
+}
+
+/// What `make` gives. A fold is welded only where there is no mesh otherwise: first where its walls
+/// cross, then where it is narrower than sides of a new mesh are long.
+///
+/// @param weld  (near, shortest) -> folds that were welded; shortest side of the new mesh
+template <class Make, class Weld>
+NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest) {
+  constexpr std::array<double, 4> nears{0.0, 0.1, 0.3, 1.0}; // of the shortest
+  std::vector<Lap> laps;
+  std::size_t tried = 0;
+  while (true)
+    try {
+      NewPart part = make();
+      part.laps = std::move(laps);
+      return part;
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry)
+        throw;
+      const std::size_t before = laps.size();
+      while (laps.size() == before && tried < nears.size())
+        for (const auto& fold : weld(nears[tried++] * shortest, shortest))
+          laps.push_back(lap(fold));
+      if (laps.size() == before)
+        throw;
+    }
+}
+
+NewPart new_plane_part_within(const Run& run,
+                              const PartBoundary& boundary,
+                              const std::vector<geometry::SizeAt>& at) {
+  const auto stops = std::make_shared<const ContactStops>(
+      boundary, run.part().contact_faces,
+      run.model.surface ? run.model.surface->line_coordinates() : std::vector<double>());
+  const bool revolved = run.part().analysis == mechanics::Analysis::axisymmetric;
+  geometry::Settle settle;
+  if (run.model.contact)
+    settle = [&run, &boundary, stops, revolved](
+                 std::int32_t part, const geometry::BoundaryPlace& place, const Vec2& x) -> Vec2 {
+      const Attachment& attached = boundary.attachments[idx(part)];
+      if (!attached.contact)
+        return x;
+      unsigned fixed = fixed_components(run.part(), boundary, part, place);
+      if (revolved && x.x() == 0.0)
+        fixed |= 1U;
+      constexpr unsigned both = 3;
+      if (fixed == both)
+        return x;
+      return projected_onto_tools(run, stops->around(place), in_space(x), attached.tool,
+                                  {.most_gap = off * chord_at(boundary, place), .fixed = fixed})
+          .head<2>();
+    };
+  geometry::RemeshSizes sizes = remesh_sizes(run);
+  sizes.at = contact_sizes(boundary, usual_sizes(run).zones);
+  sizes.at.insert(sizes.at.end(), at.begin(), at.end());
+  const std::vector<geometry::SizeAt> flow = sizes_for_flow(run);
+  sizes.at.insert(sizes.at.end(), flow.begin(), flow.end());
+  RemeshedPart part = remesh_finely_enough(run.part(), boundary, sizes, settle);
+  const auto with_sizes_times = [&](const OtherSizes& other) -> std::optional<RemeshedPart> {
+    geometry::RemeshSizes scaled = sizes;
+    scaled.min *= other.shortest;
+    scaled.wanted = [&sizes, &other](const Vec2& x) { return other.all * sizes.wanted(x); };
+    try {
+      return remesh_part(run.part(), boundary, scaled, settle);
+    } catch (const Error&) {
+      return std::nullopt; // the first one is there
+    }
+  };
+  // A side that ends awkwardly beside a corner of a tool can spoil one element: others do not.
+  constexpr double good = 0.3;
+  constexpr std::array<OtherSizes, 5> other_sizes{
+      {{0.93, 1.0}, {1.07, 1.0}, {0.87, 1.0}, {1.0, 0.5}, {0.93, 0.5}}};
+  const auto quality = [](const RemeshedPart& of) {
+    return worst_quality(of.mesh, mechanics::node_positions(of.mesh));
+  };
+  for (std::size_t i = 0; i < other_sizes.size() && quality(part) < good; ++i) {
+    std::optional<RemeshedPart> other = with_sizes_times(other_sizes[i]);
+    if (other && quality(*other) > quality(part))
+      part = std::move(*other);
+  }
+  return {part,
+          [stops, places = part.places](const contact::ContactSurface& surface,
+                                        std::span<const double> /*x*/) {
+            return point_sources(*stops, places, surface.line_coordinates());
+          },
+          {}};
+}
+
+NewPart new_plane_part(const Run& run, const std::vector<geometry::SizeAt>& at) {
+  PartBoundary boundary =
+      part_boundary(run.part(), run.positions(), touching_tools(run), run.scene.remesh->keep);
+  return welded_where_needed(
+      [&] { return new_plane_part_within(run, boundary, at); },
+      [&](double near, double shortest) { return weld_folds(boundary, near, shortest); },
+      usual_sizes(run).min);
+}
+
+NewPart new_solid_part_within(const Run& run, const SolidPart& old) {
+  const auto neighbours = std::make_shared<const ContactNeighbours>(
+      old, run.model.surface ? run.model.surface->face_coordinates() : std::vector<Vec2>());
+  const auto supported = [&](std::span<const std::int32_t> parts, Vec3 x, const Vec3& on) {
+    for (const std::int32_t part : parts)
+      for (std::size_t s = 0; s < run.part().supports.size(); ++s)
+        if (old.attachments[idx(part)].supports[s] != 0)
+          x[run.part().supports[s].component] = on[run.part().supports[s].component];
+    return x;
+  };
+  const auto settle = [&](std::span<const std::int32_t> parts, const geometry::SurfacePlace& place,
+                          const Vec3& x) -> Vec3 {
+    const auto& [a, b, c] = old.boundary.mesh.triangles[idx(place.triangle)];
+    const std::vector<Vec3>& points = old.boundary.mesh.points;
+    const Vec3& first = points[idx(a)];
+    const Vec3 on = first + place.v * (points[idx(b)] - first) + place.w * (points[idx(c)] - first);
+    const bool may_touch =
+        run.model.contact && std::any_of(parts.begin(), parts.end(), [&](auto part) {
+          return old.attachments[idx(part)].contact;
+        });
+    Vec3 result = supported(parts, x, on);
+    // On a support and a tool at once: a few turns lead to where they meet.
+    constexpr int turns = 4;
+    for (int i = 0; may_touch && i < turns; ++i)
+      result = supported(parts,
+                         projected_onto_tools(run, neighbours->around(on), result, {},
+                                              {.most_gap = run.state.mesh.first_side}),
+                         on);
+    return result;
+  };
+  RemeshedPart part = remesh_part(run.part(), old, solid_sizes(run), settle);
+  return {std::move(part),
+          [neighbours](const contact::ContactSurface& surface, std::span<const double> x) {
+            std::vector<Vec3> points(surface.n_points());
+            surface.positions(x, points);
+            std::vector<contact::PointSource> sources;
+            sources.reserve(points.size());
+            for (const Vec3& point : points)
+              sources.push_back(neighbours->around(point));
+            return sources;
+          }};
+}
+
+NewPart new_solid_part(const Run& run) {
+  SolidPart old =
+      solid_part(run.part(), run.positions(), touching_tools(run), run.scene.remesh->keep);
+  return welded_where_needed([&] { return new_solid_part_within(run, old); },
+                             [&](double near, double shortest) {
+                               return geometry::flatten_creases(old.boundary, near, shortest);
+                             },
+                             usual_sizes(run).min);
+}
+
+} // namespace
+
+NewPart new_part(const Run& run, const std::vector<geometry::SizeAt>& at) {
+  return run.mesh().dimension() == 2 ? new_plane_part(run, at) : new_solid_part(run);
+}
+
+} // namespace billet::process

@@ -1,0 +1,197 @@
+#include "process/remeshing/re_equilibrate.h"
+
+#include "process/increment/commit.h"
+#include "process/increment/fallbacks.h"
+#include "process/increment/increment_report.h"
+#include "process/increment/snapshots.h"
+#include "process/remeshing/free_surface.h"
+#include "process/remeshing/mapped_states.h"
+#include "process/remeshing/remeshing.h"
+#include "process/reports/run_reports.h"
+#include "process/stages/stage_start.h"
+#include "process/state/increment_control.h"
+#include "process/state/mesh_quality.h"
+#include "process/state/run.h"
+#include "process/state/state.h"
+#include "process/state/unknowns.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+/// Gives the part on its new mesh a volume by moving the surface that touches no tool. (P.21)
+void restore_part_volume(Run& run,
+                         double volume,
+                         const contact::ContactState& contact,
+                         std::span<const contact::PointSource> sources) {
+  const auto touches = [&](const contact::PointSource& source) {
+    return std::any_of(contact.history.begin(), contact.history.end(),
+                       [&](const auto& tool) { return tool[source.nearest()].closed(); });
+  };
+  std::vector<char> touching(run.part().contact_faces.size(), 0);
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (touches(sources[i]))
+      touching[i / idx(run.model.surface->points())] = 1;
+  constexpr double furthest = 0.01; // of an element: what the shape may change by unseen
+  constexpr double of_quality =
+      0.5; // at a place much smaller than elements it turns them inside out
+  const std::vector<double> before = run.state.x;
+  const double least = of_quality * worst_quality(run.mesh(), run.positions());
+  restore_volume(
+      run.state.x, free_normals(run.part(), run.positions(), touching),
+      [&run](std::span<const double> x) { return run.model.bulk->volume(x); }, volume,
+      furthest * run.state.mesh.first_side);
+  if (worst_quality(run.mesh(), run.positions()) < least)
+    run.state.x = before;
+}
+
+/// Goes on from a state that has been mapped to the present mesh, and notes what that has changed.
+void start_from(Run& run,
+                const MappedState& at,
+                std::span<const contact::PointSource> sources,
+                RemeshReport& report) {
+  const Snapshot& to = at.state;
+  run.state.time = to.time;
+  run.state.x = to.x;
+  if (report.laps.empty()) // what lay in a lap that has been welded is gone
+    restore_part_volume(run, at.before.volume, to.contact, sources);
+  run.attempt.x = run.state.x;
+  run.state.velocity = to.velocity;
+  run.state.last_step = to.last_step;
+  run.state.last_dt = to.last_dt;
+  run.model.bulk->adopt(run.state.x, to.states, to.temperatures, to.plastic_work);
+  run.model.bulk->keep_volume(to.reference_volume);
+  run.state.plastic_rate = to.plastic_rate;
+  run.state.reactions.assign(run.n_nodal(), 0.0);
+  run.state.works.supports = to.support_work;
+  run.state.works.loads_before = to.load_work;
+  for (const auto& load : run.model.loads)
+    run.state.works.loads_before -= load->work(); // of a way that is not taken
+  run.state.energy.grounding = to.grounding;
+  if (run.model.contact) {
+    run.model.contact->start(run.state.x, run.state.time);
+    run.model.contact->go_on_from(to.contact, sources, run.state.x, run.state.time);
+  }
+  FieldIntegrals after = field_integrals(*run.model.bulk, to);
+  after.volume = run.model.bulk->volume(run.state.x);
+  report.returned = at.returned;
+  report.volume = {at.before.volume, after.volume};
+  report.plastic_work = {at.before.plastic_work, after.plastic_work};
+  report.mean_strain = {at.before.mean_strain, after.mean_strain};
+  report.largest_strain = {at.before.largest_strain, after.largest_strain};
+}
+
+double jump_from(const Run& run, std::span<const double> before) {
+  const std::vector<double> now = forces_on_tools(run);
+  RemeshReport report;
+  for (std::size_t t = 0; t < now.size(); ++t)
+    report.forces.push_back({before[t], now[t]});
+  return report.force_jump();
+}
+
+bool restore_balance(Run& run, RemeshReport& report) {
+  // In next to no time rate laws neither flow nor relax.
+  constexpr double share_of_increment = 1e-6;
+  const double dt = share_of_increment * run.state.last_dt;
+  run.attempt.x = run.state.x;
+  if (run.model.contact)
+    run.model.contact->restart();
+  const auto outcome =
+      run.model.newton->solve(run.model.terms, prescribed(run, run.state.time), run.state.time - dt,
+                              run.state.time, run.state.x, run.attempt.x);
+  if (!run.model.newton->records().empty())
+    report.residual = run.model.newton->records().front().residual;
+  if (!outcome)
+    return false;
+  const mechanics::Trial trial{run.state.time - dt, run.state.time, run.state.x, run.attempt.x};
+  for (mechanics::ForceTerm* term : run.model.terms)
+    term->commit(trial);
+  for (const Index i : prescribed(run, run.state.time).unknowns)
+    run.state.reactions[idx(i)] = run.model.newton->residual()[idx(i)];
+  run.state.x = run.attempt.x;
+  return true;
+}
+
+int solve_again(Run& run, const Snapshot& end) {
+  const double length = end.time - run.state.time;
+  constexpr double shortest = 1.0 / 1024.0; // of that
+  const double longest = std::min(run.state.longest, length);
+  IncrementControl control({std::min(run.state.last_dt, longest), shortest * length, longest});
+  run.state.last_step = end.x;
+  for (std::size_t i = 0; i < run.state.x.size(); ++i)
+    run.state.last_step[i] -= run.state.x[i];
+  run.state.last_dt = length;
+  const int iterations = run.attempt.iterations;
+  int solved = 0, failures = 0;
+  while (run.state.time < end.time && !control.exhausted()) {
+    const double landing = next_landing(run, end.time);
+    const double step = step_towards(landing - run.state.time, control.next());
+    const bool lands = step == landing - run.state.time;
+    run.attempt.too_deep = run.attempt.inside_out = false;
+    const bool is_shortest = 0.5 * step < shortest * length;
+    if (solve_by_any_way(run, step, {.failed_before = failures > 0 || is_shortest})) {
+      commit(run, step);
+      if (lands)
+        run.state.time = landing;
+      control.accepted(step, run.attempt.iterations);
+      ++solved;
+      failures = 0;
+    } else {
+      ++failures;
+      control.failed(step);
+    }
+  }
+  run.attempt.iterations = iterations;
+  return run.state.time == end.time ? solved : 0;
+}
+
+} // namespace
+
+void re_equilibrate(Run& run,
+                    const MappedStates& mapped,
+                    std::span<const double> forces,
+                    RemeshReport& report) {
+  // On a long way, by a small radius above all, the mesh may end far from how it was made. In space
+  // qualities are halved by less than that, and the force changes more after a shorter way.
+  const bool plane = run.mesh().dimension() == 2;
+  constexpr double of_made = 0.5;
+  const double least =
+      of_made * worst_quality(run.mesh(), std::span(mapped.now.state.x).first(run.n_nodal()));
+  const auto goes_through = [&](const MappedState& from) {
+    start_from(run, from, mapped.sources, report);
+    run.state.last_dt = mapped.now.state.last_dt; // the way ends at the pace that there is now
+    report.again = restore_balance(run, report) ? solve_again(run, mapped.now.state) : 0;
+    return report.again > 0;
+  };
+  const MappedState* best = nullptr;
+  const MappedState* here = nullptr; // what was gone through last
+  for (const MappedState& from : mapped.begun) {
+    here = goes_through(from) ? &from : nullptr;
+    const bool sound = here != nullptr && (!plane || here == &mapped.begun.back() ||
+                                           worst_quality(run.mesh(), run.positions()) > least);
+    if (!sound)
+      continue;
+    // How metal finds its way into a gap is partly chance: from another beginning it goes
+    // otherwise. Where none is within the budget the longest way is the best.
+    const bool meets = jump_from(run, forces) <= force_budget;
+    if (best == nullptr || meets)
+      best = here;
+    if (!plane || meets)
+      break;
+  }
+  if (best != nullptr && best != here)
+    (void)goes_through(*best); // as it did before
+  report.balanced = report.again > 0;
+  if (report.balanced)
+    return;
+  start_from(run, mapped.now, mapped.sources, report);
+  const bool at_rest = run.state.increment == 0; // nothing has acted on the part yet
+  report.balanced = at_rest || restore_balance(run, report);
+}
+
+} // namespace billet::process

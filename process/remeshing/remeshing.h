@@ -1,0 +1,58 @@
+// What meshing a part anew needs to know of it, in the plane and in space.
+
+#pragma once
+
+#include "contact/term/contact_term.h"
+#include "mechanics/mesh/mesh.h"
+#include "process/remeshing/laps.h"
+#include "process/remeshing/part_boundary.h"
+#include "process/reports/lap.h"
+#include "process/scene/scene.h"
+#include "process/setup/drawing.h"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace billet::process {
+
+/// What a remeshing may change of a tool's force (RM-01).
+constexpr double force_budget = 1e-2;
+
+/// The part on a new mesh, and how its contact finds what the old one knew.
+struct NewPart {
+  RemeshedPart part;
+  /// For every contact point of the new surface those of the old one that it lies between.
+  ///
+  /// @param x  positions of the new nodes
+  std::function<std::vector<contact::PointSource>(const contact::ContactSurface&,
+                                                  std::span<const double> x)>
+      sources;
+  std::vector<Lap> laps = {}; ///< of the old boundary that were welded
+};
+
+/// A tool that comes to touch on sides too long for what it touches.
+struct FirstTouch {
+  std::string cause;                   ///< empty: there is none
+  std::vector<geometry::SizeAt> sizes; ///< that it needs there
+};
+
+/// A side in contact that is too long for how the tool's surface turns beneath it.
+struct OutgrownSide {
+  double excess = 0.0;  ///< its length over the longest that a new mesh would have there [-]
+  double turn = 0.0;    ///< of the tool's normal along it [rad]
+  std::size_t tool = 0; ///< that it touches
+};
+
+/// A tool that presses with its corners. (C.46)
+struct CornerLoad {
+  double share = 0.0; ///< of its pressure that they bear [-]
+  std::size_t tool = 0;
+};
+
+/// Scaled Jacobian below which an element of a kind is too bad.
+[[nodiscard]] double least_quality(const RemeshSettings& settings, mechanics::ElementKind kind);
+
+} // namespace billet::process

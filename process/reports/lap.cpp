@@ -1,0 +1,16 @@
+#include "process/reports/lap.h"
+
+#include <fmt/format.h>
+
+namespace billet::process {
+
+Lap lap(const geometry::ClosedFold& fold) {
+  return {fmt::format("({:.6g}, {:.6g})", fold.at.x(), fold.at.y()), fold.depth()};
+}
+
+Lap lap(const geometry::ClosedCrease& crease) {
+  return {fmt::format("({:.6g}, {:.6g}, {:.6g})", crease.at.x(), crease.at.y(), crease.at.z()),
+          crease.depth};
+}
+
+} // namespace billet::process

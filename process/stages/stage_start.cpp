@@ -1,0 +1,57 @@
+#include "process/stages/stage_start.h"
+
+#include "geometry/base/outcome.h"
+#include "process/scene/scene.h"
+#include "process/stages/striking.h"
+#include "process/stages/unloading.h"
+#include "process/state/increment_control.h"
+#include "process/state/run.h"
+#include "process/state/state.h"
+
+#include <cstddef>
+
+namespace billet::process {
+
+void start_stage(Run& run, const Stage& stage) {
+  run.state.last_step.clear();
+  run.state.snapshots.clear();
+  if (run.model.grounding && run.model.grounding->share() > 1.0)
+    run.model.grounding->set_share(1.0); // it held what forces that faded could turn over
+  if (run.model.contact && stage.unload)
+    draw_tools_back(run, stage.end);
+  else if (run.model.contact)
+    run.model.contact->enable(stage.tools);
+}
+
+Outcome<Done> begin_stage(Run& run, const Stage& stage, double start) {
+  StageProgress& progress = run.state.progress;
+  const std::size_t number = progress.stage;
+  progress = {};
+  progress.stage = number;
+  progress.begun = true;
+  start_stage(run, stage);
+  if (Outcome<Done> strikes = begin_blows(run, stage); !strikes)
+    return strikes;
+  begin_increments(run, stage, start);
+  return Done{};
+}
+
+void begin_increments(Run& run, const Stage& stage, double start) {
+  StageProgress& progress = run.state.progress;
+  progress.start = start;
+  progress.length = stage.end - start;
+  progress.limits = limits(run, progress.length);
+  progress.control = IncrementControl(progress.limits);
+  run.state.longest = progress.limits.max;
+}
+
+double next_landing(const Run& run, double stage_end) {
+  // Times closer than rounding count as reached.
+  const double slack = 1e-9 * stage_end;
+  for (const double t : run.scene.landing_times)
+    if (t > run.state.time + slack && t < stage_end - slack)
+      return t;
+  return stage_end;
+}
+
+} // namespace billet::process

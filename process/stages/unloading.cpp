@@ -1,0 +1,112 @@
+#include "process/stages/unloading.h"
+
+#include "process/loop/stored_run.h"
+#include "process/scene/scene.h"
+#include "process/state/model.h"
+#include "process/state/run.h"
+#include "process/state/state.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace billet::process {
+
+/// Whether tools press so that metal could flow under their forces: what they only bend springs
+/// back under forces that fade.
+bool is_squeezed(const Run& run) {
+  constexpr double little = 1e-2; // of the stress at which it begins to flow
+  double force = 0.0;
+  for (const contact::ToolLoad& load : run.model.contact->loads())
+    force += load.force.norm();
+  const mechanics::Material& material = run.scene.material;
+  return force > little * run.model.contact->bearing_area() *
+                     mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
+}
+
+void put_on_retreating_surface(Run& run, std::size_t tool) {
+  auto surface = std::make_shared<geometry::RetreatingSurface>(run.scene.tools[tool].surface);
+  run.model.retreating.push_back({tool, surface});
+  run.model.tools[tool].surface = std::move(surface);
+}
+
+/// Tools that touch stay where they are, those that a load drives as well, and their surfaces draw
+/// back until nothing touches them. (P.5)
+void draw_tools_back(Run& run, double until) {
+  std::vector<char> stay(run.model.tools.size(), 0);
+  if (!is_squeezed(run)) {
+    run.model.contact->enable(std::move(stay));
+    return;
+  }
+  for (std::size_t t = 0; t < run.model.tools.size(); ++t) {
+    if (!run.model.contact->lies_on(t) || !run.model.contact->acts(t, run.state.time))
+      continue;
+    put_on_retreating_surface(run, t);
+    run.state.leaving.retreating.push_back(t);
+    run.model.tools[t].motion.rests_from = run.state.time;
+    run.model.contact->rest(t, true);
+    stay[t] = 1;
+  }
+  run.model.contact->enable(std::move(stay));
+  run.state.leaving.retreat_begins = run.state.time;
+  run.state.leaving.retreat_ends = until;
+  run.state.leaving.fading_until = until;
+}
+
+/// At first by less than what contact is pressed in by, at last by the size of the body: as the
+/// logarithm grows, so that a thousandth of a millimetre and a tenth of the body take as long.
+void draw_back_to(Run& run, double time) {
+  const double size = body_size(run.mesh());
+  constexpr double least = 1e-7; // of the body
+  const auto distance = [&](double t) {
+    const double share = (t - run.state.leaving.retreat_begins) /
+                         (run.state.leaving.retreat_ends - run.state.leaving.retreat_begins);
+    return least * size * std::expm1(share * std::log1p(1.0 / least));
+  };
+  for (const Retreating& each : run.model.retreating) {
+    each.surface->set_distance(distance(time));
+    run.model.contact->retreat(each.tool, distance(time) - distance(run.state.time),
+                               distance(time));
+  }
+}
+
+void put_tools_back(Run& run) {
+  for (const Retreating& each : run.model.retreating) {
+    contact::Tool& tool = run.model.tools[each.tool];
+    tool.surface = run.scene.tools[each.tool].surface;
+    tool.motion.rests_from = std::numeric_limits<double>::infinity();
+    run.model.contact->retreat(each.tool, 0.0, 0.0);
+    run.model.contact->rest(each.tool, false);
+  }
+  run.model.retreating.clear();
+  run.state.leaving.retreating.clear();
+}
+
+void add_fading(Run& run, const LeavingTools::Forces& forces) {
+  run.model.fading.push_back(mechanics::make_dead_load(
+      forces.nodal, TimeFunction({{forces.from, 1.0}, {forces.until, 0.0}})));
+  run.model.terms.push_back(run.model.fading.back().get());
+}
+
+void release_tools(Run& run, double next_time, double gone_time) {
+  if (!run.model.contact)
+    return;
+  for (std::size_t t = 0; t < run.model.tools.size(); ++t) {
+    if (!run.model.contact->leaves(t, next_time))
+      continue;
+    // Its forces stay as they are and fade: equilibrium without them is reached on the way.
+    const double stored = run.model.contact->work().stored;
+    const LeavingTools::Forces forces{run.model.contact->release(t), run.state.time, gone_time};
+    run.state.works.tools_gone += stored - run.model.contact->work().stored;
+    add_fading(run, forces);
+    run.state.leaving.fading.push_back(forces);
+    run.state.leaving.fading_until = gone_time;
+    run.state.last_step.clear();
+    run.state.snapshots.clear();
+  }
+}
+
+} // namespace billet::process

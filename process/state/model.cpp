@@ -1,0 +1,118 @@
+#include "process/state/model.h"
+
+#include "geometry/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace billet::process {
+
+namespace {
+
+void clear(Model& model) {
+  model.terms.clear();
+  model.loads.clear();
+  model.fading.clear();
+  model.grounding.reset();
+  model.newton.reset();
+  model.narrow.reset();
+  model.blows.reset();
+  model.contact.reset();
+  model.surface.reset();
+  model.bulk.reset();
+}
+
+void build_loads(Model& model, const Part& part) {
+  for (const LoadSpec& spec : part.loads) {
+    if (const auto* pressure = std::get_if<PressureOn>(&spec))
+      model.loads.push_back(mechanics::make_pressure(part.mesh, part.analysis, model.pattern,
+                                                     pressure->faces, pressure->pressure));
+    else
+      model.loads.push_back(mechanics::make_dead_load(std::get<DeadForces>(spec).forces,
+                                                      std::get<DeadForces>(spec).amplitude));
+    model.terms.push_back(model.loads.back().get());
+  }
+}
+
+void build_contact(Model& model, const Scene& scene, const Part& part, std::span<const double> x) {
+  if (model.tools.empty())
+    return;
+  constexpr double reach = 4.0; // sizes of the body
+  model.surface = std::make_unique<contact::ContactSurface>(part.mesh, *model.bulk, model.pattern,
+                                                            part.contact_faces, scene.contact);
+  model.contact = std::make_unique<contact::ContactTerm>(*model.surface, *model.bulk, model.pattern,
+                                                         model.tools, reach * body_size(part.mesh),
+                                                         drive_scale(scene, part));
+  model.terms.push_back(model.contact.get());
+  model.narrow = std::make_unique<NarrowTools>(part.mesh, model.tools, *model.surface, x);
+}
+
+void build_blows(Model& model, const Part& part) {
+  const bool strikes =
+      std::any_of(model.tools.begin(), model.tools.end(), [](const contact::Tool& tool) {
+        return tool.motion.force && tool.motion.force->blow;
+      });
+  if (!strikes)
+    return;
+  const auto n_nodal = part.mesh.points.size() * idx(part.mesh.dimension());
+  model.blows = std::make_unique<Blows>(model.tools, *model.contact, body_size(part.mesh), n_nodal);
+  model.terms.push_back(&model.blows->term());
+}
+
+void build_grounding(Model& model, const Scene& scene, const Part& part) {
+  model.free_motions = free_rigid_motions(part);
+  if (model.free_motions == 0)
+    return;
+  if (model.tools.empty())
+    throw Error(Fault::case_file, "",
+                fmt::format("the workpiece can move freely: {} rigid motion(s) are held by no "
+                            "support and there is no tool",
+                            model.free_motions),
+                "add a [[support]] that holds them");
+  // Spread over all nodes it is a hundred-millionth of the body's own stiffness.
+  constexpr double share = 1e-8;
+  model.grounding = std::make_unique<mechanics::Grounding>(
+      share * body_stiffness(scene, part) / part.mesh.n_points(), model.pattern);
+  model.terms.push_back(model.grounding.get());
+}
+
+} // namespace
+
+void build(Model& model, const Scene& scene, const Part& part, std::span<const double> x) {
+  clear(model);
+  model.pattern = mechanics::block_pattern(part.mesh);
+  model.bulk =
+      std::make_unique<mechanics::Bulk>(part.mesh, part.analysis, scene.material, model.pattern);
+  model.newton = std::make_unique<mechanics::Newton>(
+      model.pattern, scene.solver,
+      mechanics::NewtonSettings{.tolerance = scene.tolerance,
+                                .largest_correction = body_size(part.mesh)},
+      contact::drive_unknowns(model.tools).size());
+  model.terms = {model.bulk.get()};
+  build_loads(model, part);
+  build_contact(model, scene, part, x);
+  build_blows(model, part);
+  build_grounding(model, scene, part);
+}
+
+double body_stiffness(const Scene& scene, const Part& part) {
+  const double young = scene.material.elasticity.young;
+  return part.analysis == mechanics::Analysis::plane_strain ? young : young * body_size(part.mesh);
+}
+
+contact::DriveScale drive_scale(const Scene& scene, const Part& part) {
+  // So little beside the body's own stiffness that it carries rounding, never a load, be the body
+  // as slender as can be.
+  constexpr double share = 1e-12;
+  return {body_size(part.mesh), share * body_stiffness(scene, part)};
+}
+
+double negligible_work(const Model& model) {
+  constexpr double rounding = 1e-16; // of E times the volume: strains of 1e-8
+  return rounding * model.bulk->material().elasticity.young * model.bulk->reference_volume();
+}
+
+} // namespace billet::process

@@ -1,0 +1,16 @@
+// Unknowns that supports prescribe, and unknowns as they are predicted. (P.2)
+
+#pragma once
+
+#include "process/state/run.h"
+
+#include <vector>
+
+namespace billet::process {
+
+[[nodiscard]] mechanics::Prescribed prescribed(const Run& run, double time);
+
+/// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
+[[nodiscard]] std::vector<double> predicted(const Run& run, double dt);
+
+} // namespace billet::process
