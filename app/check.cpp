@@ -149,7 +149,7 @@ void print_activity(const process::Scene& scene, const process::Run& run, const 
   if (run.model.free_motions > 0)
     fmt::print("  {} rigid motion(s) are held by contact alone{}; a vanishing grounding stiffness "
                "carries them until then; a [[support]] on a plane of symmetry takes them away\n",
-               run.model.free_motions, names_of(process::free_motions(scene)));
+               run.model.free_motions, names_of(process::free_motions(scene.part)));
 }
 
 /// Seconds as a user reads them: "40 s", "25 min", "7 h".

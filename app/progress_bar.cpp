@@ -26,7 +26,7 @@ std::string measured(double value, const std::string& unit) {
 
 /// "  punch 1.58 mm 152 kN"
 std::string load_of_a_tool(const process::Run& run, double time, const io::UnitSystem& units) {
-  const std::vector<contact::Tool>& tools = run.tools();
+  const std::span<const contact::Tool> tools = run.tools();
   if (tools.empty() || run.contact() == nullptr)
     return "";
   const auto stroke = [&](std::size_t t) {

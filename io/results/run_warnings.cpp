@@ -25,6 +25,127 @@ bool moves(const geometry::Motion& motion) {
          motion.force || motion.torque;
 }
 
+using Lines = std::vector<std::string>;
+
+void on_refused_meshes(const process::Run& run, const UnitSystem& units, Lines& lines) {
+  if (const auto refused = run.state.record.refusals; !refused.empty())
+    lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
+                                "first at t = {:.6g} {}: {}",
+                                refused.size(), refused.front().time, units.time,
+                                refused.front().why));
+}
+
+/// Where the balance of energy missed the most.
+struct MostMissed {
+  double work; ///< of the balance, in one increment [N mm]
+  double at;   ///< the end of that increment [s]
+};
+
+void on_work_missing(const process::Run& run,
+                     const UnitSystem& units,
+                     const MostMissed& most,
+                     Lines& lines) {
+  const process::EnergyBalance& energy = run.state.energy;
+  constexpr double budget = 0.005;
+  if (energy.error() > budget && std::abs(energy.missing()) > energy.nothing)
+    lines.push_back(fmt::format(
+        "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
+        "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "
+        "and forces that change much within an increment are integrated badly; a shorter "
+        "time.increments.max shows which",
+        100.0 * energy.error(), energy.missing(), units.force, units.length, most.at, units.time,
+        most.work));
+  if (energy.grounding > budget * energy.scale())
+    lines.push_back(fmt::format(
+        "warning: {:.1f} % of the work ({:.3g} {} {}) went into the grounding, which holds the "
+        "part "
+        "where neither supports nor tools do: forces and shape are off by as much and more; a "
+        "[[support]] for its free motions mends that",
+        100.0 * energy.grounding / energy.scale(), energy.grounding, units.force, units.length));
+}
+
+/// Of work that new meshes or contact itself have done.
+void on_work_made(const process::Run& run, const UnitSystem& units, Lines& lines) {
+  const process::EnergyBalance& energy = run.state.energy;
+  constexpr double most_lost = 0.02; // hub-forging-3d, of Coulomb's friction: 0.5 %
+  if (std::abs(energy.remeshing) > std::max(energy.nothing, most_lost * energy.scale()))
+    lines.push_back(fmt::format(
+        "warning: {:.1f} % of the work ({:.3g} {} {}) was lost (negative: made) by carrying the "
+        "part over to new meshes: energy in remesh.csv tells which; finer meshes lose less",
+        100.0 * energy.remeshing / energy.scale(), energy.remeshing, units.force, units.length));
+  constexpr double unpaid = 0.02;
+  if (std::abs(energy.enforcement) > std::max(energy.nothing, unpaid * energy.scale()))
+    lines.push_back(fmt::format(
+        "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
+        "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
+        "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
+        "quadratic ones also contact.form = \"compatible\") mend that",
+        100.0 * energy.enforcement / energy.scale(), energy.enforcement, units.force,
+        units.length));
+}
+
+void on_fading_forces(const process::Run& run, Lines& lines) {
+  constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
+  if (const double flow = run.state.leaving.flow_in_fading;
+      flow > springback * run.state.energy.plastic)
+    lines.push_back(fmt::format(
+        "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "
+        "they keep their direction, and a thin part pressed from both sides folds under them as no "
+        "part does whose tools move back; end the stage before with unload, or let the tools move "
+        "back",
+        100.0 * flow / run.state.energy.plastic));
+}
+
+void on_resolution(const process::Run& run, const Case& content, Lines& lines) {
+  for (const process::ContactZone& zone : process::poorly_resolved_tools(run))
+    lines.push_back(fmt::format(
+        "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "
+        "force, which can be far too high; {}",
+        run.tools()[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone), zone.length,
+        content.units.length,
+        content.remesh ? "a smaller remesh.size.min would let a new mesh follow it"
+                       : "a finer mesh there or a [remesh] section mends that"));
+  constexpr double most_of_corner = 0.5;
+  if (const process::CornerLoad load = process::most_at_corner(run); load.share > most_of_corner)
+    lines.push_back(fmt::format(
+        "warning: at the end {:.0f} % of the pressure on {} is that of its corners on single "
+        "faces: "
+        "its force is that of elements of this size, a sharper tool or a finer mesh gets another "
+        "one; round the edge, and let elements be smaller than the rounding",
+        100.0 * load.share, run.tools()[load.tool].name));
+}
+
+void on_overlapping_tools(const process::Run& run, const UnitSystem& units, Lines& lines) {
+  for (const process::ToolMeeting& overlap : process::overlapping_tools(run))
+    lines.push_back(fmt::format(
+        "warning: at the end tools '{}' and '{}' overlap by {:.3g} {} at ({:.6g}, {:.6g}, {:.6g}): "
+        "they do not feel each other, and nothing stops what a load drives once the part has left "
+        "it; what was found since is wrong: let it act no longer than it holds the part (stages, "
+        "active)",
+        run.tools()[overlap.first].name, run.tools()[overlap.second].name, overlap.depth,
+        units.length, overlap.place[0], overlap.place[1], overlap.place[2]));
+}
+
+void on_initial_penetrations(const process::Run& run, const UnitSystem& units, Lines& lines) {
+  for (const process::InitialPenetration& penetration : run.state.record.initial_penetrations)
+    lines.push_back(fmt::format(
+        "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
+        "on its way while it does not act, so let it begin where it is clear",
+        run.tools()[penetration.tool].name, penetration.time, units.time, penetration.where,
+        run.state.time <= penetration.time ? "it could not be pushed out in one increment"
+                                           : "it was pushed out in one increment"));
+}
+
+void on_laps(const process::Run& run, const Case& content, Lines& lines) {
+  for (const process::Lap& lap : process::laps(run))
+    lines.push_back(fmt::format(
+        "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "
+        "metal has folded over and does not feel itself; {}",
+        lap.place, lap.depth, content.units.length,
+        content.remesh ? "the next new mesh would have welded the lap"
+                       : "a [remesh] section welds laps and says where"));
+}
+
 } // namespace
 
 void RunWriter::note_unmet_tools(const process::Run& run, const process::IncrementReport& report) {
@@ -44,8 +165,8 @@ void RunWriter::note_unmet_tools(const process::Run& run, const process::Increme
   }
 }
 
-std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
-  std::vector<std::string> lines;
+void RunWriter::warn_of_unmet_tools(const process::Run& run,
+                                    std::vector<std::string>& lines) const {
   for (std::size_t t = 0; t < unmet_.size(); ++t)
     if (!unmet_[t].met && unmet_[t].depth > 0.0)
       lines.push_back(fmt::format(
@@ -60,102 +181,18 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
       lines.push_back(fmt::format("warning: tool {} has not touched the workpiece: does it move "
                                   "far enough, and the right way?",
                                   run.tools()[t].name));
-  if (const auto refused = run.state.record.refusals; !refused.empty())
-    lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
-                                "first at t = {:.6g} {}: {}",
-                                refused.size(), refused.front().time, content_->units.time,
-                                refused.front().why));
+}
+
+void RunWriter::warn_of_penetration(std::vector<std::string>& lines) const {
   if (largest_share_ > tolerated_penetration)
     lines.push_back(fmt::format(
         "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
         "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
         "contact.form = \"compatible\") lessens it",
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
-  constexpr double budget = 0.005;
-  if (const process::EnergyBalance& energy = run.state.energy;
-      energy.error() > budget && std::abs(energy.missing()) > energy.nothing)
-    lines.push_back(fmt::format(
-        "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
-        "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "
-        "and forces that change much within an increment are integrated badly; a shorter "
-        "time.increments.max shows which",
-        100.0 * energy.error(), energy.missing(), content_->units.force, content_->units.length,
-        most_missed_at_, content_->units.time, most_missed_));
-  if (const process::EnergyBalance& energy = run.state.energy;
-      energy.grounding > budget * energy.scale())
-    lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) went into the grounding, which holds the "
-        "part "
-        "where neither supports nor tools do: forces and shape are off by as much and more; a "
-        "[[support]] for its free motions mends that",
-        100.0 * energy.grounding / energy.scale(), energy.grounding, content_->units.force,
-        content_->units.length));
-  constexpr double most_lost = 0.02; // hub-forging-3d, of Coulomb's friction: 0.5 %
-  if (const process::EnergyBalance& energy = run.state.energy;
-      std::abs(energy.remeshing) > std::max(energy.nothing, most_lost * energy.scale()))
-    lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) was lost (negative: made) by carrying the "
-        "part over to new meshes: energy in remesh.csv tells which; finer meshes lose less",
-        100.0 * energy.remeshing / energy.scale(), energy.remeshing, content_->units.force,
-        content_->units.length));
-  constexpr double unpaid = 0.02;
-  if (const process::EnergyBalance& energy = run.state.energy;
-      std::abs(energy.enforcement) > std::max(energy.nothing, unpaid * energy.scale()))
-    lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
-        "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
-        "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
-        "quadratic ones also contact.form = \"compatible\") mend that",
-        100.0 * energy.enforcement / energy.scale(), energy.enforcement, content_->units.force,
-        content_->units.length));
-  constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
-  if (const double flow = run.state.leaving.flow_in_fading;
-      flow > springback * run.state.energy.plastic)
-    lines.push_back(fmt::format(
-        "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "
-        "they keep their direction, and a thin part pressed from both sides folds under them as no "
-        "part does whose tools move back; end the stage before with unload, or let the tools move "
-        "back",
-        100.0 * flow / run.state.energy.plastic));
-  for (const process::ContactZone& zone : process::poorly_resolved_tools(run))
-    lines.push_back(fmt::format(
-        "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "
-        "force, which can be far too high; {}",
-        run.tools()[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone), zone.length,
-        content_->units.length,
-        content_->remesh ? "a smaller remesh.size.min would let a new mesh follow it"
-                         : "a finer mesh there or a [remesh] section mends that"));
-  constexpr double most_of_corner = 0.5;
-  if (const process::CornerLoad load = process::most_at_corner(run); load.share > most_of_corner)
-    lines.push_back(fmt::format(
-        "warning: at the end {:.0f} % of the pressure on {} is that of its corners on single "
-        "faces: "
-        "its force is that of elements of this size, a sharper tool or a finer mesh gets another "
-        "one; round the edge, and let elements be smaller than the rounding",
-        100.0 * load.share, run.tools()[load.tool].name));
-  for (const process::ToolMeeting& overlap : process::overlapping_tools(run))
-    lines.push_back(fmt::format(
-        "warning: at the end tools '{}' and '{}' overlap by {:.3g} {} at ({:.6g}, {:.6g}, {:.6g}): "
-        "they do not feel each other, and nothing stops what a load drives once the part has left "
-        "it; what was found since is wrong: let it act no longer than it holds the part (stages, "
-        "active)",
-        run.tools()[overlap.first].name, run.tools()[overlap.second].name, overlap.depth,
-        content_->units.length, overlap.place[0], overlap.place[1], overlap.place[2]));
-  for (const process::InitialPenetration& penetration : run.state.record.initial_penetrations)
-    lines.push_back(fmt::format(
-        "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
-        "on its way while it does not act, so let it begin where it is clear",
-        run.tools()[penetration.tool].name, penetration.time, content_->units.time,
-        penetration.where,
-        run.state.time <= penetration.time ? "it could not be pushed out in one increment"
-                                           : "it was pushed out in one increment"));
-  for (const process::Lap& lap : process::laps(run))
-    lines.push_back(fmt::format(
-        "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "
-        "metal has folded over and does not feel itself; {}",
-        lap.place, lap.depth, content_->units.length,
-        content_->remesh ? "the next new mesh would have welded the lap"
-                         : "a [remesh] section welds laps and says where"));
+}
+
+void RunWriter::warn_of_elements(const process::Run& run, std::vector<std::string>& lines) const {
   if (worn_)
     lines.push_back(fmt::format(
         "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "
@@ -166,6 +203,9 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
             ? "new meshes were not better for long (remesh.csv: quality_after), sharp "
               "edges of tools do that: a smaller remesh.size.min may help"
             : "no new mesh could be made in time: the log says why"));
+}
+
+void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>& lines) const {
   if (squeezed_at_) {
     const Squeeze now = squeeze_of(run, last_->volume);
     lines.push_back(fmt::format(
@@ -189,6 +229,22 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
           "end where its measured curves do (eps_max of hansel-spittel, a table)",
           last_->max_plastic_strain, 100.0 * left));
   }
+}
+
+std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
+  Lines lines;
+  warn_of_unmet_tools(run, lines);
+  on_refused_meshes(run, content_->units, lines);
+  warn_of_penetration(lines);
+  on_work_missing(run, content_->units, {most_missed_, most_missed_at_}, lines);
+  on_work_made(run, content_->units, lines);
+  on_fading_forces(run, lines);
+  on_resolution(run, *content_, lines);
+  on_overlapping_tools(run, content_->units, lines);
+  on_initial_penetrations(run, content_->units, lines);
+  on_laps(run, *content_, lines);
+  warn_of_elements(run, lines);
+  warn_of_metal(run, lines);
   lines.insert(lines.end(), complaints_.begin(), complaints_.end());
   return lines;
 }

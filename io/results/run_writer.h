@@ -75,6 +75,10 @@ public:
 
 private:
   void note_unmet_tools(const process::Run& run, const process::IncrementReport& report);
+  void warn_of_unmet_tools(const process::Run& run, std::vector<std::string>& lines) const;
+  void warn_of_penetration(std::vector<std::string>& lines) const;
+  void warn_of_elements(const process::Run& run, std::vector<std::string>& lines) const;
+  void warn_of_metal(const process::Run& run, std::vector<std::string>& lines) const;
   void write_frame(const process::Run& run);
   void write_list();
   void synchronize_results() const;

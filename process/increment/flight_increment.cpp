@@ -9,7 +9,7 @@
 #include "process/reports/observer.h"
 #include "process/scene/scene.h"
 #include "process/stages/stage_start.h"
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 #include "process/state/run.h"
 #include "process/state/unknowns.h"
 #include "process/tools/flight.h"

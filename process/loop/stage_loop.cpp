@@ -21,7 +21,7 @@
 #include "process/stages/striking.h"
 #include "process/stages/tool_activation.h"
 #include "process/stages/unloading.h"
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 #include "process/state/run.h"
 
 #include <fmt/format.h>

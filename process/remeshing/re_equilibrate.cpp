@@ -9,7 +9,7 @@
 #include "process/remeshing/remeshing.h"
 #include "process/reports/run_reports.h"
 #include "process/stages/stage_start.h"
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 #include "process/state/mesh_quality.h"
 #include "process/state/run.h"
 #include "process/state/state.h"

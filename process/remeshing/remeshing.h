@@ -18,9 +18,6 @@
 
 namespace billet::process {
 
-/// What a remeshing may change of a tool's force (RM-01).
-constexpr double force_budget = 1e-2;
-
 /// The part on a new mesh, and how its contact finds what the old one knew.
 struct NewPart {
   RemeshedPart part;

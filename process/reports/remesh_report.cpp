@@ -1,7 +1,6 @@
 // What a remeshing may change, and what is said of it. (P.16)
 
-#include "process/loop/process.h"
-#include "process/remeshing/remeshing.h"
+#include "process/reports/run_reports.h"
 
 #include <fmt/format.h>
 

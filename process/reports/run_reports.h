@@ -62,6 +62,9 @@ struct PostMortem {
   std::vector<mechanics::IterationRecord> records; ///< of the last try
 };
 
+/// What a remeshing may change of a tool's force (RM-01).
+constexpr double force_budget = 1e-2;
+
 /// What a remeshing did: its page of the ledger.
 struct RemeshReport {
   int number = 0;    ///< from 1

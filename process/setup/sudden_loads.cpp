@@ -1,6 +1,6 @@
 #include "process/setup/sudden_loads.h"
 
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 #include "process/scene/scene.h"
 #include "process/stages/striking.h"
 #include "process/stages/unloading.h"
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
 

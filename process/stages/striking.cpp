@@ -2,7 +2,7 @@
 
 #include "geometry/base/outcome.h"
 #include "process/scene/scene.h"
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 #include "process/state/run.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "process/stages/unloading.h"
 
-#include "process/loop/stored_run.h"
 #include "process/scene/scene.h"
 #include "process/state/model.h"
 #include "process/state/run.h"

@@ -14,7 +14,7 @@
 #include "process/reports/energy_balance.h"
 #include "process/reports/run_reports.h"
 #include "process/scene/scene.h"
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 #include "process/tools/flight.h"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "process/state/increment_control.h"
+#include "process/control/increment_control.h"
 
 #include <algorithm>
 #include <cmath>
