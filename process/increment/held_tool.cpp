@@ -5,7 +5,6 @@
 #include "process/increment/force_floor.h"
 #include "process/increment/solve_increment.h"
 #include "process/scene/scene.h"
-#include "process/setup/drawing.h"
 #include "process/state/run.h"
 #include "process/state/unknowns.h"
 

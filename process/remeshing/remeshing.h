@@ -8,7 +8,6 @@
 #include "process/remeshing/part_boundary.h"
 #include "process/reports/lap.h"
 #include "process/scene/scene.h"
-#include "process/setup/drawing.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,6 @@
 #include "process/remeshing/remeshing_due.h"
 
+#include "mechanics/elements/mesh_check.h"
 #include "mechanics/mesh/mesh_edges.h"
 #include "process/increment/snapshots.h"
 #include "process/remeshing/contact_zones.h"
@@ -7,7 +8,6 @@
 #include "process/remeshing/remeshing.h"
 #include "process/remeshing/sizes.h"
 #include "process/scene/scene.h"
-#include "process/setup/drawing.h"
 #include "process/state/mesh_quality.h"
 #include "process/state/run.h"
 

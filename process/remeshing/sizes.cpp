@@ -1,5 +1,6 @@
 #include "process/remeshing/sizes.h"
 
+#include "mechanics/elements/mesh_locator.h"
 #include "mechanics/transfer/rate_gradient.h"
 #include "process/scene/scene.h"
 #include "process/state/run.h"

@@ -1,6 +1,7 @@
 #include "process/state/mesh_quality.h"
 
 #include "mechanics/elements/mesh_check.h"
+#include "mechanics/mesh/mesh_edges.h"
 
 #include <algorithm>
 #include <cmath>
