@@ -210,7 +210,8 @@ TEST(Flight, AToolThatLeavesAndComesBack) {
 
 TEST(Flight, NoTimeWhereAToolTouchesOrIsNear) {
   const Process process(die_above(false, 0.0));
-  const Departure now{process.view().scene,
+  const Departure now{process.view().part(),
+                      process.view().tools(),
                       process.view().scene.stages[0],
                       process.view().contact(),
                       process.view().model.surface.get(),
@@ -220,11 +221,12 @@ TEST(Flight, NoTimeWhereAToolTouchesOrIsNear) {
                       0.0};
   EXPECT_FALSE(flight_from(now, 0.01));
   const Process above(die_above(false, 1.0));
-  const Departure then{above.scene(),
-                       above.scene().stages[0],
-                       above.contact(),
-                       above.surface(),
-                       above.unknowns(),
+  const Departure then{above.view().part(),
+                       above.view().tools(),
+                       above.view().scene.stages[0],
+                       above.view().contact(),
+                       above.view().model.surface.get(),
+                       above.view().state.x,
                        {},
                        0.0,
                        0.0};

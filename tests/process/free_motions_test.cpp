@@ -29,30 +29,31 @@ Scene block(mechanics::Analysis analysis,
 }
 
 TEST(FreeMotions, in_space) {
-  const FreeMotions all = free_motions(block(mechanics::Analysis::solid, {}));
+  const FreeMotions all = free_motions(block(mechanics::Analysis::solid, {}).part);
   EXPECT_EQ(all.along, (Three{true, true, true}));
   EXPECT_EQ(all.about, (Three{true, true, true}));
   const Scene quarter = block(mechanics::Analysis::solid, {{"x-min", 0}, {"y-min", 1}});
-  EXPECT_EQ(free_motions(quarter).along, (Three{false, false, true}));
-  EXPECT_EQ(free_motions(quarter).about, (Three{false, false, false}));
+  EXPECT_EQ(free_motions(quarter.part).along, (Three{false, false, true}));
+  EXPECT_EQ(free_motions(quarter.part).about, (Three{false, false, false}));
   const Scene half = block(mechanics::Analysis::solid, {{"x-min", 0}});
-  EXPECT_EQ(free_motions(half).along, (Three{false, true, true}));
-  EXPECT_EQ(free_motions(half).about, (Three{true, false, false}));
-  EXPECT_EQ(free_rigid_motions(half), 3);
+  EXPECT_EQ(free_motions(half.part).along, (Three{false, true, true}));
+  EXPECT_EQ(free_motions(half.part).about, (Three{true, false, false}));
+  EXPECT_EQ(free_rigid_motions(half.part), 3);
 }
 
 TEST(FreeMotions, in_the_plane_and_of_a_round_part) {
   const Scene plane = block(mechanics::Analysis::plane_strain, {{"y-min", 1}});
-  EXPECT_EQ(free_motions(plane).along, (Three{true, false, false}));
-  EXPECT_EQ(free_motions(plane).about, (Three{false, false, false}));
-  const FreeMotions loose = free_motions(block(mechanics::Analysis::plane_strain, {}));
+  EXPECT_EQ(free_motions(plane.part).along, (Three{true, false, false}));
+  EXPECT_EQ(free_motions(plane.part).about, (Three{false, false, false}));
+  const FreeMotions loose = free_motions(block(mechanics::Analysis::plane_strain, {}).part);
   EXPECT_EQ(loose.about, (Three{false, false, true}));
-  const FreeMotions round = free_motions(block(mechanics::Analysis::axisymmetric, {{"x-min", 0}}));
+  const FreeMotions round =
+      free_motions(block(mechanics::Analysis::axisymmetric, {{"x-min", 0}}).part);
   EXPECT_EQ(round.along, (Three{false, true, false}));
   EXPECT_EQ(round.about, (Three{false, false, false}));
   const Scene held = block(mechanics::Analysis::axisymmetric, {{"y-min", 1}});
-  EXPECT_EQ(free_motions(held).along, (Three{false, false, false}));
-  EXPECT_EQ(free_rigid_motions(held), 0);
+  EXPECT_EQ(free_motions(held.part).along, (Three{false, false, false}));
+  EXPECT_EQ(free_rigid_motions(held.part), 0);
 }
 
 } // namespace

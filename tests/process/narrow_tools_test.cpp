@@ -65,8 +65,8 @@ std::pair<DeepTool, std::optional<DeepTool>> found_after(ElementKind kind, doubl
                                     -way * Vec3::Unit(axis)));
   scene.touch = {0};
   const Process process(std::move(scene));
-  const NarrowTools narrow(process.view().scene, *process.view().model.surface,
-                           process.view().positions());
+  const NarrowTools narrow(process.view().mesh(), process.view().tools(),
+                           *process.view().model.surface, process.view().positions());
   const mechanics::Trial trial{0.0, 1.0, process.view().state.x, process.view().state.x};
   return {narrow.deepest(*process.view().contact(), trial, 0.0),
           narrow.met_on_the_way(*process.view().contact(), trial)};

@@ -42,7 +42,7 @@ PartBoundary boundary_of(const Scene& scene,
                          const std::vector<int>& touching,
                          const std::vector<std::string>& keep = {}) {
   const std::vector<double> x = mechanics::node_positions(scene.part.mesh);
-  return part_boundary(scene, x, touching, keep);
+  return part_boundary(scene.part, x, touching, keep);
 }
 
 PartBoundary untouched_boundary(const Scene& scene, const std::vector<std::string>& keep = {}) {
@@ -66,7 +66,7 @@ Scene with_mesh(Scene scene, RemeshedPart part) {
 }
 
 Scene meshed_anew(Scene scene, double size, const std::vector<std::string>& keep = {}) {
-  RemeshedPart part = remesh_part(scene, untouched_boundary(scene, keep), sides_of(size), {});
+  RemeshedPart part = remesh_part(scene.part, untouched_boundary(scene, keep), sides_of(size), {});
   return with_mesh(std::move(scene), std::move(part));
 }
 
@@ -125,9 +125,9 @@ TEST(PartBoundary, AFoldWhoseWallsCrossIsWelded) {
   move({4.0, height}, {5.0, 4.5});
   move({2.0, height}, {6.5, 6.3}); // over the node at (6, 6)
   PartBoundary boundary =
-      part_boundary(scene, x, std::vector<int>(scene.part.contact_faces.size(), -1), {});
+      part_boundary(scene.part, x, std::vector<int>(scene.part.contact_faces.size(), -1), {});
   const PartBoundary folded = boundary;
-  EXPECT_THROW(static_cast<void>(remesh_part(scene, boundary, sides_of(1.0), {})), Error);
+  EXPECT_THROW(static_cast<void>(remesh_part(scene.part, boundary, sides_of(1.0), {})), Error);
   const auto folds = weld_folds(boundary, 0.0, 0.25);
   ASSERT_EQ(folds.size(), 1u);
   EXPECT_NEAR(folds[0].at.x(), 6.25, rounding);
@@ -138,7 +138,7 @@ TEST(PartBoundary, AFoldWhoseWallsCrossIsWelded) {
     EXPECT_TRUE(first == nodes.first || first == -1);
   }
   // All that hangs on the other sides is there on the new mesh, whose contact finds its past.
-  const RemeshedPart part = remesh_part(scene, boundary, sides_of(1.0), {});
+  const RemeshedPart part = remesh_part(scene.part, boundary, sides_of(1.0), {});
   EXPECT_NEAR(part.measure, enclosed(boundary.loops[0]), 1e-9);
   EXPECT_EQ(part.supports.size(), scene.part.supports.size());
   for (const Support& support : part.supports)
@@ -154,7 +154,7 @@ TEST(PartBoundary, IsWhereThePartIsNow) {
   for (std::size_t i = 0; i < x.size(); i += 2)
     x[i] += 0.1 * x[i + 1] * x[i + 1];
   const std::vector<int> touching(scene.part.contact_faces.size(), -1);
-  const geometry::SideLoop loop = part_boundary(scene, x, touching, {}).loops[0];
+  const geometry::SideLoop loop = part_boundary(scene.part, x, touching, {}).loops[0];
   for (std::size_t i = 0; i < loop.corners.size(); ++i) {
     const Vec2& a = loop.corners[i];
     const Vec2& m = loop.middles[i];
@@ -310,7 +310,7 @@ TEST(PartBoundary, OfAPartWithAHoleIsTwoLoops) {
   const double first = enclosed(boundary.loops[0]), second = enclosed(boundary.loops[1]);
   EXPECT_NEAR(std::max(first, second), 9.0, rounding * 9.0);
   EXPECT_NEAR(std::min(first, second), -1.0, rounding) << "the hole turns right";
-  const RemeshedPart part = remesh_part(scene, boundary, sides_of(0.5), {});
+  const RemeshedPart part = remesh_part(scene.part, boundary, sides_of(0.5), {});
   EXPECT_NEAR(part.measure, 8.0, 1e-10 * 8.0);
   EXPECT_NEAR(part.old_measure, 8.0, 1e-10 * 8.0);
 }
@@ -354,7 +354,7 @@ TEST(RemeshedPart, CarriesAllThatHungOnTheOldOne) {
 TEST(RemeshedPart, EnclosesWhatTheOldOneDid) {
   for (const Analysis analysis : {Analysis::plane_strain, Analysis::axisymmetric}) {
     const Scene scene = block(ElementKind::quad8, analysis);
-    const RemeshedPart part = remesh_part(scene, untouched_boundary(scene), sides_of(1.1), {});
+    const RemeshedPart part = remesh_part(scene.part, untouched_boundary(scene), sides_of(1.1), {});
     const double exact =
         analysis == Analysis::axisymmetric ? 0.5 * width * width * height : width * height;
     EXPECT_NEAR(part.old_measure, exact, 1e-10 * exact);
@@ -409,7 +409,8 @@ TEST(RemeshedPart, KeepsThePointsWhereToolsCeaseToTouch) {
   std::vector<int> touching;
   for (const mechanics::Face& face : scene.part.contact_faces)
     touching.push_back(scene.part.mesh.points[as_size(face.nodes[2])].x() < 0.5 * width ? 1 : -1);
-  const RemeshedPart part = remesh_part(scene, boundary_of(scene, touching), sides_of(0.7), {});
+  const RemeshedPart part =
+      remesh_part(scene.part, boundary_of(scene, touching), sides_of(0.7), {});
   ASSERT_EQ(part.places.size(), part.contact_faces.size());
   double touched = 0.0;
   for (const mechanics::Face& face : part.contact_faces)
@@ -459,7 +460,7 @@ TEST(PointSources, LieOnEitherSideOfTheNewPoint) {
       const PartBoundary boundary = untouched_boundary(scene);
       const Surface old(scene.part.mesh, scene.part.contact_faces, form);
       const ContactStops stops(boundary, scene.part.contact_faces, old.of.line_coordinates());
-      const RemeshedPart part = remesh_part(scene, boundary, sides_of(0.7), {});
+      const RemeshedPart part = remesh_part(scene.part, boundary, sides_of(0.7), {});
       const Surface anew(part.mesh, part.contact_faces, form);
       const std::vector<contact::PointSource> sources =
           point_sources(stops, part.places, anew.of.line_coordinates());
@@ -496,7 +497,7 @@ TEST(PointSources, BeyondTheLastPointAreThatPoint) {
   const PartBoundary boundary = untouched_boundary(scene);
   const Surface old(scene.part.mesh, scene.part.contact_faces, contact::Form::mixed);
   const ContactStops stops(boundary, scene.part.contact_faces, old.of.line_coordinates());
-  const RemeshedPart part = remesh_part(scene, boundary, sides_of(0.5), {});
+  const RemeshedPart part = remesh_part(scene.part, boundary, sides_of(0.5), {});
   const Surface anew(part.mesh, part.contact_faces, contact::Form::mixed);
   const std::vector<contact::PointSource> sources =
       point_sources(stops, part.places, anew.of.line_coordinates());

@@ -82,10 +82,10 @@ TEST(PassageGuard, ASurfaceThatMovesThroughAStandingDieIsSeen) {
     std::vector<double> after = before;
     for (std::size_t i = 0; i < after.size(); i += 2)
       after[i] += shift;
-    const std::string complaint =
-        passage_complaint(process.view().tools(), *process.view().model.surface,
-                          *process.view().contact(), {0.0, 0.1, before, after});
-    EXPECT_EQ(complaint.empty(), shift > -1.1) << shift << ": the middle of the blade is at -1.1";
+    const Outcome<Done> outside =
+        check_passages(process.view().tools(), *process.view().model.surface,
+                       *process.view().contact(), {0.0, 0.1, before, after});
+    EXPECT_EQ(outside.has_value(), shift > -1.1) << shift << ": the middle of the blade is at -1.1";
   }
 }
 
@@ -118,15 +118,16 @@ TEST(PassageGuard, ATravelOfADrivenDieCounts) {
   std::vector<double> before(process.view().positions().begin(), process.view().positions().end());
   before.push_back(0.0);
   std::vector<double> after = before;
-  const auto complaint = [&](double travel) {
+  const auto stays_outside = [&](double travel) {
     after.back() = travel;
-    return passage_complaint(process.view().tools(), *process.view().model.surface,
-                             *process.view().contact(), {0.0, 0.1, before, after});
+    return check_passages(process.view().tools(), *process.view().model.surface,
+                          *process.view().contact(), {0.0, 0.1, before, after})
+        .has_value();
   };
-  EXPECT_EQ(complaint(0.05), "");
-  EXPECT_NE(complaint(0.15), "");
-  EXPECT_NE(complaint(5.0), "");
-  EXPECT_EQ(complaint(-5.0), "");
+  EXPECT_TRUE(stays_outside(0.05));
+  EXPECT_FALSE(stays_outside(0.15));
+  EXPECT_FALSE(stays_outside(5.0));
+  EXPECT_TRUE(stays_outside(-5.0));
 }
 
 } // namespace

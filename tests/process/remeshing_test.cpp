@@ -254,11 +254,11 @@ TEST(Remeshing, CarriesSlidingAndWearOn) {
   OnSurface before;
   double worn_before = 0.0;
   Watcher watcher(
-      [&](const Run& p) {
+      [&](const auto& p) {
         before = on_surface(p);
         worn_before = p.model.wear->map(0)->volume();
       },
-      [&](const Run& p, const RemeshReport& r) {
+      [&](const auto& p, const RemeshReport& r) {
         const OnSurface after = on_surface(p);
         std::printf("remeshing %d: slid %.6f -> %.6f, worn %.4e -> %.4e\n", r.number,
                     before.sliding, after.sliding, before.worn, after.worn);
@@ -322,12 +322,12 @@ TEST(Remeshing, TellsItsObserversBeforeAndAfter) {
   Process process(remeshed(billet(ElementKind::quad8, 4, 0.2, contact::Sticking{}), every(0.9)));
   int about_to = 0, done = 0;
   Watcher watcher(
-      [&](const Run& p) {
+      [&](const auto& p) {
         EXPECT_EQ(about_to++, done);
         EXPECT_EQ(static_cast<int>(p.state.record.remeshings.size()), done);
         EXPECT_EQ(p.mesh().kind, done == 0 ? ElementKind::quad8 : ElementKind::tri6);
       },
-      [&](const Run& p, const RemeshReport& report) {
+      [&](const auto& p, const RemeshReport& report) {
         EXPECT_EQ(++done, about_to);
         EXPECT_EQ(report.number, done);
         EXPECT_EQ(report.time, p.state.time);
@@ -495,7 +495,7 @@ TEST(Remeshing, CarriesTemperaturesOn) {
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 6, 0.3, contact::Sticking{}));
   scene.material.heating = 0.25; // [degC/MPa]: steel at nine tenths of the work
   scene.remesh = every(0.9);
-  const auto mean = [](const Run& p) {
+  const auto mean = [](const auto& p) {
     double sum = 0.0, volume = 0.0;
     for (std::size_t k = 0; k < p.model.bulk->volumes().size(); ++k) {
       sum += p.model.bulk->volumes()[k] * p.model.bulk->temperature(k);
@@ -505,8 +505,8 @@ TEST(Remeshing, CarriesTemperaturesOn) {
   };
   Process process(std::move(scene));
   double before = 0.0;
-  Watcher watcher([&](const Run& p) { before = mean(p); },
-                  [&](const Run& p, const RemeshReport& r) {
+  Watcher watcher([&](const auto& p) { before = mean(p); },
+                  [&](const auto& p, const RemeshReport& r) {
                     std::printf("remeshing %d: %.4f -> %.4f degC\n", r.number, before, mean(p));
                     EXPECT_NEAR(mean(p), before, 3e-3 * (before - 20.0));
                   });
@@ -532,8 +532,8 @@ TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
   Process process(std::move(scene));
   ASSERT_EQ(process.view().model.free_motions, 1);
   double before = 0.0;
-  Watcher watcher([&](const Run& p) { before = p.state.energy.grounding; },
-                  [&](const Run& p, const RemeshReport&) {
+  Watcher watcher([&](const auto& p) { before = p.state.energy.grounding; },
+                  [&](const auto& p, const RemeshReport&) {
                     EXPECT_GT(before, 0.0);
                     // Squares of steps: what is solved again in longer ones has more of it.
                     EXPECT_LT(p.state.energy.grounding, 1.5 * before);

@@ -85,11 +85,11 @@ TEST(SolidPart, FindsSupportsSetsAndLoadsAgain) {
                                      })
                              ? 0
                              : -1);
-    const SolidPart part = solid_part(scene, x, touching, {});
+    const SolidPart part = solid_part(scene.part, x, touching, {});
     geometry::SolidSizes sizes;
     sizes.min = 0.4;
     sizes.max = 1.6;
-    const RemeshedPart anew = remesh_part(scene, part, sizes, {});
+    const RemeshedPart anew = remesh_part(scene.part, part, sizes, {});
     const double off = anew.measure / part.volume - 1.0;
     const std::vector<double> qualities = mechanics::element_qualities(anew.mesh, anew.mesh.points);
     std::printf("%s: %d tet10, worst %.2f, volume %+.1e\n",
@@ -125,7 +125,7 @@ TEST(SolidPart, ContactPointsAreFoundBetweenTheOldOnes) {
   const Scene scene = upsetting_scene(bar_upsetting(ElementKind::hex20));
   const std::vector<double> x = mechanics::node_positions(scene.part.mesh);
   const SolidPart part =
-      solid_part(scene, x, std::vector<int>(scene.part.contact_faces.size(), -1), {});
+      solid_part(scene.part, x, std::vector<int>(scene.part.contact_faces.size(), -1), {});
   const mechanics::Bulk bulk(scene.part.mesh, scene.part.analysis, scene.material,
                              mechanics::block_pattern(scene.part.mesh));
   const mechanics::BlockPattern pattern = mechanics::block_pattern(scene.part.mesh);

@@ -103,7 +103,7 @@ public:
                 const contact::Friction& friction,
                 double end) {
     Process process(indented(kind, n, punch, friction, end));
-    support::Recorder recorder([&](const Run& now, const IncrementReport& report) {
+    support::Recorder recorder([&](const auto& now, const IncrementReport& report) {
       curve_.emplace_back(report.time, force(now) / twice_shear_yield);
     });
     support::run_to_end(process, recorder);

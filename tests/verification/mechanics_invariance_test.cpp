@@ -154,7 +154,7 @@ Index n_points(ElementKind kind) {
   const std::vector<Index> number(10000); // more than there are; only counted
   std::vector<Index> identity(number.size());
   std::iota(identity.begin(), identity.end(), 0);
-  return block(kind, {}, identity).mesh.n_points();
+  return block(kind, {}, identity).part.mesh.n_points();
 }
 
 constexpr double tolerance = 1e-9; // VALIDATION NUM-05

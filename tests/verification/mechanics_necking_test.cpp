@@ -74,7 +74,7 @@ Row measured(const Run& process, double elongation) {
 
 std::vector<Row> history(Scene scene) {
   std::vector<Row> rows;
-  support::Recorder recorder([&](const Run& process, const IncrementReport& report) {
+  support::Recorder recorder([&](const auto& process, const IncrementReport& report) {
     rows.push_back(measured(process, report.time));
   });
   Process process(std::move(scene));

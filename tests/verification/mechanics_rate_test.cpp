@@ -87,7 +87,7 @@ TEST(Rate, MAT_06b_a_bar_held_at_its_length_relaxes_as_backward_euler_does) {
     scene.increments.min = 1.0; // none is gone in parts
     std::vector<double> stresses;
     support::Recorder recorder(
-        [&](const Run& process, const IncrementReport&) { stresses.push_back(stress(process)); });
+        [&](const auto& process, const IncrementReport&) { stresses.push_back(stress(process)); });
     Process process(std::move(scene));
     support::run_to_end(process, recorder);
     ASSERT_EQ(stresses.size(), 101U) << mechanics::name(kind);
@@ -261,7 +261,7 @@ std::vector<double> pressed(const Units& u, const Material& in_MPa, std::vector<
   scene.increments.first = scene.increments.max = *scene.increments.max * u.time * (1.0 + 1e-6);
   Process process(std::move(scene));
   support::Recorder recorder(
-      [&](const Run&, const IncrementReport& report) { iterations.push_back(report.iterations); });
+      [&](const auto&, const IncrementReport& report) { iterations.push_back(report.iterations); });
   support::run_to_end(process, recorder);
   std::vector<double> values{
       process.view().contact()->loads()[0].force[1] / (u.stress * u.length * u.length),

@@ -70,7 +70,7 @@ struct LoadMaximum {
 
 LoadMaximum load_maximum(ElementKind kind, const mechanics::Material& material, double strain) {
   LoadMaximum most{0.0, 0.0};
-  support::Recorder recorder([&](const Run& process, const IncrementReport&) {
+  support::Recorder recorder([&](const auto& process, const IncrementReport&) {
     const double nominal = nominal_stress(process);
     if (nominal > most.nominal)
       most = {process.model.bulk->states()[0].plastic_strain, nominal};

@@ -62,7 +62,7 @@ Result pressed(const Units& units, mechanics::ElementKind kind) {
   Process process(billet(units, kind, 12));
   EXPECT_EQ(process.view().model.free_motions, 1);
   Result result;
-  support::Recorder recorder([&](const Run& p, const IncrementReport& report) {
+  support::Recorder recorder([&](const auto& p, const IncrementReport& report) {
     result.iterations.push_back(report.iterations);
     result.values.push_back(p.contact()->loads()[0].force[1] / units.force());
     result.values.push_back(report.energy.external / units.energy());

@@ -20,6 +20,7 @@ namespace {
 using process::CheckpointReason;
 using process::IncrementReport;
 using process::Process;
+using process::Run;
 using process::RunStatus;
 
 /// Bytes of an increment, but for clocks.

@@ -3,8 +3,10 @@
 #include "geometry/surfaces/analytic_surfaces.h"
 #include "geometry/surfaces/profile.h"
 #include "process/loop/process.h"
+#include "process/remeshing/contact_zones.h"
 #include "process/remeshing/part_boundary.h"
 #include "process/remeshing/remeshing.h"
+#include "process/remeshing/remeshing_due.h"
 #include "tests/support/remeshed_billet.h"
 
 #include <gtest/gtest.h>
@@ -129,10 +131,10 @@ TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
   EXPECT_TRUE(first.balanced);
   EXPECT_EQ(first.energy, 0.0);
   EXPECT_LE(done.process->view().state.record.remeshings.size(), 3u);
-  EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
-  EXPECT_TRUE(fine.process->poorly_resolved_tools().empty());
-  ASSERT_EQ(kept.process->poorly_resolved_tools().size(), 1u);
-  EXPECT_EQ(kept.process->poorly_resolved_tools()[0].tool, 0);
+  EXPECT_TRUE(poorly_resolved_tools(*done.process).empty());
+  EXPECT_TRUE(poorly_resolved_tools(*fine.process).empty());
+  ASSERT_EQ(poorly_resolved_tools(*kept.process).size(), 1u);
+  EXPECT_EQ(poorly_resolved_tools(*kept.process)[0].tool, 0);
   const double worst = most_off(done, fine, {0.05, 0.075, 0.1});
   const double worst_kept = most_off(kept, fine, {0.05, 0.075, 0.1});
   std::printf("  force off by %.1f %% with remeshing, %.1f %% on the mesh that is kept\n",
@@ -182,7 +184,7 @@ TEST(Remeshing, ResolvesAllThatComesToTouchAtOnce) {
                                    r.cause.ends_with("touches on 1 side");
                           }),
             1);
-  EXPECT_TRUE(done.process->poorly_resolved_tools().empty());
+  EXPECT_TRUE(poorly_resolved_tools(*done.process).empty());
 }
 
 /// A punch, half 5 mm wide, with edges of radius 1.5 mm is pressed 1 mm deep into half a block of
@@ -334,7 +336,7 @@ TEST(Remeshing, KeepsTheSizeAtAContactThatGrows) {
   });
   EXPECT_GE(for_size, 1);
   EXPECT_LE(made.size(), 8u);
-  EXPECT_LT(done.process->coarse_contact(), 0.5);
+  EXPECT_LT(coarse_contact(*done.process), 0.5);
 }
 
 TEST(Remeshing, DoesNotFollowAContactThatShrinks) {
