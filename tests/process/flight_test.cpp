@@ -245,7 +245,8 @@ TEST(Flight, ATipBetweenContactPointsIsSeen) {
   scene.tools[0].motion.velocity = Vec3(0, 0, -1);
   scene.stages[0].end = 86.0;
   const Process process(std::move(scene));
-  const std::optional<Flight> flight = flight_from({process.view().scene,
+  const std::optional<Flight> flight = flight_from({process.view().part(),
+                                                    process.view().tools(),
                                                     process.view().scene.stages[0],
                                                     process.view().contact(),
                                                     process.view().model.surface.get(),

@@ -45,7 +45,7 @@ TEST(FreeSurface, MovesOutwardWhereNothingTouches) {
   for (const ElementKind kind : {ElementKind::quad8, ElementKind::hex8}) {
     const Bar bar(kind);
     const int dim = bar.scene.part.mesh.dimension();
-    const std::vector<double> normals = free_normals(bar.scene, bar.x, on_top(bar.scene));
+    const std::vector<double> normals = free_normals(bar.scene.part, bar.x, on_top(bar.scene));
     int moved = 0;
     for (Index node = 0; node < bar.scene.part.mesh.n_points(); ++node) {
       const Vec3& at = bar.scene.part.mesh.points[as_size(node)];
@@ -75,7 +75,7 @@ TEST(FreeSurface, GivesThePartTheVolume) {
       const double wanted = (1.0 + change) * bar.volume();
       const std::vector<double> before = bar.x;
       restore_volume(
-          bar.x, free_normals(bar.scene, bar.x, on_top(bar.scene)),
+          bar.x, free_normals(bar.scene.part, bar.x, on_top(bar.scene)),
           [&](std::span<const double> x) { return bar.bulk.volume(x); }, wanted, 0.02);
       // One straight step: off by the square of the change.
       EXPECT_NEAR(bar.volume(), wanted, 2.0 * change * change * wanted);
@@ -89,10 +89,10 @@ TEST(FreeSurface, MovesNoFurtherThanItMayAndNotWhereAllTouches) {
   const double before = bar.volume();
   const std::vector<char> all(bar.scene.part.contact_faces.size(), 1);
   const std::vector<double> still = bar.x;
-  restore_volume(bar.x, free_normals(bar.scene, bar.x, all), volume, 1.01 * before, 0.02);
+  restore_volume(bar.x, free_normals(bar.scene.part, bar.x, all), volume, 1.01 * before, 0.02);
   EXPECT_EQ(bar.x, still);
-  restore_volume(bar.x, free_normals(bar.scene, bar.x, on_top(bar.scene)), volume, 2.0 * before,
-                 0.02);
+  restore_volume(bar.x, free_normals(bar.scene.part, bar.x, on_top(bar.scene)), volume,
+                 2.0 * before, 0.02);
   double furthest = 0.0;
   for (std::size_t i = 0; i < still.size(); ++i)
     furthest = std::max(furthest, std::abs(bar.x[i] - still[i]));

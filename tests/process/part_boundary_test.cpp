@@ -387,8 +387,8 @@ TEST(RemeshedPart, KeepsTheCornersOfASetIfAsked) {
     wanted.insert(scene.part.mesh.points[as_size(a)].y());
   const Scene kept = meshed_anew(block(ElementKind::quad4), 1.7, {"x-max"});
   std::set<double> found;
-  for (const Index a : kept.mesh.node_sets.at("x-max"))
-    found.insert(kept.mesh.points[as_size(a)].y());
+  for (const Index a : kept.part.mesh.node_sets.at("x-max"))
+    found.insert(kept.part.mesh.points[as_size(a)].y());
   EXPECT_TRUE(std::includes(found.begin(), found.end(), wanted.begin(), wanted.end()));
 }
 
@@ -400,8 +400,8 @@ TEST(RemeshedPart, HasAllItsNodesInWhatHeldThemAll) {
   scene.part.mesh.node_sets["all"] = all;
   scene.part.supports.push_back({all, 1, TimeFunction(0.0)});
   const Scene anew = meshed_anew(std::move(scene), 1.1);
-  EXPECT_EQ(anew.mesh.node_sets.at("all").size(), as_size(anew.mesh.n_points()));
-  EXPECT_EQ(anew.supports[2].nodes.size(), as_size(anew.mesh.n_points()));
+  EXPECT_EQ(anew.part.mesh.node_sets.at("all").size(), as_size(anew.part.mesh.n_points()));
+  EXPECT_EQ(anew.part.supports[2].nodes.size(), as_size(anew.part.mesh.n_points()));
 }
 
 TEST(RemeshedPart, KeepsThePointsWhereToolsCeaseToTouch) {

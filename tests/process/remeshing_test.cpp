@@ -290,17 +290,17 @@ TEST(Remeshing, LetsDisplacementsAndEnergiesGoOn) {
   scene.remesh = every(0.6);
   const FinishedRun done = run(std::move(scene));
   ASSERT_EQ(done.status, RunStatus::done);
-  const Run& with = *done.process;
-  const Run& without = *plain.process;
-  const mechanics::MeshLocator locator(without.scene().mesh, without.positions());
+  const auto& with = done.process->view();
+  const auto& without = plain.process->view();
+  const mechanics::MeshLocator locator(without.mesh(), without.positions());
   double most = 0.0;
   const std::span<const double> x = with.positions();
   for (std::size_t i = 0; i < x.size(); i += 2) {
     std::array<double, 2> origin{};
-    mechanics::interpolate(without.scene().mesh, locator.locate(Vec3(x[i], x[i + 1], 0.0)),
-                           without.origins(), origin);
+    mechanics::interpolate(without.mesh(), locator.locate(Vec3(x[i], x[i + 1], 0.0)),
+                           without.state.origins, origin);
     most = std::max(most,
-                    std::hypot(origin[0] - with.origins()[i], origin[1] - with.origins()[i + 1]));
+                    std::hypot(origin[0] - with.state.origins[i], origin[1] - with.state.origins[i + 1]));
   }
   double external = 0.0, plastic = 0.0;
   for (const Entry& entry : done.recorder.entries) {
@@ -311,11 +311,11 @@ TEST(Remeshing, LetsDisplacementsAndEnergiesGoOn) {
   }
   std::printf("origins %.1e of the stroke off; balance %.1e (without %.1e); plastic work %.7g "
               "(%.7g)\n",
-              most / 3.0, with.energy().error(), without.energy().error(), plastic,
-              without.energy().plastic);
+              most / 3.0, with.state.energy.error(), without.state.energy.error(), plastic,
+              without.state.energy.plastic);
   EXPECT_LT(most, 0.02 * 3.0);
-  EXPECT_LT(with.energy().error(), 5e-3);
-  EXPECT_NEAR(plastic, without.energy().plastic, 2e-3 * plastic);
+  EXPECT_LT(with.state.energy.error(), 5e-3);
+  EXPECT_NEAR(plastic, without.state.energy.plastic, 2e-3 * plastic);
 }
 
 TEST(Remeshing, TellsItsObserversBeforeAndAfter) {
@@ -515,8 +515,8 @@ TEST(Remeshing, CarriesTemperaturesOn) {
   // Nine tenths of all plastic work is in the metal.
   const double volume = 100.0 * std::numbers::pi * billet_height;
   const double rise = 0.25 * process.view().state.energy.plastic / volume;
-  std::printf("rise %.4f, of the work %.4f degC\n", mean(process) - 20.0, rise);
-  EXPECT_NEAR(mean(process) - 20.0, rise, 5e-3 * rise);
+  std::printf("rise %.4f, of the work %.4f degC\n", mean(process.view()) - 20.0, rise);
+  EXPECT_NEAR(mean(process.view()) - 20.0, rise, 5e-3 * rise);
 }
 
 TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
