@@ -61,13 +61,14 @@ std::vector<DriveState> Process::drive_states(double time) const {
   std::vector<DriveState> states;
   if (!contact_)
     return states;
-  const contact::ContactState contact = contact_->state();
+  const contact::ContactState& contact = contact_->state();
   const contact::DriveScale scale = drive_scale();
   const std::vector<contact::DriveUnknown> drives = contact::drive_unknowns(scene_.tools);
   for (std::size_t j = 0; j < drives.size(); ++j) {
     const auto [tool, turns] = drives[j];
     const geometry::Motion& motion = scene_.tools[tool].motion;
-    if (!contact_->acts(tool, time) || contact.held[tool] != 0 || (!turns && motion.force->blow))
+    if (!contact_->acts(tool, time) || contact.activity.held(tool) ||
+        (!turns && motion.force->blow))
       continue;
     const std::size_t i = state_.origins.size() + j;
     const double arm = turns ? scale.length : 1.0;
@@ -77,7 +78,7 @@ std::vector<DriveState> Process::drive_states(double time) const {
     DriveState state{tool, turns, load, load + arm * (newton_->residual()[i] - held),
                      DriveState::Contact::presses};
     if (!turns)
-      state.contact = contact_under(contact.history[tool], towards(tool, load));
+      state.contact = contact_under(contact.tools[tool].committed.history, towards(tool, load));
     states.push_back(state);
   }
   return states;
@@ -102,8 +103,8 @@ std::string Process::unbalanced_loads(double time) const {
 bool Process::is_pulled_off(std::size_t tool) const {
   const geometry::Drive& drive = *scene_.tools[tool].motion.force;
   const double load = first_load(drive.load, 0.0);
-  if (load == 0.0 || contact_under(contact_->state().history[tool], towards(tool, load)) !=
-                         DriveState::Contact::pulls_off)
+  if (load == 0.0 || contact_under(contact_->state().tools[tool].committed.history,
+                                   towards(tool, load)) != DriveState::Contact::pulls_off)
     return false;
   // In a hole, or between two walls, it may come to the other side.
   constexpr double clear = 1e-3; // of the body

@@ -132,7 +132,7 @@ bool Process::lets_go_too_fast(double dt) const {
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     if (!contact_->acts(t, state_.time + dt))
       continue;
-    const auto [before, now] = contact_->forces_of_tool(t, trial);
+    const auto [before, now] = contact::forces_of_tool(*contact_, t, trial);
     if (now.sum < fall * before.sum && 0.5 * std::abs(now.work - before.work) >
                                            std::max(most * state_.works.most, work_of_rounding()))
       return true;

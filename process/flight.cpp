@@ -296,8 +296,8 @@ double pushed_until(const Departure& now, const geometry::Motion& motion) {
 double find_pusher(const Departure& now, double soon, double until, Carrier& carrier) {
   for (std::size_t t = 0; t < now.scene.tools.size(); ++t) {
     const geometry::Motion& motion = now.scene.tools[t].motion;
-    if (!now.contact->acts(t, soon) || !now.contact->lies_on(t) || motion.force || motion.torque ||
-        Relative(now, t, carrier).rests(until))
+    if (!now.contact->acts(t, soon) || !contact::lies_on(*now.contact, t) || motion.force ||
+        motion.torque || Relative(now, t, carrier).rests(until))
       continue;
     carrier.pusher = motion;
     carrier.pushing_tool = t;
@@ -333,7 +333,7 @@ std::optional<Flight> flight_from(const Departure& now, double least) {
       if (!now.contact->acts(t, now.time + least))
         continue;
       const geometry::Motion& motion = now.scene.tools[t].motion;
-      if (motion.force && !motion.force->blow && !now.contact->lies_on(t))
+      if (motion.force && !motion.force->blow && !contact::lies_on(*now.contact, t))
         return std::nullopt; // it comes to touch first
       moves = moves || !Relative(now, t, flight.carrier).rests(until);
       until = std::min(until, approaches.clear_until(t, least, until));

@@ -22,7 +22,7 @@ bool Process::flies(const Stage& stage, double length) {
                        state_.energy.elastic > state_.energy.nothing;
   const bool releases = contact_ && [&] {
     for (std::size_t t = 0; t < scene_.tools.size(); ++t)
-      if (contact_->leaves(t, state_.time + least * length))
+      if (contact::leaves(*contact_, t, state_.time + least * length))
         return true;
     return false;
   }();

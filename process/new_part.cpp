@@ -31,7 +31,7 @@ double touching_share(const contact::ContactTerm& contact,
                       const contact::PointSource& source) {
   double closed = 0.0;
   for (std::size_t k = 0; k < source.points.size(); ++k)
-    if (source.weights[k] > 0.0 && contact.closed_on(tool, source.points[k]))
+    if (source.weights[k] > 0.0 && contact::closed_on(contact, tool, source.points[k]))
       closed += source.weights[k];
   return std::clamp(2.0 * closed - 1.0, 0.0, 1.0);
 }
@@ -44,9 +44,9 @@ double pressed_depth(const contact::ContactTerm& contact,
                      const contact::PointSource& source) {
   double depth = 0.0, closed = 0.0;
   for (std::size_t k = 0; k < source.points.size(); ++k)
-    if (source.weights[k] > 0.0 && contact.closed_on(tool, source.points[k])) {
+    if (source.weights[k] > 0.0 && contact::closed_on(contact, tool, source.points[k])) {
       closed += source.weights[k];
-      depth += source.weights[k] * contact.depth_of_pressure(tool, source.points[k]);
+      depth += source.weights[k] * contact::depth_of_pressure(contact, tool, source.points[k]);
     }
   return closed > 0.0 ? depth / closed : 0.0;
 }
@@ -114,8 +114,8 @@ std::vector<int> Process::touching_tools() const {
   for (std::size_t t = 0; contact_ && t < scene_.tools.size(); ++t) {
     for (const contact::ClosedPoint& at : contact_->closed()[t])
       touching[at.point / idx(surface_->points())] = static_cast<int>(t);
-    for (const contact::CornerContact::Corner& corner : contact_->corners(t))
-      if (const auto& foot = corner.committed.foot)
+    for (const contact::CornerState& corner : contact::corners(*contact_, t))
+      if (const auto& foot = corner.press.foot)
         touching[idx(foot->face)] = static_cast<int>(t);
   }
   return touching;

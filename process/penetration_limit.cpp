@@ -16,7 +16,7 @@ void Process::certify(double dt) {
   const Stopwatch timed(times_.certificate);
   const mechanics::Trial trial{state_.time, state_.time + dt, state_.x, trial_x_};
   state_.record.penetration =
-      contact_->penetration(trial, scene_.contact.max_penetration.value_or(HUGE_VAL));
+      contact::penetration(*contact_, trial, scene_.contact.max_penetration.value_or(HUGE_VAL));
   state_.record.narrow_radius = -1.0;
   const DeepTool deepest = narrow_->deepest(*contact_, trial, state_.record.penetration.share);
   state_.record.penetration.bound = std::max(state_.record.penetration.bound, deepest.depth);
@@ -75,7 +75,8 @@ double Process::most_unfelt() const {
 
 bool Process::lies_in_unfelt(std::string& why) const {
   const contact::Penetration::Place& deep = state_.record.penetration.relative;
-  if (deep.face < 0 || !(deep.depth > most_unfelt()) || contact_->bears_near(deep.tool, deep.face))
+  if (deep.face < 0 || !(deep.depth > most_unfelt()) ||
+      contact::bears_near(*contact_, deep.tool, deep.face))
     return false;
   why = fmt::format("tool '{}' lies {:.3g} deep in the workpiece near ({:.6g}, {:.6g}, {:.6g}), "
                     "{:.0f} % of the element there ({:.3g}), and no contact point meets it: it is "
@@ -164,8 +165,8 @@ void Process::press_harder(double gain) {
 
 void Process::begin_with_stiffness(double factor) {
   contact_->begin_with_stiffness(factor);
-  state_.record.penalty_event =
-      fmt::format("  contact penalty: {:.3g} times that of the case", contact_->next_stiffening());
+  state_.record.penalty_event = fmt::format("  contact penalty: {:.3g} times that of the case",
+                                            contact_->state().penalty.next);
 }
 
 /// (C.24)
@@ -182,8 +183,9 @@ void Process::adapt_penalty(Progress progress) {
   // softer than the element.
   const bool presses = state_.record.penetration.share_pressed > 0.0;
   const double least = presses ? 1e-3 : 1.0;
-  const double next = contact_->next_stiffening();
-  const double share = state_.record.penetration.share_pressed * contact_->stiffening() / next;
+  const double next = contact_->state().penalty.next;
+  const double share =
+      state_.record.penetration.share_pressed * contact_->state().penalty.trial / next;
   const double enough = progress == Progress::none ? small : needlessly_small;
   // At the first touch nothing is pressed yet: only tries that keep failing tell.
   const bool tells = progress == Progress::none || (progress == Progress::laboured && presses);

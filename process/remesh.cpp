@@ -149,7 +149,7 @@ Snapshot Process::snapshot() const {
   s.last_dt = state_.last_dt;
   s.plastic_rate = state_.plastic_rate;
   if (contact_)
-    s.contact = contact_->state();
+    s.contact = contact::snapshot(contact_->state());
   s.reference_volume = bulk_->reference_volume();
   s.plastic_work = bulk_->plastic_work();
   s.support_work = state_.works.supports;
@@ -304,7 +304,7 @@ void Process::start_from(const CarriedState& at,
   state_.energy.grounding = to.grounding;
   if (contact_) {
     contact_->start(state_.x, state_.time);
-    contact_->go_on_from(to.contact, sources, state_.x, state_.time);
+    contact_->go_on_from(to.contact, {sources, state_.x, state_.time});
   }
   Stock after = stock_of(*bulk_, to);
   after.volume = bulk_->volume(state_.x);
@@ -316,7 +316,7 @@ void Process::start_from(const CarriedState& at,
 }
 
 void Process::restore_volume(double volume,
-                             const contact::ContactState& contact,
+                             const contact::ContactSnapshot& contact,
                              std::span<const contact::PointSource> sources) {
   const auto touches = [&](const contact::PointSource& source) {
     return std::any_of(contact.history.begin(), contact.history.end(),

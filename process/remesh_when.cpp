@@ -173,8 +173,8 @@ CornerLoad Process::most_at_corner() const {
     double at_points = 0.0, at_corner = 0.0;
     for (const contact::ClosedPoint& at : contact_->closed()[t])
       at_points += at.area * at.pressure;
-    for (const contact::CornerContact::Corner& corner : contact_->corners(t))
-      at_corner += corner.committed.area * corner.history.pressure;
+    for (const contact::CornerState& corner : contact::corners(*contact_, t))
+      at_corner += corner.press.area * corner.history.pressure;
     if (at_corner > most.share * (at_points + at_corner))
       most = {at_corner / (at_points + at_corner), t};
   }
@@ -240,8 +240,8 @@ bool Process::indents(const ContactZone& zone) const {
     area += at.area;
     weakest = std::min(weakest, bulk_->trial_strength(surface_->beneath(at.point)));
   }
-  for (const contact::CornerContact::Corner& corner : contact_->corners(idx(zone.tool)))
-    force += corner.committed.area * corner.history.pressure;
+  for (const contact::CornerState& corner : contact::corners(*contact_, idx(zone.tool)))
+    force += corner.press.area * corner.history.pressure;
   if (!(area > 0.0))
     return force > 0.0;
   const double pressure = force / area;

@@ -45,7 +45,7 @@ void Process::start_stage(const Stage& stage) {
   if (contact_ && stage.unload)
     draw_tools_back(stage.end);
   else if (contact_)
-    contact_->enable(stage.tools);
+    contact_->activity().enable(stage.tools);
 }
 
 mechanics::Prescribed Process::prescribed(double time) const {
@@ -101,7 +101,7 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
 bool Process::touched() const {
   if (contact_)
     for (std::size_t t = 0; t < scene_.tools.size(); ++t)
-      if (contact_->lies_on(t))
+      if (contact::lies_on(*contact_, t))
         return true;
   return false;
 }
@@ -182,7 +182,7 @@ bool Process::try_friction_limited(double dt, mechanics::Approach approach, std:
 std::string Process::chattering_points() {
   if (!contact_)
     return {};
-  const std::vector<contact::ContactTerm::ChatteringPoint> points = contact_->chattering();
+  const std::vector<contact::ChatteringPoint> points = contact::chattering(*contact_);
   if (points.empty())
     return {};
   chattering_ = points;
@@ -213,7 +213,7 @@ void Process::accept(double dt) {
   const double external = state_.energy.external;
   const double plastic = state_.energy.plastic;
   update_energy();
-  if (fades && contact_->bearing_area() == 0.0)
+  if (fades && contact::bearing_area(*contact_) == 0.0)
     state_.leaving.flow_in_fading += state_.energy.plastic - plastic;
   state_.springs_back = state_.energy.external < external;
   account_contact(dt);
@@ -512,7 +512,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
           "  tools leave their forces behind, which fade: drawn back further they do not "
           "hold the part";
       put_tools_back();
-      contact_->enable(std::vector<char>(scene_.tools.size(), 0));
+      contact_->activity().enable(std::vector<char>(scene_.tools.size(), 0));
       state_.leaving.fading_until = state_.time;
       control = IncrementControl(limit);
       failures = refusals = 0;

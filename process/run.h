@@ -381,7 +381,7 @@ private:
                   RemeshReport& report);
   /// Gives the part on its new mesh a volume by moving the surface that touches no tool. (P.21)
   void restore_volume(double volume,
-                      const contact::ContactState& contact,
+                      const contact::ContactSnapshot& contact,
                       std::span<const contact::PointSource> sources);
   /// The part on a new mesh; nothing of the run has changed.
   /// @throws Error(Fault::geometry) if it cannot be meshed
@@ -456,10 +456,10 @@ private:
   std::unique_ptr<mechanics::Newton> newton_;
   std::unique_ptr<contact::Wear> wear_;
   std::vector<double> trial_x_;
-  bool refused_as_too_deep_ = false; ///< the last try
-  bool refused_inside_out_ = false;  ///< likewise
-  bool hardly_touches_ = false;      ///< forces count as none in this try
-  std::vector<contact::ContactTerm::ChatteringPoint> chattering_; ///< of the last try that had any
+  bool refused_as_too_deep_ = false;                 ///< the last try
+  bool refused_inside_out_ = false;                  ///< likewise
+  bool hardly_touches_ = false;                      ///< forces count as none in this try
+  std::vector<contact::ChatteringPoint> chattering_; ///< of the last try that had any
   long systems_before_try_ = 0;
   int grounded_ = 0;
   mechanics::SolverWork earlier_work_; ///< on earlier meshes

@@ -75,8 +75,8 @@ std::optional<FailedCheck> contact_resolution(const Process& process) {
     return std::nullopt;
   double hardest = 0.0; // pressure over flow stress
   const contact::ContactSurface& surface = *process.surface();
-  for (const contact::CornerContact::Corner& corner : process.contact()->corners(load.tool))
-    if (const auto& foot = corner.committed.foot) {
+  for (const contact::CornerState& corner : contact::corners(*process.contact(), load.tool))
+    if (const auto& foot = corner.press.foot) {
       const std::size_t point = surface.beneath(contact::nearest_point(surface, *foot));
       hardest = std::max(hardest, corner.history.pressure / process.bulk().trial_strength(point));
     }

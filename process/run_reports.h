@@ -56,7 +56,7 @@ struct PostMortem {
   std::vector<std::string> tried;     ///< one line a try
   std::vector<DriveState> drives;     ///< tools that loads drive there
   /// Contact points that kept changing in the last tries, those that changed most first.
-  std::vector<contact::ContactTerm::ChatteringPoint> chattering;
+  std::vector<contact::ChatteringPoint> chattering;
   bool inside_out = false; ///< an element turned inside out in the last try
   bool too_deep = false;   ///< a face lay deeper in a tool than a limit allows
   std::vector<mechanics::IterationRecord> records; ///< of the last try

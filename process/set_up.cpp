@@ -223,7 +223,7 @@ void Process::check_drives() const {
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     const contact::Tool& tool = scene_.tools[t];
     const bool pressed = tool.motion.force && !tool.motion.force->blow; // a blow begins by touching
-    if (pressed && contact_->acts(t, 0.0) && !contact_->lies_on(t))
+    if (pressed && contact_->acts(t, 0.0) && !contact::lies_on(*contact_, t))
       throw Error(Fault::case_file, tool.said_at,
                   fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
                               "nothing tells where it is",

@@ -35,7 +35,7 @@ struct Snapshot {
   std::vector<double> last_step;    ///< of x in it; empty: the next one begins from x [mm]
   double last_dt = 0.0;             ///< its length [s]
   std::vector<double> plastic_rate; ///< of the points [1/s]
-  contact::ContactState contact;
+  contact::ContactSnapshot contact;
   double reference_volume = 0.0; ///< the part's without pressure [mm^3]
   double plastic_work = 0.0;     ///< done so far [N mm]
   double support_work = 0.0;     ///< likewise

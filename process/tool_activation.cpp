@@ -22,7 +22,7 @@ void Process::activate_tools(const Stage& stage, double until) {
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
     const bool acts = !stage.unload && contact_->acts(t, until);
     const bool acted = std::exchange(state_.forces.acted[t], acts ? 1 : 0) != 0;
-    if (!acts || acted || contact_->lies_on(t) || state_.increment == 0)
+    if (!acts || acted || contact::lies_on(*contact_, t) || state_.increment == 0)
       continue; // before the first increment tools touch and an overlap is refused
     const std::optional<geometry::Drive>& force = scene_.tools[t].motion.force;
     if (force && !force->blow)

@@ -19,7 +19,7 @@ bool Process::is_squeezed() const {
   for (const contact::ToolLoad& load : contact_->loads())
     force += load.force.norm();
   const mechanics::Material& material = scene_.material;
-  return force > little * contact_->bearing_area() *
+  return force > little * contact::bearing_area(*contact_) *
                      mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
 }
 
@@ -28,19 +28,19 @@ bool Process::is_squeezed() const {
 void Process::draw_tools_back(double until) {
   std::vector<char> stay(scene_.tools.size(), 0);
   if (!is_squeezed()) {
-    contact_->enable(std::move(stay));
+    contact_->activity().enable(std::move(stay));
     return;
   }
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (!contact_->lies_on(t) || !contact_->acts(t, state_.time))
+    if (!contact::lies_on(*contact_, t) || !contact_->acts(t, state_.time))
       continue;
     put_on_retreating_surface(t);
     state_.leaving.retreating.push_back(t);
     scene_.tools[t].motion.rests_from = state_.time;
-    contact_->rest(t, true);
+    contact_->activity().rest(t, true);
     stay[t] = 1;
   }
-  contact_->enable(std::move(stay));
+  contact_->activity().enable(std::move(stay));
   state_.leaving.retreat_begins = state_.time;
   state_.leaving.retreat_ends = until;
   state_.leaving.fading_until = until;
@@ -75,7 +75,7 @@ void Process::put_tools_back() {
     tool.surface = each.surface->give_back();
     tool.motion.rests_from = std::numeric_limits<double>::infinity();
     contact_->retreat(each.tool, 0.0, 0.0);
-    contact_->rest(each.tool, false);
+    contact_->activity().rest(each.tool, false);
   }
   retreating_.clear();
   state_.leaving.retreating.clear();
@@ -91,7 +91,7 @@ void Process::release_tools(double next_time, double gone_time) {
   if (!contact_)
     return;
   for (std::size_t t = 0; t < scene_.tools.size(); ++t) {
-    if (!contact_->leaves(t, next_time))
+    if (!contact::leaves(*contact_, t, next_time))
       continue;
     // Its forces stay as they are and fade: equilibrium without them is reached on the way.
     const double stored = contact_->work().stored;

@@ -24,15 +24,15 @@ double Process::up_to_touch(double step) {
   // where points part miss in one direction. New meshes come where a tool touches anyhow, and where
   // driven tools will be is not known.
   constexpr int lately = 10;
-  if (!contact_ || state_.last_step.empty() || contact_->since_parting() < lately ||
+  if (!contact_ || state_.last_step.empty() || contact_->state().since_parting < lately ||
       scene_.remesh || state_.x.size() > state_.origins.size())
     return step;
   const std::vector<double> x = predicted(step);
   const mechanics::Trial trial{state_.time, state_.time + step, state_.x, x, {}};
-  if (contact_->any_turns(trial))
+  if (contact::any_turns(*contact_, trial))
     return step;
   contact_->predict(x);
-  return step * share_up_to_touch(contact_->touches(trial));
+  return step * share_up_to_touch(contact::touches(*contact_, trial));
 }
 
 } // namespace billet::process

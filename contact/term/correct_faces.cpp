@@ -1,93 +1,92 @@
-// What contact sets on faces at the end of an increment for the next one: the levels of straight
-// faces; the springs of quadratic ones. (C.43), (C.44)
+#include "contact/term/correct_faces.h"
 
 #include "contact/surface/straight_faces.h"
-#include "contact/term/contact_term.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace billet::contact {
 
-std::vector<geometry::Projection> ContactTerm::feet_around_contact(std::size_t tool) const {
-  const ToolState& state = states_[tool];
-  const auto points = idx(surface_->points());
-  const auto touches = [&](std::size_t face) {
-    const auto first = state.history.begin() + static_cast<std::ptrdiff_t>(face * points);
-    return std::any_of(first, first + static_cast<std::ptrdiff_t>(points),
+namespace {
+
+/// Faces that touch a tool and two rings of faces around: what touches next needs the means of its
+/// own nodes as well.
+std::vector<Index> faces_around_contact(const ContactModel& model,
+                                        const std::vector<PointHistory>& history) {
+  const ContactSurface& surface = *model.surface;
+  const auto points = static_cast<std::ptrdiff_t>(surface.points());
+  const auto touches = [&](Index face) {
+    const auto first = history.begin() + face * points;
+    return std::any_of(first, first + points,
                        [](const PointHistory& point) { return point.closed(); });
   };
-  // What touches next needs the means of its own nodes as well: two rings of faces around contact.
-  std::vector<char> near(idx(pattern_->n_nodes()), 0);
-  const auto is_near = [&](std::span<const Index> nodes) {
+  std::vector<char> near(idx(model.pattern->n_nodes()), 0);
+  const auto is_near = [&](Index face) {
+    const auto nodes = surface.scatter().nodes(face);
     return std::any_of(nodes.begin(), nodes.end(), [&](Index a) { return near[idx(a)] != 0; });
   };
-  const auto mark = [&](const std::vector<Index>& marked) {
-    for (const Index f : marked)
-      for (const Index node : surface_->scatter().nodes(f))
+  const auto all_that = [&](const auto& holds) {
+    std::vector<Index> faces;
+    for (Index f = 0; f < surface.n_faces(); ++f)
+      if (holds(f))
+        faces.push_back(f);
+    return faces;
+  };
+  const auto mark = [&](const std::vector<Index>& faces) {
+    for (const Index f : faces)
+      for (const Index node : surface.scatter().nodes(f))
         near[idx(node)] = 1;
   };
-  std::vector<Index> touching, around;
-  for (Index f = 0; f < surface_->n_faces(); ++f)
-    if (touches(idx(f)))
-      touching.push_back(f);
-  mark(touching);
-  for (Index f = 0; f < surface_->n_faces(); ++f)
-    if (is_near(surface_->scatter().nodes(f)))
-      around.push_back(f);
-  mark(around);
-  std::vector<geometry::Projection> feet(state.foot.size());
+  mark(all_that(touches));
+  mark(all_that(is_near));
+  return all_that(is_near);
+}
+
+/// Feet of the points of faces on a tool and around; of others, not found.
+std::vector<geometry::Projection> feet_around_contact(const ContactModel& model,
+                                                      const ToolContact& contact,
+                                                      const geometry::RigidSurface& tool) {
+  const auto points = idx(model.surface->points());
+  std::vector<geometry::Projection> feet(contact.trial.foot.size());
   std::vector<std::size_t> missing;
   std::vector<Vec3> places;
   std::vector<geometry::Projection> found;
-  for (Index f = 0; f < surface_->n_faces(); ++f) {
-    if (!is_near(surface_->scatter().nodes(f)))
-      continue;
+  for (const Index f : faces_around_contact(model, contact.committed.history))
     for (std::size_t k = idx(f) * points; k < (idx(f) + 1) * points; ++k) {
-      feet[k] = state.foot[k];
+      feet[k] = contact.trial.foot[k];
       if (feet[k].found())
         continue;
       missing.push_back(k); // it is known to be open: nobody has asked
-      places.push_back(state.history[k].position);
+      places.push_back(contact.committed.history[k].position);
       found.emplace_back();
       found.back().patch = feet[k].patch;
     }
-  }
-  tools_[tool].surface->project(places, reach_, found);
+  tool.project(places, model.reach, found);
   for (std::size_t i = 0; i < missing.size(); ++i)
     feet[missing[i]] = found[i];
   return feet;
 }
 
-void ContactTerm::level_faces(std::size_t tool,
-                              const geometry::Pose& pose,
-                              std::span<const double> x) {
-  ToolState& state = states_[tool];
-  if (!surface_->straight())
-    return;
-  std::vector<double> level(state.history.size(), 0.0);
-  if (state.touches)
-    level = levels(*surface_, x.first(idx(pattern_->n_dofs())), pose, feet_around_contact(tool));
-  for (std::size_t k = 0; k < level.size(); ++k) {
-    PointHistory& history = state.history[k];
-    history.faded += history.level - level[k];
-    history.level = level[k];
-  }
-}
+} // namespace
 
-void ContactTerm::stabilize(std::size_t tool,
-                            const geometry::Pose& pose,
-                            std::span<const double> x) {
-  ToolState& state = states_[tool];
-  if (surface_->form() != Form::mixed || surface_->straight())
+void level_faces(const ContactModel& model,
+                 ToolContact& contact,
+                 std::size_t tool,
+                 const mechanics::Trial& trial) {
+  const ContactSurface& surface = *model.surface;
+  if (!surface.straight())
     return;
-  work_.enforcement -= state.stabilization.energy(*surface_, x);
-  state.stabilization.set(*surface_, state.history, {*tools_[tool].surface, pose, reach_}, x,
-                          std::min(surface_->stiffness(), surface_->penalty().normal));
-  const double stored = state.stabilization.energy(*surface_, x);
-  work_.enforcement += stored;
-  state.stored += stored;
+  std::vector<PointHistory>& points = contact.committed.history;
+  std::vector<double> level(points.size(), 0.0);
+  if (contact.committed.touches)
+    level = levels(surface, trial.x.first(idx(model.pattern->n_dofs())),
+                   model.pose(tool, trial.time, trial.x),
+                   feet_around_contact(model, contact, *model.tools[tool].surface));
+  for (std::size_t k = 0; k < level.size(); ++k) {
+    points[k].faded += points[k].level - level[k];
+    points[k].level = level[k];
+  }
 }
 
 } // namespace billet::contact

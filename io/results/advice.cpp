@@ -53,7 +53,7 @@ void on_drives(const process::Process& process, const process::PostMortem& post,
           "it lets go, or prescribe its motion",
           drive.load, name));
     } else {
-      const double area = process.contact()->bearing_area();
+      const double area = contact::bearing_area(*process.contact());
       const double yield = yield_stress_of(process);
       lines.push_back(fmt::format("tool {} is under a force of {:.6g} there", name, drive.load));
       if (area > 0.0 && std::isfinite(yield))

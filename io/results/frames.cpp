@@ -130,7 +130,7 @@ void add_contact(const process::Process& process, const FrameSettings& s, Workpi
   if (process.contact() == nullptr)
     return;
   const contact::ContactSurface& surface = *process.surface();
-  const std::vector<contact::PointResult> results = process.contact()->results();
+  const std::vector<contact::PointResult> results = contact::point_results(*process.contact());
   const std::size_t n = frame.points.size();
   std::vector<double> count(n, 0.0);
   std::vector<double> pressure(n, 0.0);
@@ -293,7 +293,7 @@ SurfaceFrame contact_frame(const process::Process& process,
   frame.time = process.time();
   frame.notes = notes_of(settings);
   const contact::ContactSurface& surface = *process.surface();
-  const std::vector<contact::PointResult> results = process.contact()->results();
+  const std::vector<contact::PointResult> results = contact::point_results(*process.contact());
   const std::size_t n = idx(surface.points());
   std::vector<double> pressure;
   std::vector<double> shear;

@@ -30,7 +30,7 @@ void RunWriter::note_unmet_tools(const process::Process& process,
   unmet_.resize(process.scene().tools.size());
   for (std::size_t t = 0; t < unmet_.size(); ++t) {
     unmet_[t].acts = unmet_[t].acts || process.contact()->acts(t, report.time);
-    unmet_[t].met = unmet_[t].met || process.contact()->lies_on(t);
+    unmet_[t].met = unmet_[t].met || contact::lies_on(*process.contact(), t);
   }
   Unmet& deepest = unmet_[report.penetration.tool];
   constexpr double noticed = 2e-3; // of the element beneath

@@ -177,14 +177,15 @@ std::string summary_text(const process::Process& process, const SummaryFacts& ab
     summary["volume"] = about.last->volume;
     summary["max_plastic_strain"] = about.last->max_plastic_strain;
     summary["min_quality"] = about.last->min_quality;
-    summary["penetration"] = {
-        {"last", about.last->max_penetration},
-        {"largest", about.largest_penetration},
-        {"largest_share_of_element", about.largest_share},
-        {"last_sampled", about.last->penetration.sampled},
-        {"last_at_contact_points", about.last->penetration.at_points},
-        {"penalty_raised_by", process.contact() != nullptr ? process.contact()->stiffening() : 1.0},
-        {"how", "upper bound over every point of every face"}};
+    summary["penetration"] = {{"last", about.last->max_penetration},
+                              {"largest", about.largest_penetration},
+                              {"largest_share_of_element", about.largest_share},
+                              {"last_sampled", about.last->penetration.sampled},
+                              {"last_at_contact_points", about.last->penetration.at_points},
+                              {"penalty_raised_by", process.contact() != nullptr
+                                                        ? process.contact()->state().penalty.trial
+                                                        : 1.0},
+                              {"how", "upper bound over every point of every face"}};
   }
   summary["energy"] = energy_json(process.energy());
   if (!process.blows().empty()) {

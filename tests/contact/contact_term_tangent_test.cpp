@@ -69,7 +69,7 @@ struct Count {
 
 Count statuses(const ContactTerm& term) {
   Count count;
-  for (const PointResult& point : term.results()) {
+  for (const PointResult& point : point_results(term)) {
     count.stick += point.status == Status::stick ? 1 : 0;
     count.slip += point.status == Status::slip ? 1 : 0;
   }

@@ -71,12 +71,12 @@ TEST(ContactObjectivity, KeepsStressesWhenToolAndBodyTurnTogetherInOneStep) {
     for (const double angle : {1.0, 10.0, 45.0, 90.0}) {
       Turning turning(body, angle * degree);
       ContactBench& bench = turning.bench;
-      const auto before = bench.term.results();
+      const auto before = point_results(bench.term);
       const double friction = bench.term.work().friction;
       const geometry::Pose pose =
           geometry::rotation_about(turning.point, turning.axis, angle * degree);
       bench.commit(rotated(bench.x, bench.mesh.dimension(), pose), 1.0);
-      const auto after = bench.term.results();
+      const auto after = point_results(bench.term);
       double gap = 0.0, pressure = 0.0, shear = 0.0, most = 0.0;
       int stuck = 0;
       for (std::size_t k = 0; k < after.size(); ++k) {
@@ -103,14 +103,14 @@ TEST(ContactObjectivity, TurnsStuckShearWithTheToolOverManySteps) {
   // 360 degrees in 24 steps: shear comes back to where it was.
   Turning turning(body_kinds()[5], 360.0 * degree);
   ContactBench& bench = turning.bench;
-  const auto before = bench.term.results();
+  const auto before = point_results(bench.term);
   const std::vector<double> x0 = bench.x;
   for (int step = 1; step <= 24; ++step) {
     const geometry::Pose pose =
         geometry::rotation_about(turning.point, turning.axis, 15.0 * step * degree);
     bench.commit(rotated(x0, 3, pose), step / 24.0);
   }
-  const auto after = bench.term.results();
+  const auto after = point_results(bench.term);
   for (std::size_t k = 0; k < after.size(); ++k) {
     EXPECT_EQ(after[k].status, before[k].status);
     EXPECT_LT((after[k].shear - before[k].shear).norm(), 1e-9 * (1.0 + before[k].pressure));

@@ -222,7 +222,7 @@ struct OnSurface {
 };
 
 OnSurface on_surface(const Process& process) {
-  const std::vector<contact::PointResult> results = process.contact()->results();
+  const std::vector<contact::PointResult> results = contact::point_results(*process.contact());
   std::vector<double> areas(results.size());
   process.surface()->areas(process.unknowns(), areas);
   const std::vector<double> depth = process.wear()->workpiece_depth();
@@ -334,7 +334,7 @@ TEST(Remeshing, TellsItsObserversBeforeAndAfter) {
         EXPECT_EQ(p.origins().size(), p.positions().size());
         EXPECT_EQ(p.velocity().size(), p.positions().size());
         EXPECT_EQ(p.plastic_rate().size(), p.bulk().states().size());
-        EXPECT_EQ(p.contact()->results().size(), p.surface()->n_points());
+        EXPECT_EQ(contact::point_results(*p.contact()).size(), p.surface()->n_points());
       });
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
   EXPECT_GE(done, 3);

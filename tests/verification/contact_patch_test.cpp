@@ -103,7 +103,7 @@ double pressure_error(const Patch& patch, const std::string& name) {
   const FinishedRun done = run(patch_scene(patch));
   EXPECT_EQ(done.status, RunStatus::done) << name;
   double worst = 0.0, shear = 0.0, stress = 0.0;
-  const auto results = done.process->contact()->results();
+  const auto results = contact::point_results(*done.process->contact());
   for (const auto& point : results) {
     worst = std::max(worst, std::abs(point.pressure / pressure - 1.0));
     shear = std::max(shear, point.shear.norm());

@@ -126,7 +126,7 @@ public:
   explicit CapWatch(double m) : m_(m) {}
   void started(const Process& process) override { remember(process); }
   void incremented(const Process& process, const IncrementReport&) override {
-    const auto results = process.contact()->results();
+    const auto results = contact::point_results(*process.contact());
     const std::vector<double> old = k_;
     remember(process);
     for (std::size_t i = 0; i < results.size(); ++i) {

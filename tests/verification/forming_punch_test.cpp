@@ -265,7 +265,7 @@ double unevenness(const contact::ContactTerm& term,
                   const contact::ContactSurface& surface,
                   std::span<const double> x) {
   std::vector<contact::PointHistory> history(surface.n_points());
-  const std::vector<contact::PointResult> results = term.results();
+  const std::vector<contact::PointResult> results = point_results(term);
   std::vector<char> lying(as_size(surface.n_faces()), 0);
   for (std::size_t k = 0; k < results.size(); ++k)
     if (results[k].pressure > 0.0) {

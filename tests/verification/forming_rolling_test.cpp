@@ -143,7 +143,7 @@ private:
 
   [[nodiscard]] std::vector<FaceShear> under_the_roll(const Process& process) const {
     const contact::ContactSurface& surface = *process.surface();
-    const std::vector<contact::PointResult> points = process.contact()->results();
+    const std::vector<contact::PointResult> points = contact::point_results(*process.contact());
     std::vector<Vec3> at(surface.n_points());
     surface.positions(process.positions(), at);
     const auto per_face = static_cast<std::size_t>(surface.points());

@@ -48,7 +48,7 @@ struct Statuses {
 
 Statuses statuses(const Process& process) {
   Statuses count;
-  for (const auto& point : process.contact()->results()) {
+  for (const auto& point : contact::point_results(*process.contact())) {
     count.stick += point.status == contact::Status::stick ? 1 : 0;
     count.slip += point.status == contact::Status::slip ? 1 : 0;
   }

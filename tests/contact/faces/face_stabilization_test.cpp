@@ -288,7 +288,7 @@ TEST(FaceStabilization, KeepsTheBooksOfEnergyAndLeavesWithItsTool) {
         Eigen::Map<const VectorXd>(left.data(), static_cast<Eigen::Index>(left.size()));
     EXPECT_LT((before - after).norm(), 1e-9 * before.norm()) << body.name();
     bench.assemble(bench.x, 62.0);
-    bench.term.enable({0});
+    bench.term.activity().enable({0});
     bench.assemble(bench.x, 63.0);
     EXPECT_EQ(bench.force().norm(), 0.0) << body.name();
   }

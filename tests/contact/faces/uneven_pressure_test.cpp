@@ -146,7 +146,7 @@ State state(const ContactBench& bench) {
   std::vector<PointHistory> history(bench.surface.n_points());
   State now;
   double most = 0.0;
-  const std::vector<PointResult> results = bench.term.results();
+  const std::vector<PointResult> results = point_results(bench.term);
   for (std::size_t k = 0; k < results.size(); ++k)
     if (results[k].pressure > 0.0) {
       history[k].pressure = results[k].pressure;

@@ -167,7 +167,7 @@ TEST(StraightFaces, PressWithoutJumpsWhereFacesMeet) {
   constexpr double deep = 1e-4; // of the order of the sagittas
   ContactBench bench = on_tool(ElementKind::quad4, radius);
   bench.commit(sunk(bench, deep), 1.0);
-  const auto pressure = [&](std::size_t k) { return bench.term.tried(0, k).pressure; };
+  const auto pressure = [&](std::size_t k) { return trial_traction(bench.term, 0, k).pressure; };
   const double before = jump_at_nodes(bench, pressure);
   bench.assemble(bench.x, 2.0);
   const double now = jump_at_nodes(bench, pressure);

@@ -71,7 +71,7 @@ TEST(Enforcement, LeavesNoTraceOfATryThatWasRefused) {
   bench.assemble(trial, 2.0);
   EXPECT_GT((bench.force() - before).norm(), before.norm());
   bench.term.restart();
-  EXPECT_EQ(bench.term.stiffening(), 1.0);
+  EXPECT_EQ(bench.term.state().penalty.trial, 1.0);
   bench.assemble(trial, 2.0);
   EXPECT_EQ((bench.force() - before).norm(), 0.0);
 }

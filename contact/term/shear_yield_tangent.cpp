@@ -1,10 +1,4 @@
-// What friction that follows the strength of the metal beneath adds to the tangent.
-//
-// The strength changes with the plastic strain at the integration point beneath a contact point,
-// and so with the displacements of all nodes of that element. Theory: docs/theory/friction.md
-// (F.20).
-
-#include "contact/term/contact_term.h"
+#include "contact/term/shear_yield_tangent.h"
 
 #include <numbers>
 #include <numeric>
@@ -79,26 +73,30 @@ void add_row(int dim, double dload, const StrengthGradient& gradient, mechanics:
 
 } // namespace
 
-void ContactTerm::add_strength(const mechanics::Trial& trial, mechanics::System& system) const {
-  StrengthGradient gradient(*bulk_, pattern_->dim);
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    const std::optional<Strength> followed = tools_[t].friction.followed_strength();
+void add_shear_yield_tangent(const ContactView& contact,
+                             const mechanics::Trial& trial,
+                             mechanics::System& system) {
+  const auto& [model, state] = contact;
+  StrengthGradient gradient(*model.bulk, model.pattern->dim);
+  for (std::size_t t = 0; t < model.tools.size(); ++t) {
+    const std::optional<Strength> followed = model.tools[t].friction.followed_strength();
     if (!followed)
       continue;
-    const ToolState& state = states_[t];
-    for (std::size_t k = 0; k < state.trial.size(); ++k) {
-      if (state.trial[k].dtraction_dk.isZero(0.0) ||
-          !gradient.evaluate(*followed, surface_->beneath(k), trial.x))
+    const TrialContact& tool = state.tools[t].trial;
+    for (std::size_t k = 0; k < tool.traction.size(); ++k) {
+      if (tool.traction[k].dtraction_dk.isZero(0.0) ||
+          !gradient.evaluate(*followed, model.surface->beneath(k), trial.x))
         continue;
-      const Vec3 dT = state.rotation * state.trial[k].dtraction_dk;
-      const PointShares shares = surface_->shares(trial.x, k);
+      const Vec3 dT = tool.rotation * tool.traction[k].dtraction_dk;
+      const PointShares shares = model.surface->shares(trial.x, k);
       for (std::size_t a = 0; a < shares.nodes.size(); ++a)
-        add_row(*pattern_, shares.nodes[a], -shares.areas[a] * dT, gradient, system);
+        add_row(*model.pattern, shares.nodes[a], -shares.areas[a] * dT, gradient, system);
       const double area = std::accumulate(shares.areas.begin(), shares.areas.end(), 0.0);
-      for (std::size_t d = 0; d < drives_.size(); ++d)
-        if (drives_[d].tool == t) {
-          const DriveRate rate = drive_rate(drives_[d], trial.time, trial.x, positions_[k]);
-          add_row(pattern_->dim, area * dT.dot(rate.velocity), gradient, system.borders[d]);
+      for (std::size_t d = 0; d < model.drives.size(); ++d)
+        if (model.drives[d].tool == t) {
+          const DriveRate rate =
+              model.drive_rate(model.drives[d], trial.time, trial.x, state.positions[k]);
+          add_row(model.pattern->dim, area * dT.dot(rate.velocity), gradient, system.borders[d]);
         }
     }
   }
