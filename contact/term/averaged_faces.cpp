@@ -1,6 +1,6 @@
 #include "contact/term/averaged_faces.h"
 
-#include "contact/faces/uneven_pressure.h"
+#include "contact/faces/pressure_oscillation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,14 @@ namespace {
 /// Stiffness of a face against what gaps of its points differ by: multiples of E / h. A body's own
 /// against such pressures is of that order.
 constexpr double stiffness_of_deviations = 1.0;
-/// What uneven pressure moves a point by at most: of the element beneath (with more the corner of a
-/// billet that sticks sinks in), and of a limit of penetration.
+/// What pressure oscillation moves a point by at most: of the element beneath (with more the corner
+/// of a billet that sticks sinks in), and of a limit of penetration.
 constexpr double relief_of_depth = 0.0004;
 constexpr double relief_of_limit = 0.25;
 /// A point of an averaged face that is farther off than this does not press, whatever the others
 /// do: of the element beneath.
 constexpr double beyond_contact = 0.1;
-/// Gap up to which uneven pressure may have lifted a point off, likewise.
+/// Gap up to which pressure oscillation may have lifted a point off, likewise.
 constexpr double lifted_off = 0.01;
 
 /// What evening the pressure moves a point by at most [mm].
@@ -30,7 +30,7 @@ double most_relief(const ContactModel& model, std::size_t point) {
                   relief_of_limit * model.surface->max_penetration().value_or(HUGE_VAL));
 }
 
-/// Whether faces lie on a tool, but for points that uneven pressure may have lifted off.
+/// Whether faces lie on a tool, but for points that pressure oscillation may have lifted off.
 std::vector<char> faces_lying_on(const ContactModel& model, const ToolContact& contact) {
   const std::vector<PointHistory>& history = contact.committed.history;
   const std::vector<geometry::Projection>& foot = contact.trial.foot;
@@ -81,21 +81,22 @@ void choose_averaged_faces(const ContactModel& model, ContactState& state, std::
   forget_averaged_faces(contact);
   if (model.surface->straight() || !committed.touches)
     return;
-  const EvenPressure even = even_pressure(*model.surface, faces_lying_on(model, contact),
-                                          committed.history, state.positions, state.areas);
-  const std::vector<double> uneven = uneven_pressure(even, committed.history);
+  const SmoothedPressure smoothed =
+      smoothed_pressure(*model.surface, faces_lying_on(model, contact), committed.history,
+                        state.positions, state.areas);
+  const std::vector<double> oscillation = pressure_oscillation(smoothed, committed.history);
   const Index points = model.surface->points();
   for (Index f = 0; f < model.surface->n_faces(); ++f) {
     const std::size_t first = idx(f * points);
-    if (even.known[idx(f)] == 0 || !(even.mean[first] > 0.0))
+    if (smoothed.known[idx(f)] == 0 || !(smoothed.mean[first] > 0.0))
       continue;
     const Eigen::Map<const Eigen::VectorXd> areas(&state.areas[first], points);
     AveragedFace face{f, {}};
     face.compliance.weights = areas / areas.sum();
-    face.compliance.rise = Eigen::Map<const Eigen::VectorXd>(&even.rise[first], points);
+    face.compliance.rise = Eigen::Map<const Eigen::VectorXd>(&smoothed.rise[first], points);
     double stiffness = stiffness_of_deviations * model.surface->stiffness();
     for (std::size_t k = first; k < first + idx(points); ++k)
-      stiffness = std::max(stiffness, std::abs(uneven[k]) / most_relief(model, k));
+      stiffness = std::max(stiffness, std::abs(oscillation[k]) / most_relief(model, k));
     face.compliance.deviation = stiffness;
     committed.averaged_at[idx(f)] = static_cast<Index>(committed.averaged.size());
     committed.averaged.push_back(std::move(face));

@@ -1,5 +1,5 @@
-// Faces of quadratic elements on which pressure shall not be high and low in turn: their points
-// press by what the gaps of all of them say. (C.45)
+// Pressure-averaged faces, of quadratic elements: pressure shall not oscillate from point to point
+// there, so their points press by what the gaps of all of them say. (C.45)
 
 #pragma once
 
@@ -21,7 +21,7 @@ shared_pressure(const ContactModel& model, const FacePressure& face, std::size_t
 [[nodiscard]] double
 opening_gap_of_averaged(const ContactModel& model, const PointHistory& history, std::size_t point);
 
-/// Chooses a tool's faces whose pressure is not to be high and low in turn in the next increment.
+/// Chooses a tool's faces whose pressure is averaged in the next increment.
 void choose_averaged_faces(const ContactModel& model, ContactState& state, std::size_t tool);
 /// None is any more.
 void forget_averaged_faces(ToolContact& contact);

@@ -31,7 +31,7 @@ struct ToolLoad {
   template <class Archive> void fields(Archive& archive) { archive(force, torque); }
 };
 
-/// A face on which pressures follow from the gaps of all points. (C.45)
+/// A pressure-averaged face: its pressures follow from the gaps of all its points. (C.45)
 struct AveragedFace {
   Index face;
   FaceCompliance compliance;

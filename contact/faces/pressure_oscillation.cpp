@@ -1,4 +1,4 @@
-#include "contact/faces/uneven_pressure.h"
+#include "contact/faces/pressure_oscillation.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -106,15 +106,16 @@ Vec3 rise(const std::vector<FaceMean>& means,
 
 } // namespace
 
-EvenPressure even_pressure(const ContactSurface& surface,
-                           std::span<const char> lying,
-                           std::span<const PointHistory> history,
-                           std::span<const Vec3> positions,
-                           std::span<const double> areas) {
+SmoothedPressure smoothed_pressure(const ContactSurface& surface,
+                                   std::span<const char> lying,
+                                   std::span<const PointHistory> history,
+                                   std::span<const Vec3> positions,
+                                   std::span<const double> areas) {
   const auto points = idx(surface.points());
   const std::vector<FaceMean> means = face_means(lying, history, positions, areas);
-  EvenPressure even{std::vector<char>(means.size(), 0), std::vector<double>(surface.n_points()),
-                    std::vector<double>(surface.n_points())};
+  SmoothedPressure smoothed{std::vector<char>(means.size(), 0),
+                            std::vector<double>(surface.n_points()),
+                            std::vector<double>(surface.n_points())};
   const std::size_t corners =
       mechanics::visit_face(surface.kind(), [](auto shape) { return n_corners<decltype(shape)>; });
   const Neighbours neighbours(surface, means, corners);
@@ -125,24 +126,24 @@ EvenPressure even_pressure(const ContactSurface& surface,
     if (!std::all_of(around.begin(), around.end(),
                      [&](std::size_t face) { return means[face].lies; }))
       continue;
-    even.known[f] = 1;
+    smoothed.known[f] = 1;
     const Vec3 gradient = rise(means, f, around);
     for (std::size_t k = f * points; k < (f + 1) * points; ++k) {
-      even.mean[k] = means[f].pressure;
-      even.rise[k] = gradient.dot(positions[k] - means[f].place);
+      smoothed.mean[k] = means[f].pressure;
+      smoothed.rise[k] = gradient.dot(positions[k] - means[f].place);
     }
   }
-  return even;
+  return smoothed;
 }
 
-std::vector<double> uneven_pressure(const EvenPressure& even,
-                                    std::span<const PointHistory> history) {
-  std::vector<double> uneven(history.size(), 0.0);
-  const std::size_t points = history.size() / even.known.size();
-  for (std::size_t k = 0; k < uneven.size(); ++k)
-    if (even.known[k / points] != 0)
-      uneven[k] = history[k].pressure - even.mean[k] - even.rise[k];
-  return uneven;
+std::vector<double> pressure_oscillation(const SmoothedPressure& smoothed,
+                                         std::span<const PointHistory> history) {
+  std::vector<double> oscillation(history.size(), 0.0);
+  const std::size_t points = history.size() / smoothed.known.size();
+  for (std::size_t k = 0; k < oscillation.size(); ++k)
+    if (smoothed.known[k / points] != 0)
+      oscillation[k] = history[k].pressure - smoothed.mean[k] - smoothed.rise[k];
+  return oscillation;
 }
 
 } // namespace billet::contact

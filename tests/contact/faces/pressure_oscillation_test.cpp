@@ -1,6 +1,6 @@
 // Pressure that is high and low in turn along quadratic faces. (C.45)
 
-#include "contact/faces/uneven_pressure.h"
+#include "contact/faces/pressure_oscillation.h"
 #include "mechanics/mesh/mesh_edges.h"
 #include "tests/support/contact_bench.h"
 
@@ -12,7 +12,7 @@
 #include <functional>
 #include <optional>
 
-namespace billet::contact::uneven_pressure_test {
+namespace billet::contact::pressure_oscillation_test {
 namespace {
 
 using mechanics::Analysis;
@@ -55,7 +55,8 @@ std::vector<PointHistory> pressed(const ContactBench& bench,
   return history;
 }
 
-std::vector<double> uneven(const ContactBench& bench, const std::vector<PointHistory>& history) {
+std::vector<double> oscillation(const ContactBench& bench,
+                                const std::vector<PointHistory>& history) {
   const auto n = static_cast<std::size_t>(bench.surface.points());
   std::vector<char> lying(history.size() / n, 1);
   for (std::size_t k = 0; k < history.size(); ++k)
@@ -65,7 +66,8 @@ std::vector<double> uneven(const ContactBench& bench, const std::vector<PointHis
   bench.surface.areas(bench.x, areas);
   std::vector<Vec3> places(areas.size());
   bench.surface.positions(bench.x, places);
-  return uneven_pressure(even_pressure(bench.surface, lying, history, places, areas), history);
+  return pressure_oscillation(smoothed_pressure(bench.surface, lying, history, places, areas),
+                              history);
 }
 
 double largest(const std::vector<double>& values) {
@@ -75,23 +77,24 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-TEST(UnevenPressure, IsNoneWherePressureIsUniformOrRisesEvenly) {
+TEST(PressureOscillation, IsNoneWherePressureIsUniformOrRisesEvenly) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     const ContactBench bench = on_floor(body, form);
-    EXPECT_LT(largest(uneven(bench, pressed(bench, [](const Vec3&) { return 300.0; }))), 1e-10);
+    EXPECT_LT(largest(oscillation(bench, pressed(bench, [](const Vec3&) { return 300.0; }))),
+              1e-10);
     const auto rising = [](const Vec3& at) { return 300.0 + 20.0 * at[0] + 10.0 * at[2]; };
-    EXPECT_LT(largest(uneven(bench, pressed(bench, rising))), 1e-10);
+    EXPECT_LT(largest(oscillation(bench, pressed(bench, rising))), 1e-10);
   });
 }
 
-TEST(UnevenPressure, IsWhatAlternatesAndHasNoSumOnAFace) {
+TEST(PressureOscillation, IsWhatAlternatesAndHasNoSumOnAFace) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     const ContactBench bench = on_floor(body, form);
     const auto alternating = [](const Vec3& at) {
       return 300.0 + (at[0] - std::floor(at[0]) < 0.5 ? 200.0 : -200.0);
     };
     const std::vector<PointHistory> history = pressed(bench, alternating);
-    const std::vector<double> found = uneven(bench, history);
+    const std::vector<double> found = oscillation(bench, history);
     std::vector<double> areas(found.size());
     bench.surface.areas(bench.x, areas);
     const auto n = static_cast<std::size_t>(bench.surface.points());
@@ -109,13 +112,13 @@ TEST(UnevenPressure, IsWhatAlternatesAndHasNoSumOnAFace) {
   });
 }
 
-TEST(UnevenPressure, IsNoneBesideFacesThatDoNotTouch) {
+TEST(PressureOscillation, IsNoneBesideFacesThatDoNotTouch) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     const ContactBench bench = on_floor(body, form);
     const auto parted = [](const Vec3& at) {
       return at[0] < 4.0 ? 300.0 + (at[0] - std::floor(at[0]) < 0.5 ? 200.0 : -200.0) : 0.0;
     };
-    const std::vector<double> found = uneven(bench, pressed(bench, parted));
+    const std::vector<double> found = oscillation(bench, pressed(bench, parted));
     std::vector<Vec3> places(found.size());
     bench.surface.positions(bench.x, places);
     for (std::size_t k = 0; k < found.size(); ++k)
@@ -135,11 +138,11 @@ std::vector<double> waved(const ContactBench& bench, double depth, double wave) 
   return x;
 }
 
-/// Largest part of the pressure that is uneven, as `results` tell, and the relief of the points.
+/// Largest oscillation of the pressure, as `results` tell, and the relief of the points.
 struct State {
-  double uneven = 0.0; ///< over the largest pressure [-]
-  double relief = 0.0; ///< largest [mm]
-  double force = 0.0;  ///< on the tool [N]
+  double oscillation = 0.0; ///< over the largest pressure [-]
+  double relief = 0.0;      ///< largest [mm]
+  double force = 0.0;       ///< on the tool [N]
 };
 
 State state(const ContactBench& bench) {
@@ -155,12 +158,12 @@ State state(const ContactBench& bench) {
       const double relief = -results[k].pressure / bench.surface.penalty().normal - results[k].gap;
       now.relief = std::max(now.relief, std::abs(relief));
     }
-  now.uneven = largest(uneven(bench, history)) / most;
+  now.oscillation = largest(oscillation(bench, history)) / most;
   now.force = bench.term.loads()[0].force[1];
   return now;
 }
 
-TEST(UnevenPressure, IsTakenAwayWhileNodesStandStillAndTheForceStays) {
+TEST(PressureOscillation, IsTakenAwayWhileNodesStandStillAndTheForceStays) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     ContactBench bench = on_floor(body, form);
     const double K = bench.surface.penalty().normal;
@@ -168,14 +171,14 @@ TEST(UnevenPressure, IsTakenAwayWhileNodesStandStillAndTheForceStays) {
     const std::vector<double> x = waved(bench, depth, 0.4 * depth);
     bench.commit(x, 1.0);
     const State first = state(bench);
-    ASSERT_GT(first.uneven, 0.1);
+    ASSERT_GT(first.oscillation, 0.1);
     for (int increment = 2; increment <= 60; ++increment)
       bench.commit(x, increment);
     const State last = state(bench);
-    std::printf("%-18s %-10s uneven by %.3f of the pressure at first, %.4f at last\n",
-                body.name().c_str(), form == Form::mixed ? "mixed" : "compatible", first.uneven,
-                last.uneven);
-    EXPECT_LT(last.uneven, 0.02 * first.uneven); // 1/100 is left to hold it
+    std::printf("%-18s %-10s oscillation %.3f of the pressure at first, %.4f at last\n",
+                body.name().c_str(), form == Form::mixed ? "mixed" : "compatible",
+                first.oscillation, last.oscillation);
+    EXPECT_LT(last.oscillation, 0.02 * first.oscillation); // 1/100 is left to hold it
     EXPECT_NEAR(last.force, first.force, 1e-9 * std::abs(first.force));
     // What the penalties have lost is in the books: nothing has moved.
     const ContactWork& work = bench.term.work();
@@ -184,7 +187,7 @@ TEST(UnevenPressure, IsTakenAwayWhileNodesStandStillAndTheForceStays) {
   });
 }
 
-TEST(UnevenPressure, IsForgottenByPointsThatPart) {
+TEST(PressureOscillation, IsForgottenByPointsThatPart) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     ContactBench bench = on_floor(body, form);
     const double depth = 500.0 / bench.surface.penalty().normal;
@@ -197,12 +200,12 @@ TEST(UnevenPressure, IsForgottenByPointsThatPart) {
       bench.commit(waved(bench, -0.1, 0.0), increment);
     bench.commit(x, 81.0);
     const State again = state(bench);
-    EXPECT_NEAR(again.uneven, fresh.uneven, 1e-6);
+    EXPECT_NEAR(again.oscillation, fresh.oscillation, 1e-6);
     EXPECT_NEAR(again.force, fresh.force, 1e-6 * std::abs(fresh.force));
   });
 }
 
-TEST(UnevenPressure, IsLeftWhereALimitOfPenetrationHasNoRoomForIt) {
+TEST(PressureOscillation, IsLeftWhereALimitOfPenetrationHasNoRoomForIt) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     const double limit = 1e-4;
     ContactBench bench = on_floor(body, form, limit);
@@ -215,7 +218,7 @@ TEST(UnevenPressure, IsLeftWhereALimitOfPenetrationHasNoRoomForIt) {
   });
 }
 
-TEST(UnevenPressure, HasTheTangentOfDifferences) {
+TEST(PressureOscillation, HasTheTangentOfDifferences) {
   for_each_quadratic([](const BodyKind& body, Form form) {
     for (const bool all_press : {true, false}) {
       ContactBench bench = on_floor(body, form);
@@ -248,4 +251,4 @@ TEST(UnevenPressure, HasTheTangentOfDifferences) {
 }
 
 } // namespace
-} // namespace billet::contact::uneven_pressure_test
+} // namespace billet::contact::pressure_oscillation_test
