@@ -33,7 +33,8 @@ struct PointHistory {
   double stiffness = 0.0;       ///< against slip from here on (C.17); 0: the penalty [MPa/mm]
   double multiplier = 0.0;      ///< pressure that needs no penetration (C.20) [MPa]
   double offset = 0.0;          ///< added to the gap: what a new mesh is off by (C.41) [mm]
-  double level = 0.0;  ///< added to the gap: what a straight face owes its length (C.43) [mm]
+  /// Added to the gap: of a linear face on a curved tool (C.43) [mm].
+  double sagitta_offset = 0.0;
   double relief = 0.0; ///< added to the gap: what evens pressure along a face (C.45) [mm]
   double faded = 0.0;  ///< by what all three have shrunk at the last commit [mm]
   double limit = 0.0;  ///< slip limit, at least the shear [MPa]
@@ -44,11 +45,11 @@ struct PointHistory {
     return !closed() ? Status::open : slips ? Status::slip : Status::stick;
   }
   /// What is added to the gap of the point that the surface gives [mm].
-  [[nodiscard]] double added() const { return offset + level + relief; }
+  [[nodiscard]] double added() const { return offset + sagitta_offset + relief; }
 
   template <class Archive> void fields(Archive& archive) {
-    archive(position, normal, shear, pressure, sliding, stiffness, multiplier, offset, level,
-            relief, faded, limit, slips);
+    archive(position, normal, shear, pressure, sliding, stiffness, multiplier, offset,
+            sagitta_offset, relief, faded, limit, slips);
   }
 };
 

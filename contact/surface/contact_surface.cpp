@@ -161,7 +161,7 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
   penalty_ = {settings.penalty * stiffness_, settings.penalty_tangent * stiffness_};
 }
 
-bool ContactSurface::straight() const {
+bool ContactSurface::linear() const {
   return mechanics::visit_face(kind_,
                                [](auto shape) { return of_linear_element<decltype(shape)>; });
 }

@@ -87,7 +87,7 @@ public:
   [[nodiscard]] int points() const { return points_; }
   [[nodiscard]] std::size_t n_points() const { return beneath_.size(); }
   /// Whether the faces are those of linear elements.
-  [[nodiscard]] bool straight() const;
+  [[nodiscard]] bool linear() const;
   /// Penalty of every face: multiples of E over the mean depth of the elements beneath.
   [[nodiscard]] const Penalty& penalty() const { return penalty_; }
   /// E over the mean depth of the elements beneath: what penalties are multiples of [MPa/mm].

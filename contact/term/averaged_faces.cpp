@@ -65,7 +65,7 @@ shared_pressure(const ContactModel& model, const FacePressure& face, std::size_t
 
 double
 opening_gap_of_averaged(const ContactModel& model, const PointHistory& history, std::size_t point) {
-  const double added = history.offset + history.level;
+  const double added = history.offset + history.sagitta_offset;
   return beyond_contact * model.depth_at(point) - added;
 }
 
@@ -79,7 +79,7 @@ void choose_averaged_faces(const ContactModel& model, ContactState& state, std::
   ToolContact& contact = state.tools[tool];
   CommittedContact& committed = contact.committed;
   forget_averaged_faces(contact);
-  if (model.surface->straight() || !committed.touches)
+  if (model.surface->linear() || !committed.touches)
     return;
   const SmoothedPressure smoothed =
       smoothed_pressure(*model.surface, faces_lying_on(model, contact), committed.history,
@@ -123,7 +123,7 @@ void press_averaged_faces(const ContactModel& model,
       const std::size_t k = idx(face.face * points + i);
       const PointHistory& history = contact.committed.history[k];
       const geometry::Projection& foot = contact.trial.foot[k];
-      gaps[i] = (foot.found() ? foot.gap : model.reach) + history.offset + history.level;
+      gaps[i] = (foot.found() ? foot.gap : model.reach) + history.offset + history.sagitta_offset;
       compliance.multiplier +=
           compliance.weights[i] * penalty.carried(history, contact.trial.multiplier[k]);
       pulls = pulls && foot.found() && history.closed();
@@ -134,7 +134,7 @@ void press_averaged_faces(const ContactModel& model,
 
 double relief(const ToolContact& contact, std::size_t point, double normal) {
   const PointHistory& history = contact.committed.history[point];
-  const double gap = contact.trial.foot[point].gap + history.offset + history.level;
+  const double gap = contact.trial.foot[point].gap + history.offset + history.sagitta_offset;
   const Traction& now = contact.trial.traction[point];
   if (now.status == Status::open)
     return std::max(0.0, -gap);

@@ -2,9 +2,9 @@
 
 #include "contact/law/fading.h"
 #include "contact/term/averaged_faces.h"
-#include "contact/term/correct_faces.h"
 #include "contact/term/point_tractions.h"
 #include "contact/term/predicted_contact.h"
+#include "contact/term/sagitta_offsets.h"
 #include "contact/term/tool_way.h"
 
 #include <Eigen/Geometry>
@@ -165,7 +165,7 @@ PointHistory ToolCommit::renew(std::size_t k, const Vec3& position, double slidi
       std::exchange(history, PointHistory{.position = position,
                                           .sliding = sliding,
                                           .offset = std::max(0.0, faded(history.offset, gone_)),
-                                          .level = history.level,
+                                          .sagitta_offset = history.sagitta_offset,
                                           .relief = now_relief});
   // Relief of averaged faces changes within the increment, the rest at its end.
   const double shift = old.faded + (averaged ? old.relief - now_relief : 0.0);
@@ -280,7 +280,7 @@ void ToolCommit::close_corner(std::size_t c, const PointHistory& old, double sti
 
 void ToolCommit::springs() {
   const ContactSurface& surface = *model_.surface;
-  if (surface.form() != Form::mixed || surface.straight())
+  if (surface.form() != Form::mixed || surface.linear())
     return;
   FaceStabilization& springs = committed_.stabilization;
   state_.work.enforcement -= springs.energy(surface, trial_.x);
@@ -315,7 +315,7 @@ void commit_contact(const ContactModel& model, ContactState& state, const mechan
     commit.corners();
     commit.springs();
     state.work.stored += state.tools[t].committed.stored;
-    level_faces(model, state.tools[t], t, trial);
+    set_sagitta_offsets(model, state.tools[t], t, trial);
     choose_averaged_faces(model, state, t);
   }
   ++state.since_parting;

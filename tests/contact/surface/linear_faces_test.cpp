@@ -1,7 +1,7 @@
 // Straight faces on curved tools: what is added to their gaps, and what becomes of pressure and
 // energy. (C.43)
 
-#include "contact/surface/straight_faces.h"
+#include "contact/surface/linear_faces.h"
 #include "tests/support/contact_bench.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <map>
 #include <numeric>
 
-namespace billet::contact::straight_faces_test {
+namespace billet::contact::linear_faces_test {
 namespace {
 
 constexpr double radius = 20.0;
@@ -35,7 +35,7 @@ double height(double x, double z, bool solid, double r) {
   return std::copysign(std::sqrt(r * r - off * off), r) - r;
 }
 
-/// A body with faces of uneven length whose lower nodes lie on the tool.
+/// A body with faces of different lengths whose lower nodes lie on the tool.
 ContactBench on_tool(ElementKind kind, double r, const Friction& friction = Frictionless{}) {
   const bool solid = kind == ElementKind::hex8 || kind == ElementKind::hex20;
   mechanics::Mesh mesh =
@@ -97,7 +97,7 @@ double jump_at_nodes(const ContactBench& bench,
 TEST(StraightFaces, OnALineAreLevelledByTheirSagitta) {
   for (const double r : {radius, -radius}) {
     const ContactBench bench = on_tool(ElementKind::quad4, r);
-    const std::vector<double> level = levels(bench.surface, bench.x, {}, feet_of(bench));
+    const std::vector<double> offset = sagitta_offsets(bench.surface, bench.x, {}, feet_of(bench));
     std::map<mechanics::Index, std::vector<double>> around;
     std::vector<double> exact;
     for (mechanics::Index f = 0; f < bench.surface.n_faces(); ++f) {
@@ -121,10 +121,10 @@ TEST(StraightFaces, OnALineAreLevelledByTheirSagitta) {
           expected -= 0.5 * (1.0 + (a == 0 ? -xi : xi)) * (s.front() + s.back()) / 2.0;
         }
         const std::size_t k = as_size(2 * f) + i;
-        EXPECT_NEAR(level[k], expected, 1e-4 * std::abs(exact[as_size(f)]));
-        largest = std::max(largest, std::abs(level[k]));
+        EXPECT_NEAR(offset[k], expected, 1e-4 * std::abs(exact[as_size(f)]));
+        largest = std::max(largest, std::abs(offset[k]));
       }
-    EXPECT_GT(largest, 0.1 * std::abs(exact[0])) << "faces are uneven";
+    EXPECT_GT(largest, 0.1 * std::abs(exact[0])) << "faces differ in length";
   }
 }
 
@@ -139,7 +139,7 @@ TEST(StraightFaces, SeeATurnedToolAsTheySeeTheSameToolUnturned) {
       return solid ? geometry::make_cylinder(at, turned.transpose() * axis, radius, false)
                    : geometry::make_circle(at, radius, false);
     };
-    const auto levels_on = [&](const Mat3& turned) {
+    const auto offsets_on = [&](const Mat3& turned) {
       const geometry::SurfacePtr surface = tool(turned);
       geometry::Pose pose;
       pose.rotation = turned;
@@ -149,15 +149,15 @@ TEST(StraightFaces, SeeATurnedToolAsTheySeeTheSameToolUnturned) {
         point = pose.to_tool(point);
       std::vector<geometry::Projection> feet(points.size());
       surface->project(points, ContactBench::reach, feet);
-      return levels(bench.surface, bench.x, pose, feet);
+      return sagitta_offsets(bench.surface, bench.x, pose, feet);
     };
     const Vec3 about = solid ? Vec3(0.2, 0.5, 0.8).normalized() : Vec3::UnitZ();
-    const std::vector<double> straight = levels_on(Mat3::Identity());
-    const std::vector<double> turned = levels_on(Eigen::AngleAxisd(0.7, about).matrix());
+    const std::vector<double> unturned = offsets_on(Mat3::Identity());
+    const std::vector<double> turned = offsets_on(Eigen::AngleAxisd(0.7, about).matrix());
     double largest = 0.0;
-    for (std::size_t k = 0; k < straight.size(); ++k) {
-      EXPECT_NEAR(turned[k], straight[k], 1e-12) << k;
-      largest = std::max(largest, std::abs(straight[k]));
+    for (std::size_t k = 0; k < unturned.size(); ++k) {
+      EXPECT_NEAR(turned[k], unturned[k], 1e-12) << k;
+      largest = std::max(largest, std::abs(unturned[k]));
     }
     EXPECT_GT(largest, 1e-6);
   }
@@ -171,7 +171,7 @@ TEST(StraightFaces, PressWithoutJumpsWhereFacesMeet) {
   const double before = jump_at_nodes(bench, pressure);
   bench.assemble(bench.x, 2.0);
   const double now = jump_at_nodes(bench, pressure);
-  std::printf("jump of the pressure at a node: %.1f %% of the mean, levelled %.2f %%\n",
+  std::printf("jump of the pressure at a node: %.1f %% of the mean, with sagitta offsets %.2f %%\n",
               100 * before, 100 * now);
   EXPECT_GT(before, 0.2);
   EXPECT_LT(now, 2e-3);
@@ -179,7 +179,7 @@ TEST(StraightFaces, PressWithoutJumpsWhereFacesMeet) {
 
 TEST(StraightFaces, InSpaceTakeBothCurvatures) {
   const ContactBench bench = on_tool(ElementKind::hex8, radius);
-  const std::vector<double> level = levels(bench.surface, bench.x, {}, feet_of(bench));
+  const std::vector<double> offset = sagitta_offsets(bench.surface, bench.x, {}, feet_of(bench));
   // Nodes on a sphere: of each face the squares of both its edges count.
   const auto edge = [&](mechanics::Index f, std::size_t axis) {
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -204,30 +204,30 @@ TEST(StraightFaces, InSpaceTakeBothCurvatures) {
       expected -= 0.25 * std::accumulate(s.begin(), s.end(), 0.0) / static_cast<double>(s.size());
     }
     for (std::size_t i = 0; i < 4; ++i)
-      mean += 0.25 * level[as_size(4 * f) + i];
+      mean += 0.25 * offset[as_size(4 * f) + i];
     EXPECT_NEAR(mean, expected, 5e-3 * exact[as_size(f)]); // heights of the edges are left out
     largest = std::max(largest, std::abs(mean) / exact[as_size(f)]);
   }
-  EXPECT_GT(largest, 0.1) << "faces are uneven";
+  EXPECT_GT(largest, 0.1) << "faces differ in length";
 }
 
 TEST(StraightFaces, StayAsTheyAreWhereNothingIsToLevel) {
-  const auto all_zero = [](const std::vector<double>& level) {
-    return std::all_of(level.begin(), level.end(), [](double l) { return l == 0.0; });
+  const auto all_zero = [](const std::vector<double>& offset) {
+    return std::all_of(offset.begin(), offset.end(), [](double l) { return l == 0.0; });
   };
   // Quadratic faces follow the tool.
   const ContactBench quadratic = on_tool(ElementKind::quad8, radius);
-  EXPECT_TRUE(all_zero(levels(quadratic.surface, quadratic.x, {}, feet_of(quadratic))));
+  EXPECT_TRUE(all_zero(sagitta_offsets(quadratic.surface, quadratic.x, {}, feet_of(quadratic))));
   const ContactBench bench = on_tool(ElementKind::quad4, radius);
   std::vector<geometry::Projection> feet = feet_of(bench);
   // Too far to have been asked for.
-  EXPECT_TRUE(
-      all_zero(levels(bench.surface, bench.x, {}, std::vector<geometry::Projection>(feet.size()))));
+  EXPECT_TRUE(all_zero(
+      sagitta_offsets(bench.surface, bench.x, {}, std::vector<geometry::Projection>(feet.size()))));
   const auto changed = [&](const std::function<void(geometry::Projection&, std::size_t)>& change) {
     std::vector<geometry::Projection> other = feet;
     for (std::size_t k = 0; k < other.size(); ++k)
       change(other[k], k);
-    return levels(bench.surface, bench.x, {}, other);
+    return sagitta_offsets(bench.surface, bench.x, {}, other);
   };
   // A flat tool; one beside the face; one as sharp as the face is long; an edge under each face.
   EXPECT_TRUE(all_zero(changed([](auto& foot, std::size_t) { foot.dnormal_dx.setZero(); })));
@@ -238,7 +238,7 @@ TEST(StraightFaces, StayAsTheyAreWhereNothingIsToLevel) {
 }
 
 TEST(StraightFaces, KeepTheBooksOfEnergy) {
-  // The faces get other lengths on their way, and so other levels.
+  // The faces get other lengths on their way, and so other offsets.
   for (const ElementKind kind : {ElementKind::quad4, ElementKind::hex8}) {
     ContactBench bench = on_tool(kind, radius);
     const auto dim = as_size(bench.mesh.dimension());
@@ -251,16 +251,16 @@ TEST(StraightFaces, KeepTheBooksOfEnergy) {
         x[i] += 2e-3 * std::sin(2.0 * x[i] + increment);
       bench.commit(x, 1.0 + increment);
     }
-    bench.commit(sunk(bench, 0.0), 22.0); // what the last levels do
+    bench.commit(sunk(bench, 0.0), 22.0); // what the last offsets do
     const ContactWork& work = bench.term.work();
     const double entered = bench.entered - entered_down;
-    const double of_levels = work.enforcement - down.enforcement;
+    const double of_offsets = work.enforcement - down.enforcement;
     const double stored = work.stored - down.stored;
-    const double error = entered + of_levels - work.friction - stored;
-    std::printf("%s: entered %.4e, levels %.2e, stored %.4e more N mm: error %.1e\n",
-                std::string(mechanics::name(kind)).c_str(), entered, of_levels, stored, error);
+    const double error = entered + of_offsets - work.friction - stored;
+    std::printf("%s: entered %.4e, offsets %.2e, stored %.4e more N mm: error %.1e\n",
+                std::string(mechanics::name(kind)).c_str(), entered, of_offsets, stored, error);
     // The rest is what a contact's area gains, which a penalty's energy does not know.
-    EXPECT_GT(std::abs(of_levels), 20.0 * std::abs(error));
+    EXPECT_GT(std::abs(of_offsets), 20.0 * std::abs(error));
   }
 }
 
@@ -281,4 +281,4 @@ TEST(StraightFaces, AreLevelledByAcceptedIncrementsOnly) {
 }
 
 } // namespace
-} // namespace billet::contact::straight_faces_test
+} // namespace billet::contact::linear_faces_test

@@ -1,4 +1,4 @@
-#include "contact/surface/straight_faces.h"
+#include "contact/surface/linear_faces.h"
 
 #include "mechanics/equilibrium/faces.h"
 
@@ -70,11 +70,11 @@ struct NodeMean {
 
 } // namespace
 
-std::vector<double> levels(const ContactSurface& surface,
-                           std::span<const double> x,
-                           const geometry::Pose& pose,
-                           std::span<const Projection> feet) {
-  std::vector<double> levels(surface.n_points(), 0.0);
+std::vector<double> sagitta_offsets(const ContactSurface& surface,
+                                    std::span<const double> x,
+                                    const geometry::Pose& pose,
+                                    std::span<const Projection> feet) {
+  std::vector<double> offsets(surface.n_points(), 0.0);
   visit_contact_face(surface.kind(), surface.form(), [&](auto shape, auto rule) {
     using Shape = decltype(shape);
     using Rule = decltype(rule);
@@ -100,11 +100,11 @@ std::vector<double> levels(const ContactSurface& surface,
           double agreed = 0.0;
           for (std::size_t a = 0; a < N.size(); ++a)
             agreed += N[a] * around(faces.nodes(f)[a]);
-          levels[idx(f * Rule::points + i)] = *sagittas[idx(f)] - agreed;
+          offsets[idx(f * Rule::points + i)] = *sagittas[idx(f)] - agreed;
         }
     }
   });
-  return levels;
+  return offsets;
 }
 
 } // namespace billet::contact

@@ -1,6 +1,6 @@
-#include "contact/term/correct_faces.h"
+#include "contact/term/sagitta_offsets.h"
 
-#include "contact/surface/straight_faces.h"
+#include "contact/surface/linear_faces.h"
 
 #include <algorithm>
 #include <span>
@@ -70,22 +70,22 @@ std::vector<geometry::Projection> feet_around_contact(const ContactModel& model,
 
 } // namespace
 
-void level_faces(const ContactModel& model,
-                 ToolContact& contact,
-                 std::size_t tool,
-                 const mechanics::Trial& trial) {
+void set_sagitta_offsets(const ContactModel& model,
+                         ToolContact& contact,
+                         std::size_t tool,
+                         const mechanics::Trial& trial) {
   const ContactSurface& surface = *model.surface;
-  if (!surface.straight())
+  if (!surface.linear())
     return;
   std::vector<PointHistory>& points = contact.committed.history;
-  std::vector<double> level(points.size(), 0.0);
+  std::vector<double> offset(points.size(), 0.0);
   if (contact.committed.touches)
-    level = levels(surface, trial.x.first(idx(model.pattern->n_dofs())),
-                   model.pose(tool, trial.time, trial.x),
-                   feet_around_contact(model, contact, *model.tools[tool].surface));
-  for (std::size_t k = 0; k < level.size(); ++k) {
-    points[k].faded += points[k].level - level[k];
-    points[k].level = level[k];
+    offset = sagitta_offsets(surface, trial.x.first(idx(model.pattern->n_dofs())),
+                             model.pose(tool, trial.time, trial.x),
+                             feet_around_contact(model, contact, *model.tools[tool].surface));
+  for (std::size_t k = 0; k < offset.size(); ++k) {
+    points[k].faded += points[k].sagitta_offset - offset[k];
+    points[k].sagitta_offset = offset[k];
   }
 }
 
