@@ -29,7 +29,7 @@ constexpr double most_pressures = 10.0;
 constexpr double share_followed = 0.5;
 
 /// Of the element beneath: springs of a face that nothing presses any more are gone by then.
-constexpr double faded = 1e-6;
+constexpr double negligible_share = 1e-6;
 
 template <class Shape> using Mixed = typename mechanics::FaceRules<Shape>::Lower;
 template <class Shape> using Full = typename mechanics::FaceRules<Shape>::Full;
@@ -186,7 +186,7 @@ void FaceStabilization::set(const ContactSurface& surface,
         const auto face = wanted<Shape>(surface.analysis(), at, local.data(), deepest);
         if (!face || (!pressure && face->is_clear))
           continue;
-        const double negligible = faded * surface.depth(f);
+        const double negligible = negligible_share * surface.depth(f);
         double lowest = 0.0;
         for (std::size_t q = 0; q < face->rest.size(); ++q) {
           const int place = static_cast<int>(q);

@@ -35,21 +35,22 @@ struct PointHistory {
   double offset = 0.0;          ///< added to the gap: what a new mesh is off by (C.41) [mm]
   /// Added to the gap: of a linear face on a curved tool (C.43) [mm].
   double sagitta_offset = 0.0;
-  double relief = 0.0; ///< added to the gap: what evens pressure along a face (C.45) [mm]
-  double faded = 0.0;  ///< by what all three have shrunk at the last commit [mm]
-  double limit = 0.0;  ///< slip limit, at least the shear [MPa]
-  bool slips = false;  ///< has slipped in the last increment
+  /// Added to the gap: what keeps pressure from oscillating along a face (C.45) [mm].
+  double gap_correction = 0.0;
+  double decayed = 0.0; ///< by what all three have decayed at the last commit [mm]
+  double limit = 0.0;   ///< slip limit, at least the shear [MPa]
+  bool slips = false;   ///< has slipped in the last increment
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
   [[nodiscard]] Status status() const {
     return !closed() ? Status::open : slips ? Status::slip : Status::stick;
   }
   /// What is added to the gap of the point that the surface gives [mm].
-  [[nodiscard]] double added() const { return offset + sagitta_offset + relief; }
+  [[nodiscard]] double added() const { return offset + sagitta_offset + gap_correction; }
 
   template <class Archive> void fields(Archive& archive) {
     archive(position, normal, shear, pressure, sliding, stiffness, multiplier, offset,
-            sagitta_offset, relief, faded, limit, slips);
+            sagitta_offset, gap_correction, decayed, limit, slips);
   }
 };
 

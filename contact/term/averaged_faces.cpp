@@ -16,8 +16,8 @@ namespace {
 constexpr double stiffness_of_deviations = 1.0;
 /// What pressure oscillation moves a point by at most: of the element beneath (with more the corner
 /// of a billet that sticks sinks in), and of a limit of penetration.
-constexpr double relief_of_depth = 0.0004;
-constexpr double relief_of_limit = 0.25;
+constexpr double correction_of_depth = 0.0004;
+constexpr double correction_of_limit = 0.25;
 /// A point of an averaged face that is farther off than this does not press, whatever the others
 /// do: of the element beneath.
 constexpr double beyond_contact = 0.1;
@@ -25,9 +25,9 @@ constexpr double beyond_contact = 0.1;
 constexpr double lifted_off = 0.01;
 
 /// What evening the pressure moves a point by at most [mm].
-double most_relief(const ContactModel& model, std::size_t point) {
-  return std::min(relief_of_depth * model.depth_at(point),
-                  relief_of_limit * model.surface->max_penetration().value_or(HUGE_VAL));
+double max_gap_correction(const ContactModel& model, std::size_t point) {
+  return std::min(correction_of_depth * model.depth_at(point),
+                  correction_of_limit * model.surface->max_penetration().value_or(HUGE_VAL));
 }
 
 /// Whether faces lie on a tool, but for points that pressure oscillation may have lifted off.
@@ -96,7 +96,7 @@ void choose_averaged_faces(const ContactModel& model, ContactState& state, std::
     face.compliance.rise = Eigen::Map<const Eigen::VectorXd>(&smoothed.rise[first], points);
     double stiffness = stiffness_of_deviations * model.surface->stiffness();
     for (std::size_t k = first; k < first + idx(points); ++k)
-      stiffness = std::max(stiffness, std::abs(oscillation[k]) / most_relief(model, k));
+      stiffness = std::max(stiffness, std::abs(oscillation[k]) / max_gap_correction(model, k));
     face.compliance.deviation = stiffness;
     committed.averaged_at[idx(f)] = static_cast<Index>(committed.averaged.size());
     committed.averaged.push_back(std::move(face));
@@ -132,7 +132,7 @@ void press_averaged_faces(const ContactModel& model,
   }
 }
 
-double relief(const ToolContact& contact, std::size_t point, double normal) {
+double gap_correction(const ToolContact& contact, std::size_t point, double normal) {
   const PointHistory& history = contact.committed.history[point];
   const double gap = contact.trial.foot[point].gap + history.offset + history.sagitta_offset;
   const Traction& now = contact.trial.traction[point];

@@ -38,7 +38,7 @@ void press_averaged_faces(const ContactModel& model,
 /// What the trial adds to the gap of a point of such a face, were its penalty its own [mm].
 ///
 /// @param normal  penalty [MPa/mm]
-[[nodiscard]] double relief(const ToolContact& contact, std::size_t point, double normal);
+[[nodiscard]] double gap_correction(const ToolContact& contact, std::size_t point, double normal);
 
 /// How deep a point of the trial lies in a tool, as contact counts its gap [mm].
 ///

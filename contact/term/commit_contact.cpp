@@ -1,6 +1,6 @@
 #include "contact/term/commit_contact.h"
 
-#include "contact/law/fading.h"
+#include "contact/law/decay.h"
 #include "contact/term/averaged_faces.h"
 #include "contact/term/point_tractions.h"
 #include "contact/term/predicted_contact.h"
@@ -159,20 +159,20 @@ PointHistory ToolCommit::renew(std::size_t k, const Vec3& position, double slidi
   const Traction& now = tried_.traction[k];
   PointHistory& history = committed_.history[k];
   const bool averaged = averaged_pressure(state_.tools[index_], model_.face_of(k)) != nullptr;
-  const double now_relief =
-      averaged ? relief(state_.tools[index_], k, penalty_.normal) : faded(history.relief, gone_);
+  const double correction = averaged ? gap_correction(state_.tools[index_], k, penalty_.normal)
+                                     : decayed(history.gap_correction, gone_);
   const PointHistory old =
       std::exchange(history, PointHistory{.position = position,
                                           .sliding = sliding,
-                                          .offset = std::max(0.0, faded(history.offset, gone_)),
+                                          .offset = std::max(0.0, decayed(history.offset, gone_)),
                                           .sagitta_offset = history.sagitta_offset,
-                                          .relief = now_relief});
-  // Relief of averaged faces changes within the increment, the rest at its end.
-  const double shift = old.faded + (averaged ? old.relief - now_relief : 0.0);
+                                          .gap_correction = correction});
+  // The correction of averaged faces changes within the increment, the rest at its end.
+  const double shift = old.decayed + (averaged ? old.gap_correction - correction : 0.0);
   state_.work.enforcement += state_.areas[k] * 0.5 * (old.pressure + now.pressure) *
                              penalty_work_.pressed_shift(old, now, tried_.multiplier[k], shift);
   if (!averaged)
-    history.faded += old.relief - now_relief;
+    history.decayed += old.gap_correction - correction;
   return old;
 }
 
@@ -181,8 +181,8 @@ void ToolCommit::close(std::size_t k, const PointHistory& old, double stiffness)
   const double area = state_.areas[k];
   PointHistory& history = committed_.history[k];
   history.multiplier = tried_.multiplier[k];
-  history.offset = faded(old.offset, gone_);
-  history.faded += old.offset - history.offset; // closer to the tool: deeper by as much
+  history.offset = decayed(old.offset, gone_);
+  history.decayed += old.offset - history.offset; // closer to the tool: deeper by as much
   history.normal = tried_.foot[k].normal;
   history.shear = now.shear;
   history.pressure = now.pressure;
@@ -241,7 +241,7 @@ void ToolCommit::commit_corner(std::size_t c) {
   work.enforcement += area * penalty_work_.update_work(history, T, tried_.corners[c].multiplier);
   const PointHistory old =
       std::exchange(history, PointHistory{.sliding = sliding,
-                                          .offset = std::max(0.0, faded(history.offset, gone_))});
+                                          .offset = std::max(0.0, decayed(history.offset, gone_))});
   if (now.foot)
     close_corner(c, old, shear.stiffness);
   else
@@ -256,7 +256,7 @@ void ToolCommit::close_corner(std::size_t c, const PointHistory& old, double sti
   const double multiplier = tried_.corners[c].multiplier;
   CornerState& corner = committed_.corners[c];
   PointHistory& history = corner.history;
-  history.offset = faded(old.offset, gone_);
+  history.offset = decayed(old.offset, gone_);
   // Deeper by as much.
   state_.work.enforcement +=
       now.area * 0.5 * (old.pressure + T.pressure) *

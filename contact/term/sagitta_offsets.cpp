@@ -84,7 +84,7 @@ void set_sagitta_offsets(const ContactModel& model,
                              model.pose(tool, trial.time, trial.x),
                              feet_around_contact(model, contact, *model.tools[tool].surface));
   for (std::size_t k = 0; k < offset.size(); ++k) {
-    points[k].faded += points[k].sagitta_offset - offset[k];
+    points[k].decayed += points[k].sagitta_offset - offset[k];
     points[k].sagitta_offset = offset[k];
   }
 }

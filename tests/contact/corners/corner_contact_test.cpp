@@ -308,7 +308,7 @@ TEST(CornerContact, GoesOnWithItsPressureOnANewMesh) {
     anew.assemble(anew.x, 1.0);
     const Vec2 before = -old.term.loads()[0].force.head<2>();
     EXPECT_NEAR((sum(anew) - before).norm(), 0.0, 1e-9 * before.norm()) << off;
-    // What the mesh is off by fades as the part goes on.
+    // What the mesh is off by decays as the part goes on.
     anew.commit(anew.x, 1.0);
     for (int i = 0; i < 10; ++i)
       anew.commit(moved(anew, Vec2(0.001, 0.0)), anew.time_old + 1.0);

@@ -138,11 +138,11 @@ std::vector<double> waved(const ContactBench& bench, double depth, double wave) 
   return x;
 }
 
-/// Largest oscillation of the pressure, as `results` tell, and the relief of the points.
+/// Largest oscillation of the pressure, as `results` tell, and the gap correction of the points.
 struct State {
-  double oscillation = 0.0; ///< over the largest pressure [-]
-  double relief = 0.0;      ///< largest [mm]
-  double force = 0.0;       ///< on the tool [N]
+  double oscillation = 0.0;    ///< over the largest pressure [-]
+  double gap_correction = 0.0; ///< largest [mm]
+  double force = 0.0;          ///< on the tool [N]
 };
 
 State state(const ContactBench& bench) {
@@ -155,8 +155,9 @@ State state(const ContactBench& bench) {
       history[k].pressure = results[k].pressure;
       history[k].normal = Vec3::UnitY();
       most = std::max(most, results[k].pressure);
-      const double relief = -results[k].pressure / bench.surface.penalty().normal - results[k].gap;
-      now.relief = std::max(now.relief, std::abs(relief));
+      const double gap_correction =
+          -results[k].pressure / bench.surface.penalty().normal - results[k].gap;
+      now.gap_correction = std::max(now.gap_correction, std::abs(gap_correction));
     }
   now.oscillation = largest(oscillation(bench, history)) / most;
   now.force = bench.term.loads()[0].force[1];
@@ -214,7 +215,7 @@ TEST(PressureOscillation, IsLeftWhereALimitOfPenetrationHasNoRoomForIt) {
     const std::vector<double> x = waved(bench, depth, 0.9 * depth);
     for (int increment = 1; increment <= 40; ++increment)
       bench.commit(x, increment);
-    EXPECT_LT(state(bench).relief, 0.4 * limit);
+    EXPECT_LT(state(bench).gap_correction, 0.4 * limit);
   });
 }
 

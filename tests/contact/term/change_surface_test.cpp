@@ -136,7 +136,7 @@ TEST(ChangeOfSurface, LetsTheOffsetFadeWithTheWay) {
   constexpr double deep = 5e-5;
   // Along the floor, which is frictionless: first by less than the offsets, then by more.
   for (const double step : {1e-5, 1.0}) {
-    // Onto linear faces, which are not relieved of pressure oscillation.
+    // Onto linear faces, which are not corrected for pressure oscillation.
     Exchange on(mechanics::ElementKind::quad8, pressed_more_to_the_right, deep, Coulomb{0.3},
                 mechanics::ElementKind::quad4);
     const double stiffness = on.anew.surface.penalty().normal;

@@ -1,4 +1,4 @@
-// How what a contact point's gap is off by goes: with the way gone. (C.41)
+// How an offset of a contact point's gap decays: with the way gone. (C.41)
 
 #pragma once
 
@@ -11,7 +11,7 @@ namespace billet::contact {
 /// than a quarter of the way gone; faster, the tool would seem to draw back.
 ///
 /// @param way  gone in the increment [mm]
-[[nodiscard]] inline double faded(double offset, double way) {
+[[nodiscard]] inline double decayed(double offset, double way) {
   constexpr double least_left = 0.5;
   constexpr double share_of_way = 0.25;
   const double size = std::abs(offset);
