@@ -14,7 +14,7 @@ namespace {
 
 using mechanics::Index;
 
-// A point in a tool may go this much deeper, in depths of the element beneath, without being
+// A point in a tool may go this much deeper, in depths of the parent element, without being
 // followed: contact itself is no sharper.
 constexpr double slack_share = 0.02;
 

@@ -100,7 +100,7 @@ bool Process::too_deep() const {
   const contact::ContactSettings& settings = scene_.contact;
   if (settings.max_penetration)
     return state_.record.penetration.bound > *settings.max_penetration;
-  constexpr double unasked = 1e-6; // of the element beneath
+  constexpr double unasked = 1e-6; // of the parent element
   return settings.method == contact::Method::augmented &&
          state_.record.penetration.share_pressed > unasked;
 }
@@ -174,12 +174,12 @@ void Process::adapt_penalty(Progress progress) {
   const contact::ContactSettings& settings = scene_.contact;
   if (!contact_ || bounds_penetration())
     return;
-  // Depths of the deepest contact point over that of the element beneath, with the penalty that the
+  // Depths of the deepest contact point over that of the parent element, with the penalty that the
   // next increment begins with.
   constexpr double needlessly_small = 1e-6, small = 1e-5, large = 1e-4;
   // Softer lets points sink a little; stiffer throws them out, so it comes in small steps.
   constexpr double softer = 0.1, stiffer = 2.0;
-  // Of the stiffness of the element beneath over its depth; while nothing says what presses, no
+  // Of the stiffness of the parent element over its depth; while nothing says what presses, no
   // softer than the element.
   const bool presses = state_.record.penetration.share_pressed > 0.0;
   const double least = presses ? 1e-3 : 1.0;

@@ -19,7 +19,7 @@ namespace billet::process {
 
 namespace {
 
-/// Without a limit of the case: a face that lies deeper in a tool, relative to the element beneath,
+/// Without a limit of the case: a face that lies deeper in a tool, relative to the parent element,
 /// and twice as deep as when the mesh was new, is too coarse for it.
 constexpr double deep = 0.1;
 
@@ -238,7 +238,7 @@ bool Process::indents(const ContactZone& zone) const {
   for (const contact::ClosedPoint& at : contact_->closed()[idx(zone.tool)]) {
     force += at.area * at.pressure;
     area += at.area;
-    weakest = std::min(weakest, bulk_->trial_strength(surface_->beneath(at.point)));
+    weakest = std::min(weakest, bulk_->trial_strength(surface_->bulk_point(at.point)));
   }
   for (const contact::CornerState& corner : contact::corners(*contact_, idx(zone.tool)))
     force += corner.press.area * corner.history.pressure;

@@ -257,7 +257,7 @@ void Process::account_contact(double dt) {
   strain.reserve(bulk_->states().size());
   for (const auto& state : bulk_->states())
     strain.push_back(state.plastic_strain);
-  state_.record.window.add(contact_->closed(), {surface_->beneath(), strain, state_.plastic_rate},
+  state_.record.window.add(contact_->closed(), {surface_->bulk_points(), strain, state_.plastic_rate},
                            dt);
   if (wear_)
     wear_->add(*contact_, state_.x, state_.time);

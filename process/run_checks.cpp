@@ -77,7 +77,7 @@ std::optional<FailedCheck> contact_resolution(const Process& process) {
   const contact::ContactSurface& surface = *process.surface();
   for (const contact::CornerState& corner : contact::corners(*process.contact(), load.tool))
     if (const auto& foot = corner.press.foot) {
-      const std::size_t point = surface.beneath(contact::nearest_point(surface, *foot));
+      const std::size_t point = surface.bulk_point(contact::nearest_point(surface, *foot));
       hardest = std::max(hardest, corner.history.pressure / process.bulk().trial_strength(point));
     }
   if (!(hardest > indents))

@@ -28,7 +28,7 @@ struct IncrementReport {
   int cutbacks = 0;                 ///< tries that failed before it
   double volume = 0.0;              ///< [mm^3]
   double max_penetration = 0.0;     ///< no point of any face is deeper in a tool [mm]
-  double penetration_share = 0.0;   ///< nor deeper relative to the element beneath [-]
+  double penetration_share = 0.0;   ///< nor deeper relative to the parent element [-]
   contact::Penetration penetration; ///< what these two were found with
   double contact_area = 0.0;        ///< [mm^2]
   double max_plastic_strain = 0.0;  ///< [-]

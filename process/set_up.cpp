@@ -121,7 +121,7 @@ bool has_all_behind(const contact::Tool& tool,
                     const contact::ContactSurface& surface,
                     std::span<const double> x,
                     double reach) {
-  constexpr double touching = 0.02; // of the element beneath
+  constexpr double touching = 0.02; // of the parent element
   for (Index f = 0; f < surface.n_faces(); ++f)
     for (const Vec3& p : surface.samples(x, f, 1)) {
       const Vec3 at = pose.to_tool(p);
@@ -176,7 +176,7 @@ bool Process::lies_within(std::size_t tool, double time) const {
                                           std::span(&foot, 1));
       if (!foot.found())
         continue;
-      constexpr double clear = 0.02, inside = 1e-6; // of the element beneath
+      constexpr double clear = 0.02, inside = 1e-6; // of the parent element
       // A little beneath the tool's surface: one that touches a face has that outside.
       const double depth = surface_->depth(f);
       const Vec3 beneath = pose.to_space(foot.foot - clear * depth * foot.normal);
@@ -191,7 +191,7 @@ std::string Process::depth_in(std::size_t tool, double time) const {
   // A chord of a curved face may lie a little inside a tool that touches its nodes; a sharp tool
   // that was brought to the contact points of a face may lie deeper between them.
   const bool brought = tool < scene_.touch.size() && scene_.touch[tool] != 0;
-  const double allowed_share = brought ? 0.5 : 0.02; // of the element beneath
+  const double allowed_share = brought ? 0.5 : 0.02; // of the parent element
   const geometry::Pose pose = contact_->pose(tool, time, state_.x);
   double deepest = 0.0;
   Vec3 at = Vec3::Zero();

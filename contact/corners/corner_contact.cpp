@@ -17,7 +17,7 @@ namespace {
 
 /// Corners and roundings turn by more than this [rad].
 constexpr double least_turn = 10.0 * std::numbers::pi / 180.0;
-/// Of the element beneath: as far outside a new mesh a corner that pressed on the old one still
+/// Of the parent element: as far outside a new mesh a corner that pressed on the old one still
 /// does.
 constexpr double still_presses = 0.02;
 

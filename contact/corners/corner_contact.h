@@ -24,7 +24,7 @@ namespace billet::contact {
 struct CornerPress {
   std::optional<CornerFoot> foot; ///< none: it does not press
   Traction traction{};            ///< in the tool's frame
-  double depth = 0.0;             ///< of the element beneath [mm]
+  double depth = 0.0;             ///< of the parent element [mm]
   double area = 0.0;              ///< that it stands for: half of that [mm^2]
   Vec3 place = Vec3::Zero();      ///< of the tool, in space [mm]
   Vec3 force = Vec3::Zero();      ///< on the workpiece, in space [N]
@@ -115,7 +115,7 @@ private:
   press(const At& at, const Pressing& corner, CornerPress& trial, mechanics::System& system) const;
 
   CornerSearch search_;
-  double largest_depth_ = 0.0; ///< of an element beneath [mm]
+  double largest_depth_ = 0.0; ///< of a parent element [mm]
   std::vector<geometry::ToolCorner> shapes_;
 };
 

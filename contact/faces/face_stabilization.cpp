@@ -17,7 +17,7 @@ namespace {
 using geometry::Projection;
 using mechanics::FacePoint;
 
-/// Of the element beneath: on a flat tool nothing is deeper than the points, and rounding must not
+/// Of the parent element: on a flat tool nothing is deeper than the points, and rounding must not
 /// decide which springs press.
 constexpr double dead_zone = 1e-9;
 
@@ -28,7 +28,7 @@ constexpr double most_pressures = 10.0;
 /// would lift a point off the tool, be gone for it, let it come back, and so on.
 constexpr double share_followed = 0.5;
 
-/// Of the element beneath: springs of a face that nothing presses any more are gone by then.
+/// Of the parent element: springs of a face that nothing presses any more are gone by then.
 constexpr double negligible_share = 1e-6;
 
 template <class Shape> using Mixed = typename mechanics::FaceRules<Shape>::Lower;

@@ -118,7 +118,7 @@ struct ShearBalance {
 /// Stiffness of the next increment and friction work of this one. (C.17), (C.18)
 ///
 /// @param sliding  distance so far, with this increment [mm]
-/// @param depth    of the element beneath [mm]
+/// @param depth    of the parent element [mm]
 [[nodiscard]] ShearBalance balance(const Penalty& penalty,
                                    const PointHistory& old,
                                    const Traction& now,

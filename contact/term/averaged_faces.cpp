@@ -14,12 +14,12 @@ namespace {
 /// Stiffness of a face against what gaps of its points differ by: multiples of E / h. A body's own
 /// against such pressures is of that order.
 constexpr double stiffness_of_deviations = 1.0;
-/// What pressure oscillation moves a point by at most: of the element beneath (with more the corner
+/// What pressure oscillation moves a point by at most: of the parent element (with more the corner
 /// of a billet that sticks sinks in), and of a limit of penetration.
 constexpr double correction_of_depth = 0.0004;
 constexpr double correction_of_limit = 0.25;
 /// A point of an averaged face that is farther off than this does not press, whatever the others
-/// do: of the element beneath.
+/// do: of the parent element.
 constexpr double beyond_contact = 0.1;
 /// Gap up to which pressure oscillation may have lifted a point off, likewise.
 constexpr double lifted_off = 0.01;

@@ -50,7 +50,7 @@ struct ContactModel {
   [[nodiscard]] Index face_of(std::size_t point) const {
     return static_cast<Index>(point / idx(surface->points()));
   }
-  /// Length of the element beneath a point, normal to its face [mm].
+  /// Length of the parent element of a point, normal to its face [mm].
   [[nodiscard]] double depth_at(std::size_t point) const { return surface->depth(face_of(point)); }
   /// Where a tool's free degrees of freedom are in a vector of unknowns.
   [[nodiscard]] geometry::Driven driven(std::size_t tool, std::span<const double> x) const;

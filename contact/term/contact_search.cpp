@@ -12,7 +12,7 @@ namespace billet::contact {
 
 namespace {
 
-/// Gaps below this share of the element beneath are rounding of coordinates.
+/// Gaps below this share of the parent element are rounding of coordinates.
 constexpr double rounding = 1e-10;
 
 /// Points a task should have at least.

@@ -16,7 +16,7 @@ namespace billet::contact {
 
 namespace {
 
-/// Gaps below this share of the element beneath are rounding of coordinates, of all of them when a
+/// Gaps below this share of the parent element are rounding of coordinates, of all of them when a
 /// tool is brought to touch.
 constexpr double rounding_of_touch = 1e-9;
 

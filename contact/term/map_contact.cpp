@@ -8,7 +8,7 @@ namespace billet::contact {
 
 namespace {
 
-/// Gaps up to these shares of the element beneath are what a new mesh is off by.
+/// Gaps up to these shares of the parent element are what a new mesh is off by.
 constexpr double off_outside = 0.02;
 constexpr double off_inside = 0.5;
 
@@ -33,7 +33,7 @@ std::array<double, 3> weights_of_closed(Histories before, const PointSource& sou
 
 /// History of a point that lies between points of an earlier surface.
 ///
-/// @param depth   of the element beneath [mm]
+/// @param depth   of the parent element [mm]
 /// @param normal  penalty [MPa/mm]
 PointHistory history_between(Histories before,
                              const PointSource& source,

@@ -41,20 +41,20 @@ void look_at_points(const ContactView& contact, std::size_t t, Penetration& wors
   const ToolContact& tool = state.tools[t];
   const double normal = applied_penalty(*model.surface, state.penalty).penalty.normal;
   for (std::size_t k = 0; k < tool.trial.foot.size(); ++k) {
-    const double beneath = model.depth_at(k);
+    const double parent_depth = model.depth_at(k);
     const double depth = -tool.trial.foot[k].gap;
     if (depth > worst.sampled) {
       worst.sampled = depth;
       worst.position = state.positions[k];
       worst.tool = t;
     }
-    worst.share = std::max(worst.share, depth / beneath);
-    if (depth > worst.relative.share * beneath)
-      worst.relative = {depth / beneath, depth, state.positions[k], t, model.face_of(k)};
+    worst.share = std::max(worst.share, depth / parent_depth);
+    if (depth > worst.relative.share * parent_depth)
+      worst.relative = {depth / parent_depth, depth, state.positions[k], t, model.face_of(k)};
     const double pressed = pressed_depth(model, tool, k, normal);
     worst.at_points = std::max(worst.at_points, depth);
     worst.pressed = std::max(worst.pressed, pressed);
-    worst.share_pressed = std::max(worst.share_pressed, pressed / beneath);
+    worst.share_pressed = std::max(worst.share_pressed, pressed / parent_depth);
   }
 }
 

@@ -13,11 +13,11 @@ namespace billet::contact {
 /// How deep the workpiece lies inside tools: every point of every candidate face. (C.13)
 struct Penetration {
   double bound = 0.0;           ///< no point of any face is deeper [mm]
-  double share = 0.0;           ///< nor deeper than this relative to the element beneath [-]
+  double share = 0.0;           ///< nor deeper than this relative to the parent element [-]
   double sampled = 0.0;         ///< depth of the deepest point found [mm]
   double at_points = 0.0;       ///< of the deepest contact point [mm]
   double pressed = 0.0;         ///< likewise, as contact counts its gap [mm]
-  double share_pressed = 0.0;   ///< likewise, relative to the element beneath [-]
+  double share_pressed = 0.0;   ///< likewise, relative to the parent element [-]
   Vec3 position = Vec3::Zero(); ///< of the deepest point found, in space [mm]
   std::size_t tool = 0;         ///< in which that point lies
   /// The deepest point found relative to its parent element: another one on a graded mesh.

@@ -49,9 +49,9 @@ double strength(const ContactModel& model, const Friction& friction, std::size_t
   const std::optional<Strength> followed = friction.followed_strength();
   if (!followed)
     return 0.0;
-  const std::size_t beneath = model.surface->beneath(point);
-  const double stress = *followed == Strength::yield ? model.bulk->trial_strength(beneath)
-                                                     : model.bulk->trial_stress(beneath).stress;
+  const std::size_t bulk_point = model.surface->bulk_point(point);
+  const double stress = *followed == Strength::yield ? model.bulk->trial_strength(bulk_point)
+                                                     : model.bulk->trial_stress(bulk_point).stress;
   return stress / std::numbers::sqrt3;
 }
 

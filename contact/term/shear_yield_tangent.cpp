@@ -9,23 +9,23 @@ namespace billet::contact {
 
 namespace {
 
-/// d k / d x of the nodes of the element beneath.
+/// d k / d x of the nodes of the parent element.
 class StrengthGradient {
 public:
   StrengthGradient(const mechanics::Bulk& bulk, int dim) : bulk_(&bulk), dim_(dim) {}
 
   /// False: the strength does not change.
-  bool evaluate(Strength strength, std::size_t beneath, std::span<const double> x) {
-    const mechanics::MisesStress stress = bulk_->trial_stress(beneath);
+  bool evaluate(Strength strength, std::size_t bulk_point, std::span<const double> x) {
+    const mechanics::MisesStress stress = bulk_->trial_stress(bulk_point);
     const double slope = strength == Strength::yield ? stress.d_strength : stress.d_stress;
     if (slope == 0.0)
       return false;
-    nodes_ = bulk_->nodes_around(beneath);
+    nodes_ = bulk_->nodes_around(bulk_point);
     positions_.resize(nodes_.size() * idx(dim_));
     values_.resize(positions_.size());
     mechanics::gather(x, nodes_, dim_, positions_.data());
     mechanics::strain_gradient(bulk_->kind(), bulk_->analysis(), positions_.data(),
-                               beneath % idx(bulk_->points()),
+                               bulk_point % idx(bulk_->points()),
                                slope / std::numbers::sqrt3 * stress.direction, values_);
     return true;
   }
@@ -85,7 +85,7 @@ void add_shear_yield_tangent(const ContactView& contact,
     const TrialContact& tool = state.tools[t].trial;
     for (std::size_t k = 0; k < tool.traction.size(); ++k) {
       if (tool.traction[k].dtraction_dk.isZero(0.0) ||
-          !gradient.evaluate(*followed, model.surface->beneath(k), trial.x))
+          !gradient.evaluate(*followed, model.surface->bulk_point(k), trial.x))
         continue;
       const Vec3 dT = tool.rotation * tool.traction[k].dtraction_dk;
       const PointShares shares = model.surface->shares(trial.x, k);

@@ -42,7 +42,7 @@ mechanics::Mesh block(const Patch& patch) {
       if (mesh.dimension() == 3)
         p[2] += patch.surface_shift * bump * std::cos(3.0 * x);
     }
-  // The penalty of a face goes with the depth of the element beneath.
+  // The penalty of a face goes with the depth of the parent element.
   distort_inside(mesh, 0.06, 1, patch.depths_differ ? 0.0 : 0.3, 1.0);
   return mesh;
 }

@@ -145,11 +145,11 @@ private:
   void remember(const Process& process) {
     k_.clear();
     for (std::size_t i = 0; i < process.surface()->n_points(); ++i)
-      k_.push_back(
-          mechanics::yield_stress(
-              process.bulk().material().flow,
-              {process.bulk().states()[process.surface()->beneath(i)].plastic_strain, 0.0, 20.0}) /
-          std::numbers::sqrt3);
+      k_.push_back(mechanics::yield_stress(
+                       process.bulk().material().flow,
+                       {process.bulk().states()[process.surface()->bulk_point(i)].plastic_strain,
+                        0.0, 20.0}) /
+                   std::numbers::sqrt3);
   }
   double m_;
   std::vector<double> k_;

@@ -270,7 +270,7 @@ TEST(CornerContact, RubsAndKeepsTheBooks) {
     bench.commit(moved(bench, Vec2(0.0, -deep)), 0.5);
     const double pressed = std::abs(bench.term.loads()[0].force.y());
     const double down = bench.entered;
-    // Where the elements beneath differ the corner's share does, too.
+    // Where the parent elements differ the corner's share does, too.
     const bool even = std::abs(bench.surface.depth(0) - bench.surface.depth(1)) < 1e-9;
     const double exact = even ? 1e-9 : 0.02;
     double rubbed = 0.0;
