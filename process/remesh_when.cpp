@@ -233,12 +233,12 @@ std::vector<ContactZone> Process::poorly_resolved_tools() const {
 // A strip that is bent touches its tools along lines, whatever the mesh; its force is that of the
 // bend. With the half width of elastic contact in the plane, 2 F' / E deep to within a logarithm.
 bool Process::indents(const ContactZone& zone) const {
-  constexpr double of_strength = 0.5, of_work = 0.01;
+  constexpr double of_flow_stress = 0.5, of_work = 0.01;
   double force = 0.0, area = 0.0, weakest = std::numeric_limits<double>::infinity();
   for (const contact::ClosedPoint& at : contact_->closed()[idx(zone.tool)]) {
     force += at.area * at.pressure;
     area += at.area;
-    weakest = std::min(weakest, bulk_->trial_strength(surface_->bulk_point(at.point)));
+    weakest = std::min(weakest, bulk_->trial_flow_stress(surface_->bulk_point(at.point)));
   }
   for (const contact::CornerState& corner : contact::corners(*contact_, idx(zone.tool)))
     force += corner.press.area * corner.history.pressure;
@@ -246,7 +246,7 @@ bool Process::indents(const ContactZone& zone) const {
     return force > 0.0;
   const double pressure = force / area;
   const double work = force * pressure * zone.length / scene_.material.elasticity.young;
-  return pressure > of_strength * weakest ||
+  return pressure > of_flow_stress * weakest ||
          work > of_work * (state_.energy.elastic + state_.energy.plastic);
 }
 

@@ -138,7 +138,7 @@ public:
   [[nodiscard]] double coarse_contact() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
-  /// Whether what a tool does in a zone is to indent: pressure near the strength beneath, or an
+  /// Whether what a tool does in a zone is to indent: pressure near the flow stress of the part there, or an
   /// indentation that takes part in the work.
   [[nodiscard]] bool indents(const ContactZone& zone) const;
   /// Remeshings of the run, in their order.

@@ -143,7 +143,7 @@ Traction rub(const CornerContact::At& at,
   in.projection.gap = -pressure / at.penalty.normal;
   in.projection.normal = normal;
   in.shared = SharedPressure{pressure, 0.0};
-  in.strength = corner.strength;
+  in.shear_yield = corner.shear_yield;
   in.dt = at.trial.time - at.trial.time_old;
   in.softening = at.trial.softening.slip;
   return traction(at.friction, at.penalty, start, in, at.surface.scheme());
@@ -265,7 +265,7 @@ std::vector<CornerState> CornerContact::mapped(std::span<const CornerState> befo
     const double slack = still_presses * largest_depth_;
     const auto foot = search_.find(tool.surface, tool.x, placed(shapes_[c], tool.pose), slack);
     history = PointHistory{.sliding = before[c].history.sliding};
-    now[c].strength = before[c].strength;
+    now[c].shear_yield = before[c].shear_yield;
     if (foot && before[c].history.closed()) {
       history = before[c].history;
       history.offset = foot->depth - (history.pressure - history.multiplier) / penalty;

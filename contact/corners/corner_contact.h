@@ -47,10 +47,10 @@ struct PlaceRate {
 /// not one of the workpiece; its position says nothing.
 struct CornerState {
   PointHistory history{};
-  double strength = 0.0; ///< k of the material beneath [MPa]
+  double shear_yield = 0.0; ///< k of the parent element [MPa]
   CornerPress press{};
 
-  template <class Archive> void fields(Archive& archive) { archive(history, strength, press); }
+  template <class Archive> void fields(Archive& archive) { archive(history, shear_yield, press); }
 };
 
 /// What is tried of it.

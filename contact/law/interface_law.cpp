@@ -198,7 +198,7 @@ void add_shear(const Friction& friction,
   }
   out.traction += out.shear;
   out.dtraction_dx += in_space(frame, end.shear, dshear, foot);
-  out.dtraction_dk = frame.E * end.d_strength;
+  out.dtraction_dk = frame.E * end.d_shear_yield;
 }
 
 } // namespace
@@ -285,7 +285,7 @@ Traction traction(const Friction& friction,
   if (resting)
     holding = std::max(holding, penalty.normal * at.noise);
   const bool rubs = old.closed() || at.touching > 0.0;
-  SlipState state{holding, at.strength, old.sliding, at.dt};
+  SlipState state{holding, at.shear_yield, old.sliding, at.dt};
   if (!old.closed() && rubs)
     state.dt *= at.touching;
   if ((!old.closed() && rubs) || at.friction_limited)

@@ -68,7 +68,7 @@ struct Traction {
   Vec3 traction = Vec3::Zero();     ///< p n + shear, on the workpiece [MPa]
   Mat3 dtraction_dx = Mat3::Zero(); ///< [MPa/mm], not symmetric when slipping
   Vec3 dtraction_dp = Vec3::Zero(); ///< by the pressure [-]
-  Vec3 dtraction_dk = Vec3::Zero(); ///< by the strength of the material beneath [-]
+  Vec3 dtraction_dk = Vec3::Zero(); ///< by the shear yield stress of the parent element [-]
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
   double limit = 0.0;               ///< largest shear at this pressure [MPa]
   /// The old shear in the new tangent plane, as far to the slip as it was when the increment began
@@ -91,7 +91,7 @@ struct SharedPressure {
 struct InterfaceInput {
   Vec3 position;                   ///< tool frame [mm]
   geometry::Projection projection; ///< of that position
-  double strength = 0.0;           ///< k beneath [MPa]
+  double shear_yield = 0.0;        ///< k of the parent element [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
   double dt = 1.0;                 ///< of the increment [s]
   double softening = 1.0;  ///< of the stiffness against slip, below 1 on the way to a solution [-]

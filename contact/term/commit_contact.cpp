@@ -274,7 +274,8 @@ void ToolCommit::close_corner(std::size_t c, const PointHistory& old, double sti
   committed_.stored +=
       now.area * (0.5 * (T.pressure + history.multiplier) * (now.foot->depth - old.offset) +
                   shear_energy(history.shear, history.stiffness));
-  corner.strength = strength(model_, tool_.friction, nearest_point(*model_.surface, *now.foot));
+  corner.shear_yield =
+      shear_yield(model_, tool_.friction, nearest_point(*model_.surface, *now.foot));
   add_load(now.force, now.place);
 }
 

@@ -1,5 +1,5 @@
-// What contact is computed on: the faces of the workpiece, the metal beneath them, the tools and
-// the unknowns that move them. Constant during a mesh's life; what changes is a ContactState.
+// What contact is computed on: the faces of the workpiece, its bulk, the tools and the unknowns
+// that move them. Constant during a mesh's life; what changes is a ContactState.
 
 #pragma once
 

@@ -45,13 +45,14 @@ bool pulls(const ToolContact& contact) {
                      [](const Traction& point) { return point.pressure < 0.0; });
 }
 
-double strength(const ContactModel& model, const Friction& friction, std::size_t point) {
-  const std::optional<Strength> followed = friction.followed_strength();
+double shear_yield(const ContactModel& model, const Friction& friction, std::size_t point) {
+  const std::optional<FollowedStress> followed = friction.followed_stress();
   if (!followed)
     return 0.0;
   const std::size_t bulk_point = model.surface->bulk_point(point);
-  const double stress = *followed == Strength::yield ? model.bulk->trial_strength(bulk_point)
-                                                     : model.bulk->trial_stress(bulk_point).stress;
+  const double stress = *followed == FollowedStress::yield
+                            ? model.bulk->trial_flow_stress(bulk_point)
+                            : model.bulk->trial_stress(bulk_point).stress;
   return stress / std::numbers::sqrt3;
 }
 
@@ -91,7 +92,7 @@ int evaluate(const ContactModel& model,
       in.softening = trial.softening.slip;
       in.kept = kept;
       in.multiplier = penalty.carried(old, tried.multiplier[k]);
-      in.strength = strength(model, tool.friction, k);
+      in.shear_yield = shear_yield(model, tool.friction, k);
       in.friction_limited = tried.friction_limited[k] != 0;
       in.turn = tried.turn[idx(model.face_of(k))];
       if (averaged != nullptr)

@@ -16,9 +16,9 @@ many_parted(const ContactModel& model, const ToolContact& contact, const Applied
 /// Whether a point is kept closed under tension.
 [[nodiscard]] bool pulls(const ToolContact& contact);
 
-/// k of the material beneath a point in the trial, of the kind that friction follows [MPa].
+/// k of the parent element of a point in the trial, of the kind that friction follows [MPa].
 [[nodiscard]] double
-strength(const ContactModel& model, const Friction& friction, std::size_t point);
+shear_yield(const ContactModel& model, const Friction& friction, std::size_t point);
 
 /// Finds the tractions from the feet that `search` has found.
 ///

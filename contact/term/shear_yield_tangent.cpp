@@ -10,14 +10,14 @@ namespace billet::contact {
 namespace {
 
 /// d k / d x of the nodes of the parent element.
-class StrengthGradient {
+class ShearYieldGradient {
 public:
-  StrengthGradient(const mechanics::Bulk& bulk, int dim) : bulk_(&bulk), dim_(dim) {}
+  ShearYieldGradient(const mechanics::Bulk& bulk, int dim) : bulk_(&bulk), dim_(dim) {}
 
-  /// False: the strength does not change.
-  bool evaluate(Strength strength, std::size_t bulk_point, std::span<const double> x) {
+  /// False: the stress does not change.
+  bool evaluate(FollowedStress followed, std::size_t bulk_point, std::span<const double> x) {
     const mechanics::MisesStress stress = bulk_->trial_stress(bulk_point);
-    const double slope = strength == Strength::yield ? stress.d_strength : stress.d_stress;
+    const double slope = followed == FollowedStress::yield ? stress.d_flow_stress : stress.d_stress;
     if (slope == 0.0)
       return false;
     nodes_ = bulk_->nodes_around(bulk_point);
@@ -44,11 +44,11 @@ private:
   std::vector<double> values_;
 };
 
-/// Adds the rows of a node whose force changes by `dforce` with the strength.
+/// Adds the rows of a node whose force changes by `dforce` with the stress.
 void add_row(const mechanics::BlockPattern& pattern,
              Index node,
              const Vec3& dforce,
-             const StrengthGradient& gradient,
+             const ShearYieldGradient& gradient,
              mechanics::System& system) {
   const int dim = pattern.dim;
   for (std::size_t b = 0; b < gradient.nodes().size(); ++b) {
@@ -65,7 +65,7 @@ void add_row(const mechanics::BlockPattern& pattern,
 }
 
 /// Adds the row of a tool's free degree of freedom, whose load changes by `dload`.
-void add_row(int dim, double dload, const StrengthGradient& gradient, mechanics::Border& border) {
+void add_row(int dim, double dload, const ShearYieldGradient& gradient, mechanics::Border& border) {
   for (std::size_t b = 0; b < gradient.nodes().size(); ++b)
     for (int j = 0; j < dim; ++j)
       border.row[idx(gradient.nodes()[b] * dim + j)] += dload * gradient(b, j);
@@ -77,9 +77,9 @@ void add_shear_yield_tangent(const ContactView& contact,
                              const mechanics::Trial& trial,
                              mechanics::System& system) {
   const auto& [model, state] = contact;
-  StrengthGradient gradient(*model.bulk, model.pattern->dim);
+  ShearYieldGradient gradient(*model.bulk, model.pattern->dim);
   for (std::size_t t = 0; t < model.tools.size(); ++t) {
-    const std::optional<Strength> followed = model.tools[t].friction.followed_strength();
+    const std::optional<FollowedStress> followed = model.tools[t].friction.followed_stress();
     if (!followed)
       continue;
     const TrialContact& tool = state.tools[t].trial;

@@ -1,7 +1,7 @@
-// What friction that follows the strength of the metal beneath adds to the tangent.
+// What friction that follows the shear yield stress of the parent element adds to the tangent.
 //
-// The strength changes with the plastic strain at the integration point beneath a contact point,
-// and so with the displacements of all nodes of that element. Theory: docs/theory/friction.md
+// That stress changes with the plastic strain at the integration point closest to a contact point,
+// and so with the displacements of all nodes of the element. Theory: docs/theory/friction.md
 // (F.20).
 
 #pragma once

@@ -175,7 +175,7 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
   }
   if (last_) {
     const mechanics::Material& material = process.bulk().material();
-    const double left = mechanics::strength_left(
+    const double left = mechanics::flow_stress_left(
         material.flow, {last_->max_plastic_strain, 1.0, material.temperature});
     constexpr double soft = 0.5;
     if (left < soft)

@@ -113,7 +113,7 @@ struct SparseMatrix {
   const BlockPattern* pattern = nullptr;
   std::vector<double> values; ///< shape (n_entries)
   /// What, taken away, leaves a symmetric matrix close to this one, in any order: what couples slip
-  /// to pressure and strength. Solvers may use it; it is part of the values.
+  /// to pressure and shear yield stress. Solvers may use it; it is part of the values.
   std::vector<EntryPart> unsymmetric = {};
 
   /// y = A x, shapes (n_dofs).

@@ -424,7 +424,7 @@ double yield_stress(const AnyFlowLaw& flow, const FlowPoint& at) {
   return std::visit([&](const auto& law) { return flow_at(law, at).stress; }, flow);
 }
 
-double strength_left(const AnyFlowLaw& flow, const FlowPoint& at) {
+double flow_stress_left(const AnyFlowLaw& flow, const FlowPoint& at) {
   const double end = yield_stress(flow, at);
   double largest = end;
   constexpr int places = 100;
@@ -462,10 +462,10 @@ MisesStress mises_stress(const Material& material,
   if (flows) {
     const double h = flow.slope + (flow.rate_slope > 0.0 ? flow.rate_slope / dt : 0.0);
     out.d_stress *= std::isfinite(h) ? h / (3.0 * mu + h) : 1.0;
-    out.d_strength = out.d_stress;
+    out.d_flow_stress = out.d_stress;
   }
   if (flows && follows_rate(material.flow))
-    out.strength = out.stress;
+    out.flow_stress = out.stress;
   return out;
 }
 

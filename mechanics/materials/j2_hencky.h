@@ -130,15 +130,15 @@ void elastic_energies(const Elasticity& elasticity,
 
 /// Flow stress as a share of the largest on the way there from no strain, at the same rate and
 /// temperature, found at a hundred strains; 1 for an elastic body [-].
-[[nodiscard]] double strength_left(const AnyFlowLaw& flow, const FlowPoint& at);
+[[nodiscard]] double flow_stress_left(const AnyFlowLaw& flow, const FlowPoint& at);
 
 /// Von Mises stress of a state and how it follows the strains of an increment. (F.21)
 struct MisesStress {
-  double stress;     ///< q, of the Kirchhoff stress [MPa]
-  double strength;   ///< flow stress at its plastic strain, rate and temperature [MPa]
-  Mat3 direction;    ///< unit deviator of the elastic strain [-]; zero without one
-  double d_stress;   ///< d q = d_stress direction : grad u [MPa]
-  double d_strength; ///< of the flow stress, likewise [MPa]
+  double stress;        ///< q, of the Kirchhoff stress [MPa]
+  double flow_stress;   ///< at its plastic strain, rate and temperature [MPa]
+  Mat3 direction;       ///< unit deviator of the elastic strain [-]; zero without one
+  double d_stress;      ///< d q = d_stress direction : grad u [MPa]
+  double d_flow_stress; ///< of the flow stress, likewise [MPa]
 };
 
 /// @param old_plastic_strain  of the committed state: the point flows when it has grown [-]

@@ -149,12 +149,12 @@ TEST_P(WholeTangent, AgreesWithDifferencesOfSofterContact) {
   EXPECT_GT(seen_.stick + seen_.slip, 0);
 }
 
-// Strengths that follow metal whose flow stress depends on rate and temperature.
+// Shear yield stresses that follow metal whose flow stress depends on rate and temperature.
 TEST_P(WholeTangent, AgreesWithDifferencesOverRateDependentMetal) {
   for (const support::NamedMaterial& metal : support::every_material())
     if (mechanics::follows_rate(metal.material.flow))
-      for (const Strength strength : {Strength::yield, Strength::von_mises})
-        check({metal.name, Tresca{0.4, strength}}, {}, 0.05, metal.material);
+      for (const FollowedStress followed : {FollowedStress::yield, FollowedStress::von_mises})
+        check({metal.name, Tresca{0.4, followed}}, {}, 0.05, metal.material);
   const auto [kind, form, curved] = GetParam();
   std::printf("%-20s %-10s %-6s stick %3d slip %3d: largest error %.1e (<= 1e-6)\n",
               body_kinds()[static_cast<std::size_t>(kind)].name().c_str(),

@@ -72,7 +72,7 @@ Scene rolled_strip(const Pass& pass) {
   scene.supports.push_back(held(scene.mesh, 1, 0.0));
   contact::Tool roll =
       moving_tool("roll", geometry::make_circle(centre, pass.radius, false), Vec3::Zero(),
-                  contact::Coulomb{pass.mu, 0.0, contact::Strength::yield});
+                  contact::Coulomb{pass.mu, 0.0, contact::FollowedStress::yield});
   roll.motion.rotation =
       geometry::Rotation{centre, Vec3::UnitZ(), TimeFunction(pass.speed / pass.radius)};
   roll.reference = centre;
