@@ -44,8 +44,8 @@ Process::balance_of(double elastic, double plastic, const contact::ContactTerm* 
       energy.external += load->work();
   if (contact != nullptr) {
     const contact::ContactWork& work = contact->work();
-    energy.external += work.external + work.enforcement + work.unseen;
-    energy.enforcement = contact->work().enforcement;
+    energy.external += work.external + work.penalty_update + work.unseen;
+    energy.penalty_update = contact->work().penalty_update;
     energy.friction = contact->work().friction;
     energy.contact = contact->work().stored;
   }

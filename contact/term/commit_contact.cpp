@@ -119,7 +119,8 @@ void ToolCommit::commit_point(std::size_t k) {
   const double sliding = history.sliding + now.slip.norm();
   const ShearBalance shear = balance(penalty_, history, now, sliding, model_.depth_at(k));
   add_friction(k, position, shear);
-  state_.work.enforcement += area * penalty_work_.update_work(history, now, tried_.multiplier[k]);
+  state_.work.penalty_update +=
+      area * penalty_work_.update_work(history, now, tried_.multiplier[k]);
   const PointHistory old = renew(k, position, sliding);
   if (now.status == Status::open)
     tried_.multiplier[k] = 0.0;
@@ -169,8 +170,8 @@ PointHistory ToolCommit::renew(std::size_t k, const Vec3& position, double slidi
                                           .gap_correction = correction});
   // The correction of averaged faces changes within the increment, the rest at its end.
   const double shift = old.decayed + (averaged ? old.gap_correction - correction : 0.0);
-  state_.work.enforcement += state_.areas[k] * 0.5 * (old.pressure + now.pressure) *
-                             penalty_work_.pressed_shift(old, now, tried_.multiplier[k], shift);
+  state_.work.penalty_update += state_.areas[k] * 0.5 * (old.pressure + now.pressure) *
+                                penalty_work_.pressed_shift(old, now, tried_.multiplier[k], shift);
   if (!averaged)
     history.decayed += old.gap_correction - correction;
   return old;
@@ -238,7 +239,7 @@ void ToolCommit::commit_corner(std::size_t c) {
       balance(penalty_, history, T, sliding, now.foot ? now.depth : before.depth);
   work.friction += area * shear.friction_work;
   work.unseen += area * shear.unseen;
-  work.enforcement += area * penalty_work_.update_work(history, T, tried_.corners[c].multiplier);
+  work.penalty_update += area * penalty_work_.update_work(history, T, tried_.corners[c].multiplier);
   const PointHistory old =
       std::exchange(history, PointHistory{.sliding = sliding,
                                           .offset = std::max(0.0, decayed(history.offset, gone_))});
@@ -258,7 +259,7 @@ void ToolCommit::close_corner(std::size_t c, const PointHistory& old, double sti
   PointHistory& history = corner.history;
   history.offset = decayed(old.offset, gone_);
   // Deeper by as much.
-  state_.work.enforcement +=
+  state_.work.penalty_update +=
       now.area * 0.5 * (old.pressure + T.pressure) *
       penalty_work_.pressed_shift(old, T, multiplier, old.offset - history.offset);
   history.multiplier = multiplier;
@@ -284,11 +285,11 @@ void ToolCommit::springs() {
   if (surface.form() != Form::mixed || surface.linear())
     return;
   FaceStabilization& springs = committed_.stabilization;
-  state_.work.enforcement -= springs.energy(surface, trial_.x);
+  state_.work.penalty_update -= springs.energy(surface, trial_.x);
   springs.set(surface, committed_.history, {*tool_.surface, pose_, model_.reach}, trial_.x,
               std::min(surface.stiffness(), surface.penalty().normal));
   const double stored = springs.energy(surface, trial_.x);
-  state_.work.enforcement += stored;
+  state_.work.penalty_update += stored;
   committed_.stored += stored;
 }
 

@@ -43,7 +43,7 @@ public:
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
                                                        mechanics::System& system) override;
-  [[nodiscard]] bool has_kinks() const override { return true; }
+  [[nodiscard]] bool nonsmooth() const override { return true; }
   void commit(const mechanics::Trial& trial) override;
 
   /// Where contact stands, and what it is computed on: what readers take.
@@ -66,7 +66,7 @@ public:
     return model_.pose(tool, time, x);
   }
 
-  /// Begins a try of an increment: enforcement is that of the committed state, nothing is
+  /// Begins a try of an increment: penalties are those of the committed state, nothing is
   /// predicted.
   void restart();
   /// Likewise, and points that were chattering in the last try, with more shear than pressure, get

@@ -17,10 +17,10 @@ struct ContactWork {
   double unseen = 0.0;
   double stored = 0.0; ///< in the penalties now [N mm]
   /// Done by raising penalties and multipliers, which work on what is pressed [N mm]. (C.23)
-  double enforcement = 0.0;
+  double penalty_update = 0.0;
 
   template <class Archive> void fields(Archive& archive) {
-    archive(external, friction, unseen, stored, enforcement);
+    archive(external, friction, unseen, stored, penalty_update);
   }
 };
 

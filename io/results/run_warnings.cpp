@@ -98,14 +98,14 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         content_->units.length));
   constexpr double unpaid = 0.02;
   if (const process::EnergyBalance& energy = process.energy();
-      std::abs(energy.enforcement) > std::max(energy.nothing, unpaid * energy.scale()))
+      std::abs(energy.penalty_update) > std::max(energy.nothing, unpaid * energy.scale()))
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
         "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
         "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
         "quadratic ones also contact.form = \"compatible\") mend that",
-        100.0 * energy.enforcement / energy.scale(), energy.enforcement, content_->units.force,
-        content_->units.length));
+        100.0 * energy.penalty_update / energy.scale(), energy.penalty_update,
+        content_->units.force, content_->units.length));
   constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
   if (const double flow = process.flow_in_fading(); flow > springback * process.energy().plastic)
     lines.push_back(fmt::format(

@@ -82,9 +82,9 @@ public:
   /// Adds residual and exact tangent at a trial. A failure (inverted element, return map) ends the
   /// trial; nothing that matters later has changed.
   [[nodiscard]] virtual Outcome<Assembled> assemble(const Trial& trial, System& system) = 0;
-  /// Whether its forces have kinks and jumps, and cost little beside those of the bulk: a line
+  /// Whether its forces are nonsmooth, and cost little beside those of the bulk: a line
   /// search asks it alone.
-  [[nodiscard]] virtual bool has_kinks() const { return false; }
+  [[nodiscard]] virtual bool nonsmooth() const { return false; }
   /// The last assembled trial becomes the committed state.
   virtual void commit(const Trial& trial) = 0;
 

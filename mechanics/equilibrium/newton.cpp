@@ -277,17 +277,17 @@ Outcome<Newton::Evaluation> Newton::try_step(std::span<ForceTerm* const> terms,
   return Evaluation{*norms, slope()};
 }
 
-double Newton::slope_of_kinks(std::span<ForceTerm* const> terms,
-                              const Trial& trial,
-                              std::vector<double>& x,
-                              double step) {
+double Newton::nonsmooth_slope(std::span<ForceTerm* const> terms,
+                               const Trial& trial,
+                               std::vector<double>& x,
+                               double step) {
   const Stopwatch watch(times_.assembly);
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = base_[i] + step * correction_[i];
   system_.forces_only = true; // no solution follows before all is assembled anew
   system_.clear();
   for (ForceTerm* term : terms)
-    if (term->has_kinks() && !term->assemble(trial, system_))
+    if (term->nonsmooth() && !term->assemble(trial, system_))
       return 0.0; // the whole system will say why
   contact_changes_ += system_.contact_changes;
   return slope();
@@ -320,7 +320,7 @@ Outcome<Newton::Evaluation> Newton::search(std::span<ForceTerm* const> terms,
 /// The work of the correction changes its sign between 0 and `step`: closes in on that place, also
 /// across the kink of a contact that opens or closes, to go on with the far side's tangent.
 ///
-/// Contact makes the kinks and costs next to nothing: it is found anew in every trial, the rest
+/// Contact makes it nonsmooth and costs next to nothing: it is found anew in every trial, the rest
 /// drawn as a line between the steps where everything was assembled. (N.9)
 ///
 /// @param start  slope at 0
@@ -336,22 +336,22 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
   struct End {
     double step;
     double slope;
-    double rest; // of the slope, without what has kinks
+    double rest; // of the slope, without nonsmooth terms
   };
-  const auto kinks = [&](double s) { return slope_of_kinks(terms, trial, x, s); };
-  End near_end{0.0, start, start - kinks(0.0)};
-  End far_end{step, far.slope, far.slope - kinks(step)};
+  const auto nonsmooth = [&](double s) { return nonsmooth_slope(terms, trial, x, s); };
+  End near_end{0.0, start, start - nonsmooth(0.0)};
+  End far_end{step, far.slope, far.slope - nonsmooth(step)};
   int trials = 0;
   while (true) {
     double low = near_end.step, slope_low = near_end.slope;
     double high = far_end.step, slope_high = far_end.slope;
-    double kinked = 0.0;
+    double bent = 0.0;
     for (bool found = false; !found && trials < most_trials; ++trials) {
       const double secant = low + (high - low) * slope_low / (slope_low - slope_high);
       step = std::clamp(secant, low + 0.1 * (high - low), high - 0.1 * (high - low));
-      kinked = kinks(step);
+      bent = nonsmooth(step);
       const double share = (step - near_end.step) / (far_end.step - near_end.step);
-      const double estimate = kinked + near_end.rest + share * (far_end.rest - near_end.rest);
+      const double estimate = bent + near_end.rest + share * (far_end.rest - near_end.rest);
       found = std::abs(estimate) <= close * std::abs(start);
       const bool same_side = (estimate > 0.0) == (start > 0.0);
       (same_side ? low : high) = step;
@@ -363,7 +363,7 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
     if (!now || std::abs(now->slope) <= close * std::abs(start) || trials == most_trials)
       return now;
     const bool same_side = (now->slope > 0.0) == (start > 0.0);
-    (same_side ? near_end : far_end) = {step, now->slope, now->slope - kinked};
+    (same_side ? near_end : far_end) = {step, now->slope, now->slope - bent};
   }
 }
 

@@ -130,11 +130,11 @@ private:
                                              std::vector<double>& x,
                                              double step,
                                              bool forces_only = false);
-  /// What terms with kinks have in the slope after a step; the system is theirs alone then.
-  [[nodiscard]] double slope_of_kinks(std::span<ForceTerm* const> terms,
-                                      const Trial& trial,
-                                      std::vector<double>& x,
-                                      double step);
+  /// What nonsmooth terms have in the slope after a step; the system is theirs alone then.
+  [[nodiscard]] double nonsmooth_slope(std::span<ForceTerm* const> terms,
+                                       const Trial& trial,
+                                       std::vector<double>& x,
+                                       double step);
   [[nodiscard]] Outcome<Evaluation> close_in(std::span<ForceTerm* const> terms,
                                              const Trial& trial,
                                              std::vector<double>& x,

@@ -274,7 +274,7 @@ TEST(FaceStabilization, KeepsTheBooksOfEnergyAndLeavesWithItsTool) {
       springs = bench.term.work().stored - down.stored;
     }
     const ContactWork& work = bench.term.work();
-    const double error = bench.entered - entered_down + work.enforcement - down.enforcement -
+    const double error = bench.entered - entered_down + work.penalty_update - down.penalty_update -
                          work.friction - springs;
     std::printf("%-18s stored %.4e more N mm: error %.1e\n", body.name().c_str(), springs, error);
     EXPECT_LT(std::abs(error), 1e-3 * std::abs(springs)) << body.name();

@@ -183,7 +183,7 @@ TEST(PressureOscillation, IsTakenAwayWhileNodesStandStillAndTheForceStays) {
     EXPECT_NEAR(last.force, first.force, 1e-9 * std::abs(first.force));
     // What the penalties have lost is in the books: nothing has moved.
     const ContactWork& work = bench.term.work();
-    EXPECT_NEAR(bench.entered + work.enforcement - work.friction, work.stored,
+    EXPECT_NEAR(bench.entered + work.penalty_update - work.friction, work.stored,
                 1e-9 * std::abs(work.stored));
   });
 }

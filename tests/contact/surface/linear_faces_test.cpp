@@ -254,7 +254,7 @@ TEST(StraightFaces, KeepTheBooksOfEnergy) {
     bench.commit(sunk(bench, 0.0), 22.0); // what the last offsets do
     const ContactWork& work = bench.term.work();
     const double entered = bench.entered - entered_down;
-    const double of_offsets = work.enforcement - down.enforcement;
+    const double of_offsets = work.penalty_update - down.penalty_update;
     const double stored = work.stored - down.stored;
     const double error = entered + of_offsets - work.friction - stored;
     std::printf("%s: entered %.4e, offsets %.2e, stored %.4e more N mm: error %.1e\n",

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace billet::contact::enforcement_test {
+namespace billet::contact::penalty_factors_test {
 namespace {
 
 ContactBench on_the_floor(const Friction& law) {
@@ -27,7 +27,7 @@ std::vector<double> moved(std::vector<double> x, const Vec3& by) {
   return x;
 }
 
-TEST(Enforcement, AMultiplierPressesWithoutPenetrationAndAcrossAGap) {
+TEST(PenaltyFactors, AMultiplierPressesWithoutPenetrationAndAcrossAGap) {
   const Penalty penalty{1000.0, 100.0};
   geometry::Projection foot;
   foot.normal = Vec3::UnitY();
@@ -45,7 +45,7 @@ TEST(Enforcement, AMultiplierPressesWithoutPenetrationAndAcrossAGap) {
             Status::open);
 }
 
-TEST(Enforcement, AugmentingKeepsThePressureWhenThePenetrationGoes) {
+TEST(PenaltyFactors, AugmentingKeepsThePressureWhenThePenetrationGoes) {
   ContactBench bench = on_the_floor(Frictionless{});
   constexpr double depth = 1e-3;
   bench.assemble(moved(bench.x, {0, -depth, 0}), 1.0);
@@ -60,7 +60,7 @@ TEST(Enforcement, AugmentingKeepsThePressureWhenThePenetrationGoes) {
   EXPECT_LT((bench.force() - 0.1 * pressed).norm(), 1e-12 * pressed.norm());
 }
 
-TEST(Enforcement, LeavesNoTraceOfATryThatWasRefused) {
+TEST(PenaltyFactors, LeavesNoTraceOfATryThatWasRefused) {
   ContactBench bench = on_the_floor(Coulomb{0.2});
   bench.commit(moved(bench.x, {0, -1e-3, 0}), 1.0);
   const std::vector<double> trial = moved(bench.x, {1e-4, -1e-4, 0});
@@ -76,9 +76,9 @@ TEST(Enforcement, LeavesNoTraceOfATryThatWasRefused) {
   EXPECT_EQ((bench.force() - before).norm(), 0.0);
 }
 
-TEST(Enforcement, KeepsTheBooksOfEnergy) {
+TEST(PenaltyFactors, KeepsTheBooksOfEnergy) {
   // A stiff block wanders over a floor that holds it by penalties and multipliers changed at
-  // random; what enters by the nodal forces and by enforcement is stored or lost to friction.
+  // random; what enters by the nodal forces and by penalty updates is stored or lost to friction.
   for (const auto& [name, law] : every_law()) {
     ContactBench bench = on_the_floor(law);
     std::mt19937 generator(11);
@@ -100,13 +100,14 @@ TEST(Enforcement, KeepsTheBooksOfEnergy) {
     }
     const ContactWork& work = bench.term.work();
     const double error =
-        std::abs(bench.entered + work.enforcement + work.unseen - work.friction - work.stored);
-    std::printf("%-22s entered %.4e, enforcement %.4e, friction %.4e, stored %.4e: error %.1e\n",
-                name.c_str(), bench.entered, work.enforcement, work.friction, work.stored, error);
-    EXPECT_NE(work.enforcement, 0.0);
+        std::abs(bench.entered + work.penalty_update + work.unseen - work.friction - work.stored);
+    std::printf(
+        "%-22s entered %.4e, penalty updates %.4e, friction %.4e, stored %.4e: error %.1e\n",
+        name.c_str(), bench.entered, work.penalty_update, work.friction, work.stored, error);
+    EXPECT_NE(work.penalty_update, 0.0);
     EXPECT_LT(error, 1e-10 * (largest + work.friction)) << name;
   }
 }
 
 } // namespace
-} // namespace billet::contact::enforcement_test
+} // namespace billet::contact::penalty_factors_test
