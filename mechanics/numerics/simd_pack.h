@@ -1,4 +1,4 @@
-// A few numbers, one for each node or point of an element, in the processor's vectors.
+// SIMD packs: a few numbers, one for each node or point of an element, in the processor's vectors.
 //
 // Loops over rows this short the compiler turns into shuffles; said with vectors, the product of a
 // number and a row is one instruction or a few.
@@ -14,19 +14,20 @@ namespace billet::mechanics {
 
 /// `n` numbers; sums, products, quotients and roots go number by number. What a vector has behind
 /// the last one takes part, be it as 0 / 0, and is never read.
-template <int n> class Lanes {
+template <int n> class SimdPack {
 public:
-  /// `Lanes{}` is zeros, `Lanes a;` anything: large arrays of them are cleared where it matters.
-  Lanes() = default;
-  static Lanes constant(double value) {
-    Lanes all;
+  /// `SimdPack{}` is zeros, `SimdPack a;` anything: large arrays of them are cleared where it
+  /// matters.
+  SimdPack() = default;
+  static SimdPack constant(double value) {
+    SimdPack all;
     for (Part& part : all.parts_)
       part.values = value - Vector{}; // of x + 0 the compiler must not make x, for x may be -0
     return all;
   }
   /// `value_of(i)` at i. Numbers set one by one would be waited for by what reads them together.
-  template <class Function> static Lanes of(Function&& value_of) {
-    Lanes all;
+  template <class Function> static SimdPack of(Function&& value_of) {
+    SimdPack all;
     for (std::size_t k = 0; k < n_parts; ++k)
       all.parts_[k] =
           gathered(value_of, static_cast<int>(k) * width, std::make_integer_sequence<int, width>());
@@ -36,74 +37,74 @@ public:
   double operator[](int i) const { return parts_[part_of(i)].values[i % width]; }
   void set(int i, double value) { parts_[part_of(i)].values[i % width] = value; }
 
-  Lanes& operator+=(const Lanes& other) { return *this = *this + other; }
+  SimdPack& operator+=(const SimdPack& other) { return *this = *this + other; }
 
-  friend Lanes operator+(const Lanes& a, const Lanes& b) {
-    Lanes result;
+  friend SimdPack operator+(const SimdPack& a, const SimdPack& b) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = a.parts_[i].values + b.parts_[i].values;
     return result;
   }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) {
-    Lanes result;
+  friend SimdPack operator-(const SimdPack& a, const SimdPack& b) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = a.parts_[i].values - b.parts_[i].values;
     return result;
   }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) {
-    Lanes result;
+  friend SimdPack operator*(const SimdPack& a, const SimdPack& b) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = a.parts_[i].values * b.parts_[i].values;
     return result;
   }
-  friend Lanes operator/(const Lanes& a, const Lanes& b) {
-    Lanes result;
+  friend SimdPack operator/(const SimdPack& a, const SimdPack& b) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = a.parts_[i].values / b.parts_[i].values;
     return result;
   }
-  friend Lanes operator*(double factor, const Lanes& a) {
-    Lanes result;
+  friend SimdPack operator*(double factor, const SimdPack& a) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = factor * a.parts_[i].values;
     return result;
   }
 
-  friend Lanes abs(const Lanes& a) {
-    Lanes result;
+  friend SimdPack abs(const SimdPack& a) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = a.parts_[i].values < 0.0 ? -a.parts_[i].values : a.parts_[i].values;
     return result;
   }
   /// Number by number: `a` where `sign` is below zero, else `b`.
-  friend Lanes where_negative(const Lanes& sign, const Lanes& a, const Lanes& b) {
-    Lanes result;
+  friend SimdPack where_negative(const SimdPack& sign, const SimdPack& a, const SimdPack& b) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values =
           sign.parts_[i].values < 0.0 ? a.parts_[i].values : b.parts_[i].values;
     return result;
   }
-  friend Lanes sqrt(const Lanes& a) {
+  friend SimdPack sqrt(const SimdPack& a) {
     return of([&](int i) { return std::sqrt(a[i]); });
   }
 
   /// Number by number: 0 where it is above zero, else 1, of what is no number as well.
-  friend Lanes unless_positive(const Lanes& a) {
-    Lanes result;
+  friend SimdPack unless_positive(const SimdPack& a) {
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = a.parts_[i].values > 0.0 ? Vector{} : 1.0 - Vector{};
     return result;
   }
   /// Number by number: 0 where its size is `bound` or less, else 1, of what is no number as well.
-  friend Lanes unless_within(const Lanes& a, double bound) {
-    const Lanes size = abs(a);
-    Lanes result;
+  friend SimdPack unless_within(const SimdPack& a, double bound) {
+    const SimdPack size = abs(a);
+    SimdPack result;
     for (std::size_t i = 0; i < n_parts; ++i)
       result.parts_[i].values = size.parts_[i].values <= bound ? Vector{} : 1.0 - Vector{};
     return result;
   }
   /// Whether all of several numbers, none below zero, are zero.
-  friend bool all_zero(const Lanes& a) {
+  friend bool all_zero(const SimdPack& a) {
     double sum = 0.0;
     if constexpr (n % width == 0)
       for (const Part& part : a.parts_)
