@@ -31,14 +31,14 @@ bool Process::plausible(double dt, double force_scale, std::string& why) const {
       why = "a driven tool moves away: nothing holds it against its load";
       return false;
     }
-  if (grounding_) {
-    // The grounding may carry rounding, never a load: in steps of a share of the body it may go
+  if (stabilization_) {
+    // The stabilization may carry rounding, never a load: in steps of a share of the body it may go
     // with a tool that pushes it.
     constexpr double most_share = 1e-3;
     constexpr double floor = 1e-7;
     const double scale = std::max(force_scale, floor * body_stiffness() * body_size(scene_.mesh));
-    if (grounding_->force_in({state_.time, state_.time + dt, state_.x, trial_x_}) >
-        most_share * grounding_->share() * scale) {
+    if (stabilization_->force_in({state_.time, state_.time + dt, state_.x, trial_x_}) >
+        most_share * stabilization_->share() * scale) {
       why = "the workpiece moves away freely: neither supports nor contact hold it";
       return false;
     }

@@ -62,8 +62,8 @@ std::string Process::stored() const {
     archive(*load);
   for (const auto& load : fading_)
     archive(*load);
-  archive(grounding_ != nullptr, contact_ != nullptr, blows_ != nullptr, wear_ != nullptr);
-  archive_present(archive, grounding_, contact_, blows_, wear_);
+  archive(stabilization_ != nullptr, contact_ != nullptr, blows_ != nullptr, wear_ != nullptr);
+  archive_present(archive, stabilization_, contact_, blows_, wear_);
   const mechanics::SolverWork work = solver_work();
   work_fields(archive, work);
   archive(times_, times_before_ + seconds_now() - started_);
@@ -78,7 +78,7 @@ std::string Process::store() {
 void Process::take_part(StoredPart part) {
   terms_.clear();
   loads_.clear();
-  grounding_.reset();
+  stabilization_.reset();
   newton_.reset();
   narrow_.reset();
   blows_.reset();
@@ -139,10 +139,10 @@ void Process::resume(std::string_view stored) {
     archive(*load);
   bool grounded = false, touches = false, strikes = false, wears = false;
   archive(grounded, touches, strikes, wears);
-  if (grounded != (grounding_ != nullptr) || touches != (contact_ != nullptr) ||
+  if (grounded != (stabilization_ != nullptr) || touches != (contact_ != nullptr) ||
       strikes != (blows_ != nullptr) || wears != (wear_ != nullptr))
     another_scene("supports, tools, presses or laws of wear");
-  archive_present(archive, grounding_, contact_, blows_, wear_);
+  archive_present(archive, stabilization_, contact_, blows_, wear_);
   work_fields(archive, earlier_work_);
   archive(earlier_times_, times_before_);
   if (!archive.at_end())

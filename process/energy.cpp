@@ -74,8 +74,8 @@ EnergyBalance Process::energy_after(double dt) const {
   for (const auto* loads : {&loads_, &fading_})
     for (const auto& load : *loads)
       energy.external += load->work_in(trial);
-  if (grounding_)
-    energy.grounding += grounding_->work_in(trial);
+  if (stabilization_)
+    energy.stabilization += stabilization_->work_in(trial);
   return energy;
 }
 

@@ -13,7 +13,7 @@ struct EnergyBalance {
   double plastic = 0.0;     ///< dissipated in it
   double friction = 0.0;    ///< dissipated on its surface
   double contact = 0.0;     ///< stored in the penalties
-  double grounding = 0.0;   ///< lost to the grounding of free motions
+  double stabilization = 0.0;   ///< lost to the stabilization of free motions
   double remeshing = 0.0;   ///< lost where a state was carried to a new mesh
   double penalty_update = 0.0; ///< of external, what no tool's motion did (C.23)
   double most = 0.0;        ///< that any of the first five has been: springback gives it all back
@@ -21,7 +21,7 @@ struct EnergyBalance {
 
   /// external less the sum of the rest [N mm].
   [[nodiscard]] double missing() const {
-    return external - (elastic + plastic + friction + contact + grounding + remeshing);
+    return external - (elastic + plastic + friction + contact + stabilization + remeshing);
   }
   /// The largest of what has been done, stored and dissipated since `before` [N mm].
   [[nodiscard]] double largest_since(const EnergyBalance& before) const;
@@ -33,7 +33,7 @@ struct EnergyBalance {
   [[nodiscard]] double error_since(const EnergyBalance& before) const;
 
   template <class Archive> void fields(Archive& archive) {
-    archive(external, elastic, plastic, friction, contact, grounding, remeshing, penalty_update, most,
+    archive(external, elastic, plastic, friction, contact, stabilization, remeshing, penalty_update, most,
             nothing);
   }
 };

@@ -69,12 +69,12 @@ bool Process::try_flight(double dt, std::string& why) {
   const Vec3 shift = state_.flights.now->carrier.shift(state_.time, state_.time + dt);
   if (contact_)
     contact_->restart();
-  if (grounding_ && !shift.isZero(0.0)) {
+  if (stabilization_ && !shift.isZero(0.0)) {
     // It resists as before the flight, or not at all: a long way is no load.
     constexpr double nothing = 1e-6; // of the body
     const double before = longest_component(state_.last_step);
     const double usual = before > 0.0 ? before : nothing * body_size(scene_.mesh);
-    grounding_->set_share(std::min(1.0, usual / shift.norm()) * grounding_->share());
+    stabilization_->set_share(std::min(1.0, usual / shift.norm()) * stabilization_->share());
   }
   const std::vector<double> step = state_.last_step, velocity = state_.velocity;
   const double step_dt = state_.last_dt;
@@ -102,7 +102,7 @@ bool Process::fly(const Stage& stage, const std::vector<Observer*>& observers) {
   const double end = std::min(next_landing(stage.end), state_.flights.now->until);
   const double left = end - state_.time;
   const double step = step_towards(left, scene_.increments.max.value_or(left));
-  const double share = grounding_ ? grounding_->share() : 1.0;
+  const double share = stabilization_ ? stabilization_->share() : 1.0;
   std::string why;
   const bool solved = try_flight(step, why);
   if (solved) {
@@ -115,8 +115,8 @@ bool Process::fly(const Stage& stage, const std::vector<Observer*>& observers) {
     state_.flights.none_before = state_.flights.now->until;
     state_.flights.now.reset();
   }
-  if (grounding_)
-    grounding_->set_share(share);
+  if (stabilization_)
+    stabilization_->set_share(share);
   if (solved)
     notify(observers, report(step, 0));
   return solved && state_.time == state_.flights.now->until;

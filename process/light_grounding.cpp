@@ -1,4 +1,4 @@
-// What lets a slender body be solved for: forces that count as none, and a grounding that is no
+// What lets a slender body be solved for: forces that count as none, and a stabilization that is no
 // stiffer than the body. (M.17), (N.2)
 
 #include "process/remeshing.h"
@@ -34,11 +34,11 @@ bool Process::may_hardly_touch(double time) const {
   return acting_force(time) < hardly * body_stiffness() * body_size(scene_.mesh);
 }
 
-void Process::note_largest_force(double of_grounding) {
-  // A part that is pushed through the air is held back by its grounding alone.
+void Process::note_largest_force(double of_stabilization) {
+  // A part that is pushed through the air is held back by its stabilization alone.
   constexpr double far_above = 100.0; // a sum over nodes against a norm
   const auto note = [&](double force) {
-    if (force > far_above * of_grounding)
+    if (force > far_above * of_stabilization)
       state_.forces.largest = std::max(state_.forces.largest, force);
   };
   for (const Index i : prescribed(state_.time).unknowns)
@@ -48,10 +48,10 @@ void Process::note_largest_force(double of_grounding) {
       note(load.force.norm());
 }
 
-bool Process::grounding_weighs(double dt) const {
+bool Process::stabilization_weighs(double dt) const {
   constexpr double nothing = 1e-6; // of all work so far
   constexpr double little = 1e-3;  // of the work of the increment
-  const double lost = grounding_->work_in({state_.time, state_.time + dt, state_.x, trial_x_});
+  const double lost = stabilization_->work_in({state_.time, state_.time + dt, state_.x, trial_x_});
   if (lost <= nothing * state_.works.most)
     return false;
   const EnergyBalance after = energy_after(dt);
@@ -63,10 +63,10 @@ bool Process::grounding_weighs(double dt) const {
   return lost > little * after.largest_since(state_.energy);
 }
 
-/// A slender part is softer than the grounding, which would carry the load of its tools: where it
+/// A slender part is softer than the stabilization, which would carry the load of its tools: where it
 /// does it is made lighter, as far as the part is held by something else. (M.17)
 Outcome<mechanics::NewtonReport>
-Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) {
+Process::with_light_stabilization(double dt, const mechanics::NewtonReport& solved) {
   constexpr double lightest = 1e-6; // equations are solved in double precision
   constexpr int longest_wait = 3;
   const auto solve_on = [&] {
@@ -74,26 +74,26 @@ Process::with_light_grounding(double dt, const mechanics::NewtonReport& solved) 
                           state_.x, trial_x_, mechanics::Approach::from_solution);
   };
   Outcome<mechanics::NewtonReport> now = solved;
-  if (state_.grounding.wait > 0 && state_.grounding.wait-- > 0)
+  if (state_.stabilization.wait > 0 && state_.stabilization.wait-- > 0)
     return now;
-  // What was held by the grounding so far may have a long way to go at once.
+  // What was held by the stabilization so far may have a long way to go at once.
   for (const double lighter : {1e-2, 0.3})
-    while (grounding_->share() > lightest && grounding_weighs(dt)) {
+    while (stabilization_->share() > lightest && stabilization_weighs(dt)) {
       const std::vector<double> x = trial_x_;
-      const double share = grounding_->share();
-      grounding_->set_share(std::max(lightest, lighter * share));
+      const double share = stabilization_->share();
+      stabilization_->set_share(std::max(lightest, lighter * share));
       const auto again = solve_on();
       if (again) {
         now = again;
-        state_.grounding.failures = 0;
+        state_.stabilization.failures = 0;
         continue;
       }
-      grounding_->set_share(share);
+      stabilization_->set_share(share);
       trial_x_ = x;
       now = solve_on();
       if (!now)
         return now;
-      state_.grounding.wait = std::min(++state_.grounding.failures / 2, longest_wait);
+      state_.stabilization.wait = std::min(++state_.stabilization.failures / 2, longest_wait);
       break;
     }
   return now;

@@ -158,7 +158,7 @@ Snapshot Process::snapshot() const {
     s.load_work += load->work();
   for (const auto& load : fading_)
     s.load_work += load->work();
-  s.grounding = state_.energy.grounding;
+  s.stabilization = state_.energy.stabilization;
   return s;
 }
 
@@ -252,7 +252,7 @@ std::vector<contact::PointSource> Process::exchange_mesh(NewPart anew, const Car
   loads_.clear();
   fading_.clear();
   state_.leaving.fading.clear();
-  grounding_.reset();
+  stabilization_.reset();
   newton_.reset();
   contact_.reset();
   bulk_.reset();
@@ -301,7 +301,7 @@ void Process::start_from(const CarriedState& at,
   state_.works.loads_before = to.load_work;
   for (const auto& load : loads_)
     state_.works.loads_before -= load->work(); // of a way that is not taken
-  state_.energy.grounding = to.grounding;
+  state_.energy.stabilization = to.stabilization;
   if (contact_) {
     contact_->start(state_.x, state_.time);
     contact_->go_on_from(to.contact, {sources, state_.x, state_.time});

@@ -40,8 +40,8 @@ std::string leap(const Scene& scene, const Stage& stage, double from, double to)
 void Process::start_stage(const Stage& stage) {
   state_.last_step.clear();
   state_.snapshots.clear();
-  if (grounding_ && grounding_->share() > 1.0)
-    grounding_->set_share(1.0); // it held what forces that faded could turn over
+  if (stabilization_ && stabilization_->share() > 1.0)
+    stabilization_->set_share(1.0); // it held what forces that faded could turn over
   if (contact_ && stage.unload)
     draw_tools_back(stage.end);
   else if (contact_)
@@ -78,15 +78,15 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     contact_->restart();
   if (solve_increment(dt, approach, why))
     return true;
-  if (!grounding_)
+  if (!stabilization_)
     return false;
   const auto solved_with = [&](double share) {
-    grounding_->set_share(share);
+    stabilization_->set_share(share);
     if (contact_)
       contact_->restart();
     return solve_increment(dt, approach, why);
   };
-  const double share = grounding_->share();
+  const double share = stabilization_->share();
   if (share != 1.0 && solved_with(1.0)) // what held the part so far may have gone
     return true;
   // Forces that fade keep their directions: a bent sheet between them may be about to turn over.
@@ -94,7 +94,7 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     for (const double stiffer : {10.0, 100.0, 1e3})
       if (stiffer > share && solved_with(stiffer))
         return true;
-  grounding_->set_share(1.0);
+  stabilization_->set_share(1.0);
   return false;
 }
 
@@ -123,8 +123,8 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
   draw_back_to(state_.time + dt);
   auto outcome = newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
                                 state_.x, trial_x_, approach);
-  if (outcome && grounding_)
-    outcome = with_light_grounding(dt, *outcome);
+  if (outcome && stabilization_)
+    outcome = with_light_stabilization(dt, *outcome);
   if (!outcome)
     why = outcome.error().reason + chattering_points();
   else
@@ -231,10 +231,10 @@ void Process::commit(double dt) {
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     state_.plastic_rate[k] = (bulk_->states()[k].plastic_strain - strain_old[k]) / dt;
   state_.works.supports += work_of_supports(dt);
-  double of_grounding = 0.0;
-  if (grounding_) {
-    state_.energy.grounding += grounding_->work_in(trial);
-    of_grounding = grounding_->force_in(trial);
+  double of_stabilization = 0.0;
+  if (stabilization_) {
+    state_.energy.stabilization += stabilization_->work_in(trial);
+    of_stabilization = stabilization_->force_in(trial);
   }
   for (const Index i : prescribed(state_.time + dt).unknowns)
     state_.reactions[idx(i)] = newton_->residual()[idx(i)];
@@ -247,7 +247,7 @@ void Process::commit(double dt) {
   state_.last_dt = dt;
   state_.x = trial_x_;
   state_.time += dt;
-  note_largest_force(of_grounding);
+  note_largest_force(of_stabilization);
 }
 
 void Process::account_contact(double dt) {

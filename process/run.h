@@ -12,7 +12,7 @@
 #include "geometry/mesh2d/domain_remesher.h"
 #include "geometry/surfaces/retreating_surface.h"
 #include "mechanics/equilibrium/newton.h"
-#include "mechanics/loads/grounding.h"
+#include "mechanics/loads/rigid_body_stabilization.h"
 #include "mechanics/loads/loads.h"
 #include "process/blows.h"
 #include "process/drives.h"
@@ -160,7 +160,7 @@ public:
   [[nodiscard]] int remeshing_iterations() const { return state_.counters.remeshing_iterations; }
   /// Plastic work done while forces of tools that had left faded and no tool touched [N mm].
   [[nodiscard]] double flow_in_fading() const { return state_.leaving.flow_in_fading; }
-  /// Rigid motions held by grounding alone.
+  /// Rigid motions held by stabilization alone.
   [[nodiscard]] int grounded_motions() const { return grounded_; }
 
 private:
@@ -255,12 +255,12 @@ private:
   [[nodiscard]] double acting_force(double time) const;
   /// Whether forces are so small that they may be no more than what rounding makes of a touch.
   [[nodiscard]] bool may_hardly_touch(double time) const;
-  /// @param of_grounding  what the grounding has resisted with in the increment [N]
-  void note_largest_force(double of_grounding);
-  /// Whether the grounding takes more of the increment just tried than it may.
-  [[nodiscard]] bool grounding_weighs(double dt) const;
+  /// @param of_stabilization  what the stabilization has resisted with in the increment [N]
+  void note_largest_force(double of_stabilization);
+  /// Whether the stabilization takes more of the increment just tried than it may.
+  [[nodiscard]] bool stabilization_weighs(double dt) const;
   [[nodiscard]] Outcome<mechanics::NewtonReport>
-  with_light_grounding(double dt, const mechanics::NewtonReport& solved);
+  with_light_stabilization(double dt, const mechanics::NewtonReport& solved);
   /// Whether increments are accepted only as deep as a limit allows.
   [[nodiscard]] bool bounds_penetration() const;
   /// Presses harder until the limit of penetration holds. (P.7)
@@ -444,7 +444,7 @@ private:
   std::unique_ptr<NarrowTools> narrow_;
   std::unique_ptr<Blows> blows_; ///< none: no press strikes
   std::vector<std::unique_ptr<mechanics::Load>> loads_;
-  std::unique_ptr<mechanics::Grounding> grounding_;
+  std::unique_ptr<mechanics::RigidBodyStabilization> stabilization_;
   std::vector<std::unique_ptr<mechanics::Load>> fading_; ///< forces of tools that have left
   /// A tool that touched when an unload stage began, its surface in another that draws back.
   struct Retreating {

@@ -37,7 +37,7 @@ std::optional<FailedCheck> stabilization(const Process& process) {
   const EnergyBalance& energy = process.energy();
   if (!(energy.scale() > energy.nothing))
     return std::nullopt;
-  const double share = energy.grounding / energy.scale();
+  const double share = energy.stabilization / energy.scale();
   if (!(share > most))
     return std::nullopt;
   return FailedCheck{

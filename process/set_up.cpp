@@ -84,9 +84,9 @@ void Process::make_terms() {
   if (grounded_ > 0) {
     // Spread over all nodes it is a hundred-millionth of the body's own stiffness.
     constexpr double share = 1e-8;
-    grounding_ = std::make_unique<mechanics::Grounding>(
+    stabilization_ = std::make_unique<mechanics::RigidBodyStabilization>(
         share * body_stiffness() / scene_.mesh.n_points(), pattern_);
-    terms_.push_back(grounding_.get());
+    terms_.push_back(stabilization_.get());
   }
   newton_->set_force_floor(force_floor(state_.time));
   constexpr double rounding = 1e-16; // of E times the volume: strains of 1e-8

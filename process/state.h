@@ -40,11 +40,11 @@ struct Snapshot {
   double plastic_work = 0.0;     ///< done so far [N mm]
   double support_work = 0.0;     ///< likewise
   double load_work = 0.0;        ///< likewise
-  double grounding = 0.0;        ///< lost so far [N mm]
+  double stabilization = 0.0;        ///< lost so far [N mm]
 
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, x, states, temperatures, velocity, last_step, last_dt, plastic_rate,
-            contact, reference_volume, plastic_work, support_work, load_work, grounding);
+            contact, reference_volume, plastic_work, support_work, load_work, stabilization);
   }
 };
 
@@ -105,8 +105,8 @@ struct ForceRecord {
   }
 };
 
-/// How the grounding of free motions gets lighter.
-struct GroundingRecord {
+/// How the stabilization of free motions gets lighter.
+struct StabilizationRecord {
   int failures = 0; ///< to do with a lighter one, in a row
   int wait = 0;     ///< increments until that is tried again
 
@@ -243,7 +243,7 @@ struct State {
   EnergyBalance energy;
   Works works;
   ForceRecord forces;
-  GroundingRecord grounding;
+  StabilizationRecord stabilization;
   LeavingTools leaving;
   FlightRecord flights;
   MeshRecord mesh;
@@ -256,7 +256,7 @@ struct State {
 
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, last_dt, longest, origins, x, last_step, velocity, plastic_rate,
-            reactions, energy, works, forces, grounding, leaving, flights, mesh, snapshots,
+            reactions, energy, works, forces, stabilization, leaving, flights, mesh, snapshots,
             progress, counters, record, springs_back, energy_used_up);
   }
 };

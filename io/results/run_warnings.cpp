@@ -80,13 +80,13 @@ std::vector<std::string> RunWriter::warnings(const process::Process& process) co
         100.0 * energy.error(), energy.missing(), content_->units.force, content_->units.length,
         most_missed_at_, content_->units.time, most_missed_));
   if (const process::EnergyBalance& energy = process.energy();
-      energy.grounding > budget * energy.scale())
+      energy.stabilization > budget * energy.scale())
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) went into the grounding, which holds the "
         "part "
         "where neither supports nor tools do: forces and shape are off by as much and more; a "
         "[[support]] for its free motions mends that",
-        100.0 * energy.grounding / energy.scale(), energy.grounding, content_->units.force,
+        100.0 * energy.stabilization / energy.scale(), energy.stabilization, content_->units.force,
         content_->units.length));
   constexpr double most_lost = 0.02; // hub-forging-3d, of Coulomb's friction: 0.5 %
   if (const process::EnergyBalance& energy = process.energy();

@@ -16,7 +16,7 @@ ordered_json energy_json(const process::EnergyBalance& e) {
           {"plastic_work", e.plastic},
           {"friction_work", e.friction},
           {"contact_energy", e.contact},
-          {"grounding_work", e.grounding},
+          {"grounding_work", e.stabilization},
           {"enforcement_work", e.penalty_update},
           {"lost_in_remeshing", e.remeshing},
           {"relative_error", e.error()}};

@@ -1,9 +1,9 @@
 // What Newton's method sums: forces on the nodes and their derivatives.
 //
-// The bulk of the workpiece, loads, contact and the grounding of free bodies are all force terms.
-// The residual is the sum of internal minus external forces; at equilibrium it vanishes at every
-// unknown that is not prescribed. A term never changes its committed state while it assembles, so
-// any trial can be repeated to the bit.
+// The bulk of the workpiece, loads, contact and the stabilization of free bodies are all force
+// terms. The residual is the sum of internal minus external forces; at equilibrium it vanishes at
+// every unknown that is not prescribed. A term never changes its committed state while it
+// assembles, so any trial can be repeated to the bit.
 //
 // Units   forces N (plane strain: N per unit thickness; axisymmetric: of the full turn).
 

@@ -515,7 +515,7 @@ TEST(Remeshing, CarriesTemperaturesOn) {
   EXPECT_NEAR(mean(process) - 20.0, rise, 5e-3 * rise);
 }
 
-TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
+TEST(Remeshing, TakesNothingForStabilizationThatDidNotMove) {
   // Two dies press a billet that no support holds along its axis.
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 4, 0.2, contact::Coulomb{0.1}));
   scene.supports.pop_back();
@@ -528,11 +528,11 @@ TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
   Process process(std::move(scene));
   ASSERT_EQ(process.grounded_motions(), 1);
   double before = 0.0;
-  Watcher watcher([&](const Process& p) { before = p.energy().grounding; },
+  Watcher watcher([&](const Process& p) { before = p.energy().stabilization; },
                   [&](const Process& p, const RemeshReport&) {
                     EXPECT_GT(before, 0.0);
                     // Squares of steps: what is solved again in longer ones has more of it.
-                    EXPECT_LT(p.energy().grounding, 1.5 * before);
+                    EXPECT_LT(p.energy().stabilization, 1.5 * before);
                   });
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
   EXPECT_GE(process.remeshings().size(), 3u);

@@ -25,7 +25,7 @@ struct Patch {
   contact::Form form = contact::Form::mixed;
   double tilt = 0.0; ///< of block and plane about z [rad]
   bool facets = false;
-  bool free = false;          ///< no support: the block may slide; grounding holds it
+  bool free = false;          ///< no support: the block may slide; stabilization holds it
   double surface_shift = 0.0; ///< distorts the contact faces in their own plane
   bool depths_differ = false; ///< the layer that touches is distorted as well
 };
@@ -75,7 +75,7 @@ Scene patch_scene(const Patch& patch) {
       scene.supports.push_back(held(scene.mesh, 2, 0.0));
   }
   scene.contact_faces = faces_on(scene.mesh, 1, 0.0);
-  // Raised in the first second and held in the next: at rest the grounding vanishes.
+  // Raised in the first second and held in the next: at rest the stabilization vanishes.
   scene.loads.push_back(PressureOn{faces_on(scene.mesh, 1, 1.0),
                                    TimeFunction({{0.0, 0.0}, {1.0, pressure}, {2.0, pressure}})});
   const geometry::Pose pose = geometry::rotation_about(Vec3::Zero(), Vec3::UnitZ(), patch.tilt);
@@ -208,7 +208,7 @@ double lowest_after_pressing(double inside) {
 }
 
 // Fail so far. An iterate at which no point is inside the tool leaves a body that only forces press
-// with no stiffness but the grounding's: the next correction throws it beyond the reach of the
+// with no stiffness but the stabilization's: the next correction throws it beyond the reach of the
 // search. The scenes above start 1e-5 inside and take few steps; that helps them, it is no cure.
 TEST(PressedBlock, IsStoppedByAFloorThatItOnlyTouches) {
   EXPECT_GT(lowest_after_pressing(0.0), -0.1);

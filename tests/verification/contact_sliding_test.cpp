@@ -114,7 +114,7 @@ TEST(SlidingBlock, StaysOnASlopeUpToTheAngleOfFriction) {
       EXPECT_EQ(done.status, RunStatus::done);
       EXPECT_NEAR(moved, share * mu * pressure / stick_stiffness, 1e-4);
     } else {
-      // No equilibrium but the grounding's: far away, or none found.
+      // No equilibrium but the stabilization's: far away, or none found.
       EXPECT_TRUE(done.status == RunStatus::not_converged || moved > 1.0);
     }
   }

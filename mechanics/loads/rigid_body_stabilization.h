@@ -8,11 +8,11 @@ namespace billet::mechanics {
 
 /// Resistance against the motion of every unknown of the nodes within an increment; it vanishes at
 /// rest.
-class Grounding final : public ForceTerm {
+class RigidBodyStabilization final : public ForceTerm {
 public:
   /// @param stiffness  of an unknown [N/mm]
   /// @pre pattern outlives this
-  Grounding(double stiffness, const BlockPattern& pattern)
+  RigidBodyStabilization(double stiffness, const BlockPattern& pattern)
       : stiffness_(stiffness), pattern_(&pattern) {}
 
   [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override;

@@ -1,4 +1,4 @@
-#include "mechanics/loads/grounding.h"
+#include "mechanics/loads/rigid_body_stabilization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace billet::mechanics {
 
-Outcome<Assembled> Grounding::assemble(const Trial& trial, System& system) {
+Outcome<Assembled> RigidBodyStabilization::assemble(const Trial& trial, System& system) {
   for (Index i = 0; i < pattern_->n_dofs(); ++i) {
     system.residual[idx(i)] += stiffness() * (trial.x[idx(i)] - trial.x_old[idx(i)]);
     const auto first = pattern_->columns.begin() + pattern_->row_start[idx(i)];
@@ -17,17 +17,19 @@ Outcome<Assembled> Grounding::assemble(const Trial& trial, System& system) {
   return Assembled{};
 }
 
-double Grounding::squares(const Trial& trial) const {
+double RigidBodyStabilization::squares(const Trial& trial) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < idx(pattern_->n_dofs()); ++i)
     sum += (trial.x[i] - trial.x_old[i]) * (trial.x[i] - trial.x_old[i]);
   return sum;
 }
 
-double Grounding::force_in(const Trial& trial) const {
+double RigidBodyStabilization::force_in(const Trial& trial) const {
   return stiffness() * std::sqrt(squares(trial));
 }
 
-double Grounding::work_in(const Trial& trial) const { return stiffness() * squares(trial); }
+double RigidBodyStabilization::work_in(const Trial& trial) const {
+  return stiffness() * squares(trial);
+}
 
 } // namespace billet::mechanics
