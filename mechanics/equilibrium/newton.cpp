@@ -178,8 +178,9 @@ double Newton::slope() const {
   return sum;
 }
 
-Outcome<SolveReport>
-Newton::correct(const Prescribed& prescribed, std::span<const double> x, const Demand& demand) {
+Outcome<SolveReport> Newton::correct(const Prescribed& prescribed,
+                                     std::span<const double> x,
+                                     const SolveOptions& options) {
   const Stopwatch watch(times_.solve);
   auto& values = system_.tangent.values;
   std::fill(correction_.begin(), correction_.end(), 0.0);
@@ -213,15 +214,15 @@ Newton::correct(const Prescribed& prescribed, std::span<const double> x, const D
   std::erase_if(system_.tangent.unsymmetric, [&](const EntryPart& part) {
     return fixed_[idx(part.row)] != 0 || fixed_[idx(pattern_->columns[idx(part.entry)])] != 0;
   });
-  return solve_bordered(demand);
+  return solve_bordered(options);
 }
 
 /// Eliminates the nodes: one more right-hand side for each unknown that belongs to none. (N.7)
-Outcome<SolveReport> Newton::solve_bordered(const Demand& demand) {
+Outcome<SolveReport> Newton::solve_bordered(const SolveOptions& options) {
   const std::size_t n = rhs_.size();
   const std::size_t m = system_.borders.size();
   const std::span<double> nodal = std::span(correction_).first(n);
-  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, demand);
+  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, options);
   const bool held = std::all_of(fixed_.begin() + static_cast<std::ptrdiff_t>(n), fixed_.end(),
                                 [](char fixed) { return fixed != 0; });
   if (!solved || held) // they are where they have been told to be: none follows its load
@@ -450,7 +451,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     before = relative;
     // After an event - a contact that opens or closes, a line search - the tangent is another.
     const auto solved =
-        correct(prescribed, x, Demand{forcing(relative, settings_.tolerance), !settled_});
+        correct(prescribed, x, SolveOptions{forcing(relative, settings_.tolerance), !settled_});
     if (!solved)
       return solved.error();
     if (iteration > 1 && missing() == 0.0)

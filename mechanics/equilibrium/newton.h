@@ -117,8 +117,8 @@ private:
   [[nodiscard]] Outcome<Norms>
   evaluate(std::span<ForceTerm* const> terms, const Trial& trial, bool forces_only = false);
   [[nodiscard]] Outcome<SolveReport>
-  correct(const Prescribed& prescribed, std::span<const double> x, const Demand& demand);
-  [[nodiscard]] Outcome<SolveReport> solve_bordered(const Demand& demand);
+  correct(const Prescribed& prescribed, std::span<const double> x, const SolveOptions& options);
+  [[nodiscard]] Outcome<SolveReport> solve_bordered(const SolveOptions& options);
   [[nodiscard]] Outcome<Evaluation> search(std::span<ForceTerm* const> terms,
                                            const Trial& trial,
                                            std::vector<double>& x,
