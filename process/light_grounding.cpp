@@ -63,15 +63,15 @@ bool Process::stabilization_weighs(double dt) const {
   return lost > little * after.largest_since(state_.energy);
 }
 
-/// A slender part is softer than the stabilization, which would carry the load of its tools: where it
-/// does it is made lighter, as far as the part is held by something else. (M.17)
+/// A slender part is softer than the stabilization, which would carry the load of its tools: where
+/// it does it is made lighter, as far as the part is held by something else. (M.17)
 Outcome<mechanics::NewtonReport>
 Process::with_light_stabilization(double dt, const mechanics::NewtonReport& solved) {
   constexpr double lightest = 1e-6; // equations are solved in double precision
   constexpr int longest_wait = 3;
   const auto solve_on = [&] {
     return newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
-                          state_.x, trial_x_, mechanics::Approach::from_solution);
+                          state_.x, trial_x_, mechanics::Continuation::from_solution);
   };
   Outcome<mechanics::NewtonReport> now = solved;
   if (state_.stabilization.wait > 0 && state_.stabilization.wait-- > 0)

@@ -129,7 +129,7 @@ bool Process::limit_penetration(double dt, std::string& why) {
     const double before = state_.record.penetration.pressed;
     const auto again =
         newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
-                       state_.x, trial_x_, mechanics::Approach::from_solution);
+                       state_.x, trial_x_, mechanics::Continuation::from_solution);
     if (!again) {
       why = penetration_failure(round) + "; when pressed harder: " + again.error().reason;
       return false;

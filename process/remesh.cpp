@@ -429,7 +429,7 @@ int Process::solve_again(const Snapshot& end) {
     std::string why;
     refused_as_too_deep_ = refused_inside_out_ = false;
     const bool is_shortest = 0.5 * step < shortest * length;
-    if (try_increment(step, mechanics::Approach::directly, why) ||
+    if (try_increment(step, mechanics::Continuation::none, why) ||
         ((failures > 0 || is_shortest) && try_softened(step, false, why))) {
       commit(step);
       if (lands)

@@ -73,10 +73,10 @@ std::vector<double> Process::predicted(double dt) const {
   return x;
 }
 
-bool Process::try_increment(double dt, mechanics::Approach approach, std::string& why) {
+bool Process::try_increment(double dt, mechanics::Continuation continuation, std::string& why) {
   if (contact_)
     contact_->restart();
-  if (solve_increment(dt, approach, why))
+  if (solve_increment(dt, continuation, why))
     return true;
   if (!stabilization_)
     return false;
@@ -84,7 +84,7 @@ bool Process::try_increment(double dt, mechanics::Approach approach, std::string
     stabilization_->set_share(share);
     if (contact_)
       contact_->restart();
-    return solve_increment(dt, approach, why);
+    return solve_increment(dt, continuation, why);
   };
   const double share = stabilization_->share();
   if (share != 1.0 && solved_with(1.0)) // what held the part so far may have gone
@@ -106,11 +106,11 @@ bool Process::touched() const {
   return false;
 }
 
-bool Process::solve_increment(double dt, mechanics::Approach approach, std::string& why) {
+bool Process::solve_increment(double dt, mechanics::Continuation continuation, std::string& why) {
   between_increments_ = false;
   systems_before_try_ = solver_work().systems;
   trial_x_ = state_.x;
-  if (!state_.last_step.empty() && approach != mechanics::Approach::gently) {
+  if (!state_.last_step.empty() && continuation != mechanics::Continuation::penalty_and_friction) {
     const double factor = dt / state_.last_dt;
     for (std::size_t i = 0; i < state_.x.size(); ++i)
       trial_x_[i] += factor * state_.last_step[i];
@@ -122,7 +122,7 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
   newton_->set_force_floor(force_floor(state_.time + dt));
   draw_back_to(state_.time + dt);
   auto outcome = newton_->solve(terms_, prescribed(state_.time + dt), state_.time, state_.time + dt,
-                                state_.x, trial_x_, approach);
+                                state_.x, trial_x_, continuation);
   if (outcome && stabilization_)
     outcome = with_light_stabilization(dt, *outcome);
   if (!outcome)
@@ -140,38 +140,40 @@ bool Process::solve_increment(double dt, mechanics::Approach approach, std::stri
   return solved;
 }
 
-bool Process::try_softened(double dt, bool patiently, std::string& why) {
+bool Process::try_softened(double dt, bool more_iterations, std::string& why) {
   const auto may_help = [this] { // what has been solved and refused has the same solution again
     return contact_ && !refused_as_too_deep_ && !refused_inside_out_;
   };
   // A part that is free but for a touch goes to and fro between points that are off by rounding.
   if (may_help() && may_hardly_touch(state_.time + dt)) {
     hardly_touches_ = true;
-    const bool solved = try_increment(dt, mechanics::Approach::directly, why);
+    const bool solved = try_increment(dt, mechanics::Continuation::none, why);
     hardly_touches_ = false;
     if (solved)
       return true;
   }
   // A softer friction finds the neutral point of a roll; a softer penalty where a sheet lifts off
   // a tool that it lay on: a stiff one opens little more than a point an iteration.
-  for (const mechanics::Approach approach :
-       {mechanics::Approach::softly, mechanics::Approach::gently})
-    if (may_help() && try_increment(dt, approach, why))
+  for (const mechanics::Continuation continuation :
+       {mechanics::Continuation::friction, mechanics::Continuation::penalty_and_friction})
+    if (may_help() && try_increment(dt, continuation, why))
       return true;
-  if (may_help() && try_friction_limited(dt, mechanics::Approach::directly, why))
+  if (may_help() && try_friction_limited(dt, mechanics::Continuation::none, why))
     return true;
   // Metal that snaps off an edge has far to go in any increment.
-  return patiently && may_help() &&
-         (try_increment(dt, mechanics::Approach::patiently, why) ||
-          try_friction_limited(dt, mechanics::Approach::patiently, why));
+  return more_iterations && may_help() &&
+         (try_increment(dt, mechanics::Continuation::more_iterations, why) ||
+          try_friction_limited(dt, mechanics::Continuation::more_iterations, why));
 }
 
-bool Process::try_friction_limited(double dt, mechanics::Approach approach, std::string& why) {
+bool Process::try_friction_limited(double dt,
+                                   mechanics::Continuation continuation,
+                                   std::string& why) {
   // Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
   // does not.
   constexpr int most_rounds = 4; // calm points may leave others chattering
   for (int round = 0; round < most_rounds && contact_->restart_friction_limited(); ++round) {
-    if (solve_increment(dt, approach, why))
+    if (solve_increment(dt, continuation, why))
       return true;
     if (refused_as_too_deep_ || refused_inside_out_)
       break;
@@ -257,8 +259,8 @@ void Process::account_contact(double dt) {
   strain.reserve(bulk_->states().size());
   for (const auto& state : bulk_->states())
     strain.push_back(state.plastic_strain);
-  state_.record.window.add(contact_->closed(), {surface_->bulk_points(), strain, state_.plastic_rate},
-                           dt);
+  state_.record.window.add(contact_->closed(),
+                           {surface_->bulk_points(), strain, state_.plastic_rate}, dt);
   if (wear_)
     wear_->add(*contact_, state_.x, state_.time);
 }
@@ -420,7 +422,7 @@ Process::run_stage(const Stage& stage, double start, const std::vector<Observer*
     activate_tools(stage, state_.time + step);
     std::string why = leap(scene_, stage, state_.time, state_.time + step);
     refused_as_too_deep_ = refused_inside_out_ = false;
-    if (why.empty() && (try_increment(step, mechanics::Approach::directly, why) ||
+    if (why.empty() && (try_increment(step, mechanics::Continuation::none, why) ||
                         ((failures > 0 || parts_in_rows() || is_last_way(failures, step)) &&
                          try_softened(step, is_last_way(failures, step), why)) ||
                         (failures >= many_failures && try_held_tool(step, why)))) {

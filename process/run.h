@@ -12,8 +12,8 @@
 #include "geometry/mesh2d/domain_remesher.h"
 #include "geometry/surfaces/retreating_surface.h"
 #include "mechanics/equilibrium/newton.h"
-#include "mechanics/loads/rigid_body_stabilization.h"
 #include "mechanics/loads/loads.h"
+#include "mechanics/loads/rigid_body_stabilization.h"
 #include "process/blows.h"
 #include "process/drives.h"
 #include "process/energy_balance.h"
@@ -138,8 +138,8 @@ public:
   [[nodiscard]] double coarse_contact() const;
   /// Tools that touch in too short zones only: their forces can be far too high.
   [[nodiscard]] std::vector<ContactZone> poorly_resolved_tools() const;
-  /// Whether what a tool does in a zone is to indent: pressure near the flow stress of the part there, or an
-  /// indentation that takes part in the work.
+  /// Whether what a tool does in a zone is to indent: pressure near the flow stress of the part
+  /// there, or an indentation that takes part in the work.
   [[nodiscard]] bool indents(const ContactZone& zone) const;
   /// Remeshings of the run, in their order.
   [[nodiscard]] std::span<const RemeshReport> remeshings() const {
@@ -211,11 +211,13 @@ private:
   bool fly(const Stage& stage, const std::vector<Observer*>& observers);
   [[nodiscard]] bool try_flight(double dt, std::string& why);
   void guess_flight(const Vec3& shift, double dt);
-  [[nodiscard]] bool try_increment(double dt, mechanics::Approach approach, std::string& why);
+  [[nodiscard]] bool
+  try_increment(double dt, mechanics::Continuation continuation, std::string& why);
   /// Whether the part lies on any tool.
   [[nodiscard]] bool touched() const;
   /// Likewise, with contact as it has been started for the try.
-  [[nodiscard]] bool solve_increment(double dt, mechanics::Approach approach, std::string& why);
+  [[nodiscard]] bool
+  solve_increment(double dt, mechanics::Continuation continuation, std::string& why);
   /// Whether a tool's force falls so far in the increment just tried that half of its work, with
   /// the force before, would spoil the balance of energy. (P.23)
   [[nodiscard]] bool lets_go_too_fast(double dt) const;
@@ -233,11 +235,11 @@ private:
   [[nodiscard]] std::optional<Bend> bend_within(double dt, double length, double shortest) const;
   /// By way of softer contact, after an increment has failed. (N.10)
   ///
-  /// @param patiently  with as many iterations as it takes, in the end
-  [[nodiscard]] bool try_softened(double dt, bool patiently, std::string& why);
+  /// @param more_iterations  with as many iterations as it takes, in the end
+  [[nodiscard]] bool try_softened(double dt, bool more_iterations, std::string& why);
   /// Likewise, with less friction where points go from stick to slip and back.
   [[nodiscard]] bool
-  try_friction_limited(double dt, mechanics::Approach approach, std::string& why);
+  try_friction_limited(double dt, mechanics::Continuation continuation, std::string& why);
   /// Likewise, the tool that a load drives held in one place after the other, until the part bears
   /// the load. (P.32)
   [[nodiscard]] bool try_held_tool(double dt, std::string& why);

@@ -37,8 +37,8 @@ double largest(std::span<const double> v) {
 /// A trial that still is this far off after so many iterations has lost its way: a shorter
 /// increment costs less than going on. (N.5) Measured on 5400 tries of eleven cases: of 570 that
 /// failed 435 come to the first mark, of 4840 that come through 8.
-bool hopeless(Approach approach, int iterations, double relative_residual) {
-  if (approach == Approach::patiently)
+bool hopeless(Continuation continuation, int iterations, double relative_residual) {
+  if (continuation == Continuation::more_iterations)
     return false;
   return (iterations >= 8 && relative_residual > 0.9) ||
          (iterations >= 10 && relative_residual > 0.3) ||
@@ -63,11 +63,11 @@ double expected_residual(double before, double now) {
 }
 
 /// Ten times stiffer whenever the residual is small. (N.10)
-Softening first_softening(Approach approach) {
+Softening first_softening(Continuation continuation) {
   constexpr double soft = 1e-3, gentle = 1e-4;
-  if (approach == Approach::softly)
+  if (continuation == Continuation::friction)
     return {soft, 1.0};
-  if (approach == Approach::gently)
+  if (continuation == Continuation::penalty_and_friction)
     return {gentle, gentle};
   return {};
 }
@@ -79,17 +79,17 @@ void harden(Softening& softening) {
 }
 
 /// Times the usual number.
-int iterations_for(Approach approach) {
-  constexpr int softly = 2, gently = 4, patiently = 4;
-  switch (approach) {
-  case Approach::softly:
-    return softly;
-  case Approach::gently:
-    return gently;
-  case Approach::patiently:
-    return patiently;
-  case Approach::directly:
-  case Approach::from_solution:
+int iterations_for(Continuation continuation) {
+  constexpr int friction = 2, penalty_and_friction = 4, more_iterations = 4;
+  switch (continuation) {
+  case Continuation::friction:
+    return friction;
+  case Continuation::penalty_and_friction:
+    return penalty_and_friction;
+  case Continuation::more_iterations:
+    return more_iterations;
+  case Continuation::none:
+  case Continuation::from_solution:
     break;
   }
   return 1;
@@ -374,12 +374,12 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     double time,
                                     std::span<const double> x_old,
                                     std::vector<double>& x,
-                                    Approach approach) {
-  const bool guessed = approach != Approach::from_solution;
+                                    Continuation continuation) {
+  const bool guessed = continuation != Continuation::from_solution;
   if (guessed)
     records_.clear();
   mark(prescribed);
-  Softening softening = first_softening(approach);
+  Softening softening = first_softening(continuation);
   const auto trial = [&](bool first_guess = false) {
     return Trial{time_old, time, x_old, x, softening, first_guess};
   };
@@ -414,13 +414,13 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   double before = norms->residual / norms->scale;
   double correction = 0.0;
   int hardened = 0; // the iteration that the last softness was left at
-  const int most_iterations = iterations_for(approach) * settings_.most_iterations;
+  const int most_iterations = iterations_for(continuation) * settings_.most_iterations;
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     double relative = norms->residual / norms->scale;
     constexpr double near = 1e-4;
     if (softening.slip < 1.0 && relative <= near) {
       harden(softening);
-      if (approach == Approach::gently)
+      if (continuation == Continuation::penalty_and_friction)
         hardened = iteration - 1;
       norms = evaluate(terms, trial());
       if (!norms)
@@ -444,7 +444,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     }
     if ((solved_well || (softening.slip == 1.0 && at_rounding(relative))) && missing() == 0.0)
       return NewtonReport{iteration - 1, relative, norms->scale};
-    if (hopeless(approach, iteration - 1 - hardened, relative))
+    if (hopeless(continuation, iteration - 1 - hardened, relative))
       return Failure{"no convergence"};
     const bool expected_last = settled_ && softening.slip == 1.0 && missing() == 0.0 &&
                                expected_residual(before, relative) <= settings_.tolerance;

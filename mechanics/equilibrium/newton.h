@@ -58,13 +58,16 @@ struct NewtonTimes {
   double solve = 0.0;
 };
 
-/// How an increment goes to its solution.
-enum class Approach {
-  directly,      ///< from a first guess
-  softly,        ///< from a first guess, by way of the solution with a softer resistance to slip
-  gently,        ///< from the start of the increment, with a softer resistance to penetration, too
-  patiently,     ///< from a first guess, however long it takes: metal snaps, no increment is short
-  from_solution, ///< from what solves terms that have changed a little since; goes on recording
+/// What is continued to the full problem on the way to a solution, or is given more time.
+enum class Continuation {
+  none,     ///< from a first guess
+  friction, ///< from a first guess, by way of the solution with a softer resistance to slip
+  /// From the start of the increment, with a softer resistance to penetration, too.
+  penalty_and_friction,
+  /// From a first guess, however long it takes: metal snaps, no increment is short.
+  more_iterations,
+  /// From what solves terms that have changed a little since; goes on recording.
+  from_solution,
 };
 
 /// The iteration, with the memory it works in.
@@ -91,7 +94,7 @@ public:
                                             double time,
                                             std::span<const double> x_old,
                                             std::vector<double>& x,
-                                            Approach approach = Approach::directly);
+                                            Continuation continuation = Continuation::none);
 
   /// Goes on as if this were its first call: what the next ones do depends on no earlier one.
   void forget();
