@@ -16,15 +16,15 @@ namespace billet::contact {
 namespace {
 
 /// Corners and roundings turn by more than this [rad].
-constexpr double least_turn = 10.0 * std::numbers::pi / 180.0;
+constexpr double min_turn = 10.0 * std::numbers::pi / 180.0;
 /// Of the parent element: as far outside a new mesh a corner that pressed on the old one still
 /// does.
 constexpr double still_presses = 0.02;
 
 /// Coordinates of the nodes of a face, then the travel and the turn of the tool.
-constexpr int most_nodal = 6;
-constexpr int most_unknowns = 8;
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, most_unknowns, 1>>;
+constexpr int max_nodal = 6;
+constexpr int max_unknowns = 8;
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, max_unknowns, 1>>;
 using Dual2 = Eigen::Matrix<Dual, 2, 1>;
 
 Dual2 dual(const Vec2& v) { return {Dual(v.x()), Dual(v.y())}; }
@@ -41,7 +41,7 @@ Dual2 moving(const Vec2& v, std::span<const PlaceRate> drives, const Rate& rate)
   for (std::size_t i = 0; i < drives.size(); ++i) {
     const Vec3 by = rate(drives[i]);
     for (int d = 0; d < 2; ++d)
-      moved[d].derivatives()[most_nodal + static_cast<int>(i)] = by[d];
+      moved[d].derivatives()[max_nodal + static_cast<int>(i)] = by[d];
   }
   return moved;
 }
@@ -167,8 +167,7 @@ public:
         const Dual r = -(line.N[a] + line.dN[a] * foot.step) * force[d];
         residual_[row] = r.value();
         tangent_.row(row) = r.derivatives().template head<size>().transpose();
-        by_drives_.row(row) =
-            r.derivatives().template tail<most_unknowns - most_nodal>().transpose();
+        by_drives_.row(row) = r.derivatives().template tail<max_unknowns - max_nodal>().transpose();
         gradient[row] = line.N[a] * foot.normal[d].value();
       }
     unsymmetric_ = tangent_ - stiffness * gradient * gradient.transpose();
@@ -193,7 +192,7 @@ public:
 private:
   Eigen::Matrix<double, size, 1> residual_;
   Square tangent_, unsymmetric_;
-  Eigen::Matrix<double, size, most_unknowns - most_nodal> by_drives_;
+  Eigen::Matrix<double, size, max_unknowns - max_nodal> by_drives_;
 };
 
 /// What a corner's force does over the rates of its tool's free degrees of freedom. (C.14)
@@ -218,7 +217,7 @@ void add_to_drives(const DualCorner& corner,
       for (int d = 0; d < 2; ++d)
         border.row[idx(2 * nodes[a] + d)] += r.derivatives()[static_cast<int>(2 * a) + d];
     for (std::size_t j = 0; j < corner.drives.size(); ++j)
-      border.corner[corner.drives[j].drive] += r.derivatives()[most_nodal + static_cast<int>(j)];
+      border.corner[corner.drives[j].drive] += r.derivatives()[max_nodal + static_cast<int>(j)];
   }
 }
 
@@ -234,7 +233,7 @@ struct CornerContact::Pressing {
 CornerContact::CornerContact(const ContactSurface& surface, const geometry::RigidSurface& tool) {
   if (surface.analysis() == mechanics::Analysis::solid || surface.n_faces() == 0)
     return;
-  shapes_ = tool.corners(least_turn);
+  shapes_ = tool.corners(min_turn);
   if (shapes_.empty())
     return;
   search_ = CornerSearch(surface);

@@ -22,7 +22,7 @@ using mechanics::FacePoint;
 constexpr double dead_zone = 1e-9;
 
 /// Of the springs, over the largest contact pressure of their face.
-constexpr double most_pressures = 10.0;
+constexpr double max_pressures = 10.0;
 
 /// Of what a spring is off, followed at the end of an increment. Springs that went the whole way
 /// would lift a point off the tool, be gone for it, let it come back, and so on.
@@ -182,7 +182,7 @@ void FaceStabilization::set(const ContactSurface& surface,
         if (!pressure && !pressed)
           continue;
         mechanics::gather(x, surface.scatter().nodes(f), dim, local.data());
-        const double deepest = most_pressures * pressure.value_or(0.0) / stiffness;
+        const double deepest = max_pressures * pressure.value_or(0.0) / stiffness;
         const auto face = wanted<Shape>(surface.analysis(), at, local.data(), deepest);
         if (!face || (!pressure && face->is_clear))
           continue;

@@ -12,10 +12,10 @@ namespace billet::contact {
 ///
 /// @param way  gone in the increment [mm]
 [[nodiscard]] inline double decayed(double offset, double way) {
-  constexpr double least_left = 0.5;
+  constexpr double min_left = 0.5;
   constexpr double share_of_way = 0.25;
   const double size = std::abs(offset);
-  return std::copysign(std::max(least_left * size, size - share_of_way * way), offset);
+  return std::copysign(std::max(min_left * size, size - share_of_way * way), offset);
 }
 
 } // namespace billet::contact

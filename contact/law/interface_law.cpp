@@ -39,11 +39,11 @@ ArcExcess arc_excess(double cosine) {
   return arc;
 }
 
-constexpr double most_half_turn = 1.5; // beyond a whole increment no longer tells where it was
+constexpr double max_half_turn = 1.5; // beyond a whole increment no longer tells where it was
 
 /// By how much the end of a path is turned from its chord about the normal.
 double half_turn(const Vec3& turn, const Vec3& n) {
-  return std::clamp(-0.5 * turn.dot(n), -most_half_turn, most_half_turn);
+  return std::clamp(-0.5 * turn.dot(n), -max_half_turn, max_half_turn);
 }
 
 /// Where tool and face turn against each other in the tangent plane a point goes along an arc of
@@ -62,7 +62,7 @@ void bend(Sliding& s, const Vec3& turn, const Vec3& n, const Mat3& H) {
   for (int j = 0; j < 3; ++j)
     dacross.col(j) = n.cross(s.dpath_dx.col(j)) + H.col(j).cross(s.path);
   const Vec3 dpath_da = (df * cosine - f * sine) * s.path + (df * sine + f * cosine) * across;
-  const Eigen::RowVector3d da = std::abs(a) < most_half_turn
+  const Eigen::RowVector3d da = std::abs(a) < max_half_turn
                                     ? Eigen::RowVector3d(-0.5 * turn.transpose() * H)
                                     : Eigen::RowVector3d::Zero();
   s.dpath_dx = f * (cosine * s.dpath_dx + sine * dacross) + dpath_da * da;

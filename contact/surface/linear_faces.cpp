@@ -15,10 +15,10 @@ using geometry::Projection;
 using mechanics::FacePoint;
 
 /// Of its length: a face that takes more off the tool is no small part of its curve.
-constexpr double most_of_length = 0.02;
+constexpr double max_of_length = 0.02;
 /// Of their mean, between the sagittas that the points of a face find: more, and the face lies on
 /// an edge, a corner or a fillet of the tool.
-constexpr double most_of_difference = 0.5;
+constexpr double max_of_difference = 0.5;
 /// Cosine between the tool's normal and the face's inward one: less, and it does not lie on it.
 constexpr double facing = 0.5;
 
@@ -49,8 +49,7 @@ std::optional<double> sagitta(mechanics::Analysis analysis,
     sum += here;
   }
   const double mean = sum / Rule::points;
-  if (std::abs(mean) > most_of_length * length ||
-      most - least > most_of_difference * std::abs(mean))
+  if (std::abs(mean) > max_of_length * length || most - least > max_of_difference * std::abs(mean))
     return std::nullopt;
   return mean;
 }

@@ -333,7 +333,7 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
                                              const Evaluation& far,
                                              double& step) {
   constexpr double close = 0.2; // of the slope left after closing in
-  constexpr int most_trials = 10;
+  constexpr int max_trials = 10;
   struct End {
     double step;
     double slope;
@@ -347,7 +347,7 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
     double low = near_end.step, slope_low = near_end.slope;
     double high = far_end.step, slope_high = far_end.slope;
     double bent = 0.0;
-    for (bool found = false; !found && trials < most_trials; ++trials) {
+    for (bool found = false; !found && trials < max_trials; ++trials) {
       const double secant = low + (high - low) * slope_low / (slope_low - slope_high);
       step = std::clamp(secant, low + 0.1 * (high - low), high - 0.1 * (high - low));
       bent = nonsmooth(step);
@@ -361,7 +361,7 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
       (same_side ? slope_high : slope_low) *= 0.5;
     }
     auto now = try_step(terms, trial, x, step);
-    if (!now || std::abs(now->slope) <= close * std::abs(start) || trials == most_trials)
+    if (!now || std::abs(now->slope) <= close * std::abs(start) || trials == max_trials)
       return now;
     const bool same_side = (now->slope > 0.0) == (start > 0.0);
     (same_side ? near_end : far_end) = {step, now->slope, now->slope - bent};
@@ -402,7 +402,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   // the tolerance; when the correction is no more than that rounding, no better x can be written.
   // Nor when the residual is: a slender body turns such forces into corrections of any length.
   int shortened = 0;
-  constexpr int most_shortened = 8;
+  constexpr int max_shortened = 8;
   double taken = HUGE_VAL;
   const double position = std::max(largest(x_old), 0.5 * largest(x)); // it may come from far
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * position;
@@ -414,8 +414,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   double before = norms->residual / norms->scale;
   double correction = 0.0;
   int hardened = 0; // the iteration that the last softness was left at
-  const int most_iterations = iterations_for(continuation) * settings_.most_iterations;
-  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+  const int max_iterations = iterations_for(continuation) * settings_.max_iterations;
+  for (int iteration = 1; iteration <= max_iterations; ++iteration) {
     double relative = norms->residual / norms->scale;
     constexpr double near = 1e-4;
     if (softening.slip < 1.0 && relative <= near) {
@@ -456,7 +456,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
       return solved.error();
     if (iteration > 1 && missing() == 0.0)
       limit_correction(x_old, x);
-    if (shorten_correction() && ++shortened > most_shortened)
+    if (shorten_correction() && ++shortened > max_shortened)
       return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
     // While supports still move their work is unknown to the search: it takes the whole step.
     // So it does where contacts were kept: the residual is not that of the real contacts.
@@ -480,7 +480,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   }
   if (softening.slip == 1.0 && norms->residual / norms->scale <= settings_.tolerance &&
       missing() == 0.0)
-    return NewtonReport{settings_.most_iterations, norms->residual / norms->scale, norms->scale};
+    return NewtonReport{settings_.max_iterations, norms->residual / norms->scale, norms->scale};
   return Failure{"no convergence"};
 }
 

@@ -23,7 +23,7 @@ namespace billet::mechanics {
 /// When an increment counts as solved, and when it is given up.
 struct NewtonSettings {
   double tolerance = 1e-6; ///< residual over the largest internal or contact force [-]
-  int most_iterations = 24;
+  int max_iterations = 24;
   double force_floor = 0.0; ///< forces below it count as zero: an unloaded state converges [N]
   double largest_correction = HUGE_VAL; ///< a longer one means that nothing holds the body [mm]
 };

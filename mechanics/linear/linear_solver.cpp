@@ -26,7 +26,7 @@ double norm(std::span<const double> v) {
 /// that is less than exact. Counted, not timed, so that a run repeats. The constants are measured:
 /// a factorization runs at the speed of matrix products plus some work for every entry, a solve at
 /// that of memory.
-int most_solves(const FactorCost& cost) {
+int max_solves(const FactorCost& cost) {
   constexpr double per_entry = 5.0;
   constexpr double flops_per_entry = 50.0;
   constexpr double fewest = 8.0;
@@ -47,7 +47,7 @@ constexpr double exact = 1e-10;
 constexpr std::string_view with_earlier = "gmres";
 
 /// Iterations with a neighbour of the matrix: more cost more than an LU does.
-constexpr int most_iterations = 24;
+constexpr int max_iterations = 24;
 
 /// Relative corrections of a solution in single precision: each iteration lessens what is wrong in
 /// it by that factor. Beyond a fair one many are asked for. (N.11)
@@ -115,8 +115,8 @@ SolverWork SolverWork::after(const SolverWork& earlier) const {
 }
 
 void RetryBackoff::take(bool served) {
-  constexpr int most_failures = 5;
-  failures_ = served ? 0 : std::min(failures_ + 1, most_failures);
+  constexpr int max_failures = 5;
+  failures_ = served ? 0 : std::min(failures_ + 1, max_failures);
   wait_ = served ? 0 : (1 << failures_) - 2;
 }
 
@@ -210,7 +210,7 @@ bool LinearSolver::factorize(Factorization& factorization,
   work_.last_factor_bytes = cost.entries * static_cast<double>(cost.entry_size);
   if (done)
     last_ = &factorization;
-  reuse_.begin(most_solves(cost));
+  reuse_.begin(max_solves(cost));
   return done;
 }
 
@@ -239,7 +239,7 @@ Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
   std::copy(rhs.begin(), rhs.end(), x.begin());
   factorization.solve(x);
   ++work_.substitutions;
-  // Backward stable factorizations leave 1e-14 or so; one refinement mends a poor pivot order.
+  // Backward stable factorizations leave 1e-14 or so; one refinement repairs a poor pivot order.
   const double scale = norm(rhs);
   SolveReport report{method, 0.0};
   for (int pass = 0; pass < 2; ++pass) {
@@ -330,7 +330,7 @@ Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
     return SolveReport{"zero", 0.0};
   }
   const bool may_reuse = options.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
-  const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
+  const int most = may_reuse && last_ != nullptr ? max_solves(last_->cost()) : 0;
   if (most > 0 && !reuse_.wants_new()) {
     const double enough = tolerance_for(options.tolerance, correction_, false);
     const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
@@ -351,7 +351,7 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
     return back_substitute(*last_, "again", matrix, rhs, x);
   if (factor_of_ == FactorOf::symmetrized) {
     const GmresReport report =
-        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), most_iterations, {});
+        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), max_iterations, {});
     if (report.converged)
       return SolveReport{"again", report.residual};
   }
@@ -405,9 +405,9 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         std::span<double> x,
                                                         const SolveOptions& options,
                                                         Known known) {
-  const bool small = most_solves(last_->cost()) == 0;
+  const bool small = max_solves(last_->cost()) == 0;
   const double enough = tolerance_for(options.tolerance, correction_, small);
-  const GmresReport report = iterate(matrix, rhs, x, enough, most_iterations, known);
+  const GmresReport report = iterate(matrix, rhs, x, enough, max_iterations, known);
   if (!report.converged) {
     last_ = nullptr;
     return Failure{"no convergence (" + std::string(method) + ")"};
@@ -476,7 +476,7 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
       return outcome;
   }
   if (!symmetric && fast && single_lu_serves_ &&
-      most_solves({elimination()->flops(), elimination()->entries()}) > 0) {
+      max_solves({elimination()->flops(), elimination()->entries()}) > 0) {
     Factorization& lu =
         prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
     correction_ = 0.0;

@@ -129,7 +129,7 @@ std::optional<Return> solve_return(const Law& law,
 ///
 /// @param beyond  0 where the series serves
 template <class Function>
-PointPack mended(const PointPack& values, const PointPack& beyond, Function function) {
+PointPack repaired(const PointPack& values, const PointPack& beyond, Function function) {
   return PointPack::of([&](int l) { return beyond[l] == 0.0 ? values[l] : function(l); });
 }
 
@@ -155,7 +155,7 @@ bool logarithms(const PrincipalPack& b, PrincipalPack& out) {
     return true;
   PointPack bad{};
   for (std::size_t a = 0; a < 3; ++a) {
-    out[a] = mended(out[a], beyond[a], [&](int l) { return std::log(b[a][l]); });
+    out[a] = repaired(out[a], beyond[a], [&](int l) { return std::log(b[a][l]); });
     bad += unless_positive(b[a]) + unless_within(b[a], std::numeric_limits<double>::max());
   }
   return all_zero(bad);
@@ -175,7 +175,7 @@ PrincipalPack exponentials(const PrincipalPack& x) {
   }
   if (!all_zero(beyond[0] + beyond[1] + beyond[2]))
     for (std::size_t a = 0; a < 3; ++a)
-      result[a] = mended(result[a], beyond[a], [&](int l) { return std::exp(x[a][l]); });
+      result[a] = repaired(result[a], beyond[a], [&](int l) { return std::exp(x[a][l]); });
   return result;
 }
 
@@ -187,7 +187,7 @@ PointPack log_differences(const PointPack& a, const PointPack& b) {
   const PointPack series = 2.0 * (b * per_sum) * artanh_per_z(z);
   return all_zero(beyond)
              ? series
-             : mended(series, beyond, [&](int l) { return log_difference(a[l], b[l]); });
+             : repaired(series, beyond, [&](int l) { return log_difference(a[l], b[l]); });
 }
 
 /// A batch of points on its way from the predictors to the responses.
