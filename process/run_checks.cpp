@@ -78,7 +78,8 @@ std::optional<FailedCheck> contact_resolution(const Process& process) {
   for (const contact::CornerState& corner : contact::corners(*process.contact(), load.tool))
     if (const auto& foot = corner.press.foot) {
       const std::size_t point = surface.bulk_point(contact::nearest_point(surface, *foot));
-      hardest = std::max(hardest, corner.history.pressure / process.bulk().trial_flow_stress(point));
+      hardest =
+          std::max(hardest, corner.history.pressure / process.bulk().trial_flow_stress(point));
     }
   if (!(hardest > indents))
     return std::nullopt;

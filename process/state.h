@@ -40,7 +40,7 @@ struct Snapshot {
   double plastic_work = 0.0;     ///< done so far [N mm]
   double support_work = 0.0;     ///< likewise
   double load_work = 0.0;        ///< likewise
-  double stabilization = 0.0;        ///< lost so far [N mm]
+  double stabilization = 0.0;    ///< lost so far [N mm]
 
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, x, states, temperatures, velocity, last_step, last_dt, plastic_rate,
