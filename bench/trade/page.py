@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-HEAD = ["element", "form", "enforcement", "change by softness", "error", "deepest contact point", "deepest point",
+HEAD = ["element", "form", "method", "change by softness", "error", "deepest contact point", "deepest point",
         "increments", "iterations", "cut-backs", "cost"]
 PATHS = ["increments a side", "integrator", "error of the shear", "error of the force", "iterations", "cost"]
 BEGIN, END = "<!-- measured: {} -->", "<!-- end of {} -->"
@@ -16,7 +16,7 @@ def percent(value):
     return "-" if math.isnan(value) else f"{100 * value:.2g} %"
 
 
-def enforcement(choice):
+def method(choice):
     name = f"penalty {choice.penalty:g}" if choice.method == "penalty" else "augmented"
     return name + (", limit h/1000" if choice.limit else "")
 
@@ -26,7 +26,7 @@ def rows(problem, measured, runs):
     table = []
     for made, softness, error in measured:
         c = made.choice
-        table.append([c.element, c.form, enforcement(c), percent(softness), percent(error), percent(made.depth),
+        table.append([c.element, c.form, method(c), percent(softness), percent(error), percent(made.depth),
                       percent(made.bound), str(made.increments), str(made.iterations), str(made.cutbacks),
                       f"{made.cost.cpu / unit:.2f}" if made.done else f"status {made.cost.status}"])
     return table
@@ -112,9 +112,9 @@ def sweep_files(folder, name, rows):
     files = {}
     for element, form in dict.fromkeys((row["element"], row["form"]) for row in rows):
         file = folder / f"{name}-{element}-{form}"
-        points = [(row["enforcement"].split()[1], number(row["change by softness"]), row["iterations"])
+        points = [(row["method"].split()[1], number(row["change by softness"]), row["iterations"])
                   for row in rows if (row["element"], row["form"]) == (element, form)
-                  and row["enforcement"].startswith("penalty") and "limit" not in row["enforcement"]]
+                  and row["method"].startswith("penalty") and "limit" not in row["method"]]
         # what is compared with has no change: nothing to draw on a logarithmic axis
         file.write_text("".join(f"{x} {y if y > 0 else 'NaN'} {z}\n" for x, y, z in points), encoding="utf-8")
         files[f"{element}, {form}" if element[-1] in "80" and element != "hex8" else element] = file

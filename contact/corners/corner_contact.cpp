@@ -16,15 +16,15 @@ namespace billet::contact {
 namespace {
 
 /// Corners and roundings turn by more than this [rad].
-constexpr double least_turn = 10.0 * std::numbers::pi / 180.0;
-/// Of the element beneath: as far outside a new mesh a corner that pressed on the old one still
+constexpr double min_turn = 10.0 * std::numbers::pi / 180.0;
+/// Of the parent element: as far outside a new mesh a corner that pressed on the old one still
 /// does.
 constexpr double still_presses = 0.02;
 
 /// Coordinates of the nodes of a face, then the travel and the turn of the tool.
-constexpr int most_nodal = 6;
-constexpr int most_unknowns = 8;
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, most_unknowns, 1>>;
+constexpr int max_nodal = 6;
+constexpr int max_unknowns = 8;
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, max_unknowns, 1>>;
 using Dual2 = Eigen::Matrix<Dual, 2, 1>;
 
 Dual2 dual(const Vec2& v) { return {Dual(v.x()), Dual(v.y())}; }
@@ -41,7 +41,7 @@ Dual2 moving(const Vec2& v, std::span<const PlaceRate> drives, const Rate& rate)
   for (std::size_t i = 0; i < drives.size(); ++i) {
     const Vec3 by = rate(drives[i]);
     for (int d = 0; d < 2; ++d)
-      moved[d].derivatives()[most_nodal + static_cast<int>(i)] = by[d];
+      moved[d].derivatives()[max_nodal + static_cast<int>(i)] = by[d];
   }
   return moved;
 }
@@ -53,10 +53,10 @@ PlacedCorner placed(const geometry::ToolCorner& corner, const geometry::Pose& po
 }
 
 /// Pressure that needs no depth, as of contact points. (N.10)
-double carried(const CornerContact::Corner& corner, double softening) {
+double carried(const CornerState& corner, double multiplier, double softening) {
   const PointHistory& history = corner.history;
-  const double pressed = history.closed() ? history.pressure - corner.multiplier : 0.0;
-  return corner.multiplier + (1.0 - softening) * pressed;
+  const double pressed = history.closed() ? history.pressure - multiplier : 0.0;
+  return multiplier + (1.0 - softening) * pressed;
 }
 
 /// The place of a face under a corner, with derivatives.
@@ -111,9 +111,9 @@ private:
 template <class Shape> struct DualFace {
   std::array<Dual2, Shape::nodes> now, carried_along;
 
-  DualFace(const ContactSurface& surface, const CornerContact::At& at, Index face) {
-    const LineNodes<Shape> x = line_nodes<Shape>(surface, at.trial.x, face);
-    const LineNodes<Shape> old = line_nodes<Shape>(surface, at.trial.x_old, face);
+  DualFace(const CornerContact::At& at, Index face) {
+    const LineNodes<Shape> x = line_nodes<Shape>(at.surface, at.trial.x, face);
+    const LineNodes<Shape> old = line_nodes<Shape>(at.surface, at.trial.x_old, face);
     for (std::size_t a = 0; a < x.size(); ++a) {
       now[a] = dual(x[a]);
       for (int d = 0; d < 2; ++d)
@@ -127,9 +127,8 @@ template <class Shape> struct DualFace {
 /// The traction of a corner whose metal has slid along the tangent.
 ///
 /// @param normal, along  the frame of its place, in the tool's frame
-Traction rub(const ContactSurface& surface,
-             const CornerContact::At& at,
-             const CornerContact::Corner& corner,
+Traction rub(const CornerContact::At& at,
+             const CornerState& corner,
              double pressure,
              double slide,
              const Vec3& normal,
@@ -144,10 +143,10 @@ Traction rub(const ContactSurface& surface,
   in.projection.gap = -pressure / at.penalty.normal;
   in.projection.normal = normal;
   in.shared = SharedPressure{pressure, 0.0};
-  in.strength = corner.strength;
+  in.shear_yield = corner.shear_yield;
   in.dt = at.trial.time - at.trial.time_old;
   in.softening = at.trial.softening.slip;
-  return traction(at.friction, at.penalty, start, in, surface.scheme());
+  return traction(at.friction, at.penalty, start, in, at.surface.scheme());
 }
 
 /// What a corner's force adds to the equations of a face's nodes.
@@ -168,8 +167,7 @@ public:
         const Dual r = -(line.N[a] + line.dN[a] * foot.step) * force[d];
         residual_[row] = r.value();
         tangent_.row(row) = r.derivatives().template head<size>().transpose();
-        by_drives_.row(row) =
-            r.derivatives().template tail<most_unknowns - most_nodal>().transpose();
+        by_drives_.row(row) = r.derivatives().template tail<max_unknowns - max_nodal>().transpose();
         gradient[row] = line.N[a] * foot.normal[d].value();
       }
     unsymmetric_ = tangent_ - stiffness * gradient * gradient.transpose();
@@ -194,7 +192,7 @@ public:
 private:
   Eigen::Matrix<double, size, 1> residual_;
   Square tangent_, unsymmetric_;
-  Eigen::Matrix<double, size, most_unknowns - most_nodal> by_drives_;
+  Eigen::Matrix<double, size, max_unknowns - max_nodal> by_drives_;
 };
 
 /// What a corner's force does over the rates of its tool's free degrees of freedom. (C.14)
@@ -219,108 +217,108 @@ void add_to_drives(const DualCorner& corner,
       for (int d = 0; d < 2; ++d)
         border.row[idx(2 * nodes[a] + d)] += r.derivatives()[static_cast<int>(2 * a) + d];
     for (std::size_t j = 0; j < corner.drives.size(); ++j)
-      border.corner[corner.drives[j].drive] += r.derivatives()[most_nodal + static_cast<int>(j)];
+      border.corner[corner.drives[j].drive] += r.derivatives()[max_nodal + static_cast<int>(j)];
   }
 }
 
 } // namespace
 
+struct CornerContact::Pressing {
+  PlacedCorner place;
+  CornerFoot foot;
+  const CornerState& state;
+  double carried; ///< pressure that needs no depth [MPa]
+};
+
 CornerContact::CornerContact(const ContactSurface& surface, const geometry::RigidSurface& tool) {
   if (surface.analysis() == mechanics::Analysis::solid || surface.n_faces() == 0)
     return;
-  for (geometry::ToolCorner& shape : tool.corners(least_turn))
-    corners_.push_back({.shape = shape});
-  if (corners_.empty())
+  shapes_ = tool.corners(min_turn);
+  if (shapes_.empty())
     return;
   search_ = CornerSearch(surface);
   for (Index f = 0; f < surface.n_faces(); ++f)
     largest_depth_ = std::max(largest_depth_, surface.depth(f));
 }
 
-void CornerContact::part() {
-  for (Corner& corner : corners_)
-    corner.trial = CornerPress{};
-}
-
-void CornerContact::release(const ContactSurface& surface, std::span<double> forces) {
-  for (Corner& corner : corners_) {
-    if (const auto& foot = corner.committed.foot)
+void add_corner_forces(const ContactSurface& surface,
+                       std::span<const CornerState> corners,
+                       std::span<double> forces) {
+  for (const CornerState& corner : corners)
+    if (const auto& foot = corner.press.foot)
       visit_line(surface.kind(), [&](auto shape) {
         const auto nodes = surface.scatter().nodes(foot->face);
         const auto N = decltype(shape)::values({foot->xi});
         for (std::size_t a = 0; a < N.size(); ++a)
           for (int d = 0; d < 2; ++d)
-            forces[idx(2 * nodes[a] + d)] += N[a] * corner.committed.force[d];
+            forces[idx(2 * nodes[a] + d)] += N[a] * corner.press.force[d];
       });
-    corner = Corner{.shape = corner.shape};
-  }
 }
 
-void CornerContact::go_on_from(std::span<const Corner> before,
-                               const ContactSurface& surface,
-                               const geometry::Pose& pose,
-                               std::span<const double> x,
-                               double penalty) {
-  for (std::size_t c = 0; c < corners_.size(); ++c) {
-    PointHistory& history = corners_[c].history;
+std::vector<CornerState> CornerContact::mapped(std::span<const CornerState> before,
+                                               const Placed& tool,
+                                               double penalty) const {
+  std::vector<CornerState> now(shapes_.size());
+  for (std::size_t c = 0; c < shapes_.size(); ++c) {
+    PointHistory& history = now[c].history;
     const double slack = still_presses * largest_depth_;
-    const auto foot = search_.find(surface, x, placed(corners_[c].shape, pose), slack);
+    const auto foot = search_.find(tool.surface, tool.x, placed(shapes_[c], tool.pose), slack);
     history = PointHistory{.sliding = before[c].history.sliding};
-    corners_[c].strength = before[c].strength;
+    now[c].shear_yield = before[c].shear_yield;
     if (foot && before[c].history.closed()) {
       history = before[c].history;
       history.offset = foot->depth - (history.pressure - history.multiplier) / penalty;
     } else if (foot) {
       history.offset = std::max(0.0, foot->depth); // touches without pressure, if at all
     }
-    corners_[c].multiplier = history.multiplier;
   }
+  return now;
 }
 
-int CornerContact::add(const ContactSurface& surface,
-                       const mechanics::BlockPattern& pattern,
-                       const At& at,
-                       mechanics::System& system) {
+int CornerContact::add(const At& at,
+                       std::span<const CornerState> committed,
+                       std::span<CornerTrial> trial,
+                       mechanics::System& system) const {
   int changes = 0;
   Box around; // of the faces; most corners of a knurled roll are far from them
-  if (!corners_.empty())
-    for (Index f = 0; f < surface.n_faces(); ++f)
-      for (const Index node : surface.scatter().nodes(f))
+  if (!shapes_.empty())
+    for (Index f = 0; f < at.surface.n_faces(); ++f)
+      for (const Index node : at.surface.scatter().nodes(f))
         around.add(in_space({at.trial.x[idx(2 * node)], at.trial.x[idx(2 * node + 1)]}));
-  for (Corner& corner : corners_) {
-    const Status before = corner.trial.traction.status;
-    corner.trial = CornerPress{};
-    PlacedCorner place = placed(corner.shape, at.pose);
+  for (std::size_t c = 0; c < shapes_.size(); ++c) {
+    CornerPress& now = trial[c].press;
+    const Status before = now.traction.status;
+    now = CornerPress{};
+    PlacedCorner place = placed(shapes_[c], at.pose);
     place.radius -= at.drawn_back; // below zero it is farther away than the corner
     const double softening = at.trial.softening.penetration;
-    const double slack = std::max(
-        0.0, carried(corner, softening) / (softening * at.penalty.normal) - corner.history.offset);
+    const double needs_no_depth = carried(committed[c], trial[c].multiplier, softening);
+    const double slack = std::max(0.0, needs_no_depth / (softening * at.penalty.normal) -
+                                           committed[c].history.offset);
     const double margin = std::abs(place.radius) + slack + largest_depth_;
     Box here;
     here.add(in_space(place.centre));
     const auto foot = around.overlaps(here, margin)
-                          ? search_.find(surface, at.trial.x, place, slack)
+                          ? search_.find(at.surface, at.trial.x, place, slack)
                           : std::nullopt;
     if (foot)
-      visit_line(surface.kind(), [&](auto shape) {
-        press<decltype(shape)>(surface, pattern, at, place, *foot, corner, system);
+      visit_line(at.surface.kind(), [&](auto shape) {
+        press<decltype(shape)>(at, {place, *foot, committed[c], needs_no_depth}, now, system);
       });
-    changes += corner.trial.traction.status != before ? 1 : 0;
+    changes += now.traction.status != before ? 1 : 0;
   }
   return changes;
 }
 
 template <class Shape>
-void CornerContact::press(const ContactSurface& surface,
-                          const mechanics::BlockPattern& pattern,
-                          const At& at,
-                          const PlacedCorner& place,
-                          const CornerFoot& foot,
-                          Corner& corner,
+void CornerContact::press(const At& at,
+                          const Pressing& corner,
+                          CornerPress& trial,
                           mechanics::System& system) const {
+  const auto& [place, foot, state, carried] = corner;
   const OnLine<Shape> line(foot.xi);
   const DualCorner dual_corner(place, at.rates(in_space(place.centre)));
-  const DualFace<Shape> face(surface, at, foot.face);
+  const DualFace<Shape> face(at, foot.face);
   const DualFoot<Shape> on_face =
       dual_foot<Shape>(line, face.now, dual_corner.centre, place.radius);
   const Dual2& n = on_face.normal;
@@ -328,8 +326,7 @@ void CornerContact::press(const ContactSurface& surface,
                       taken_over<Dual>(cross_of(n, dual_corner.to));
   const double softening = at.trial.softening.penetration;
   const Dual pressure =
-      facing * (softening * at.penalty.normal * (on_face.depth - corner.history.offset) +
-                carried(corner, softening));
+      facing * (softening * at.penalty.normal * (on_face.depth - state.history.offset) + carried);
   if (!(pressure.value() > 0.0))
     return;
 
@@ -340,9 +337,8 @@ void CornerContact::press(const ContactSurface& surface,
   const Dual slide = (on_face.place - was).dot(tangent);
   const Mat3 to_tool = at.pose.rotation.transpose();
   const Vec3 along = to_tool * in_space(value(tangent));
-  CornerPress& trial = corner.trial;
-  trial.traction = rub(surface, at, corner, pressure.value(), slide.value(),
-                       to_tool * in_space(value(n)), along);
+  trial.traction =
+      rub(at, state, pressure.value(), slide.value(), to_tool * in_space(value(n)), along);
   const Traction& T = trial.traction;
   if (T.status == Status::open)
     return;
@@ -352,7 +348,7 @@ void CornerContact::press(const ContactSurface& surface,
 
   // A point of half an element, and its way around the axis.
   const std::array<double, 2>& depths = search_.depths(foot.face);
-  const bool turns = surface.analysis() == mechanics::Analysis::axisymmetric;
+  const bool turns = at.surface.analysis() == mechanics::Analysis::axisymmetric;
   const double around = turns ? 2.0 * std::numbers::pi * std::max(0.0, place.centre.x()) : 1.0;
   trial.foot = foot;
   trial.depth = 0.5 * ((1.0 - foot.xi) * depths[0] + (1.0 + foot.xi) * depths[1]);
@@ -364,9 +360,9 @@ void CornerContact::press(const ContactSurface& surface,
 
   const double stiffness = trial.area * softening * at.penalty.normal * facing.value();
   FaceEquations<Shape>(line, on_face, force, stiffness)
-      .add(surface, pattern, foot.face, dual_corner.drives, system);
-  add_to_drives(dual_corner, place.radius * n, force, surface.scatter().nodes(foot.face),
-                idx(pattern.n_dofs()), system);
+      .add(at.surface, at.pattern, foot.face, dual_corner.drives, system);
+  add_to_drives(dual_corner, place.radius * n, force, at.surface.scatter().nodes(foot.face),
+                idx(at.pattern.n_dofs()), system);
 }
 
 } // namespace billet::contact

@@ -24,7 +24,7 @@ namespace billet::contact {
 struct CornerPress {
   std::optional<CornerFoot> foot; ///< none: it does not press
   Traction traction{};            ///< in the tool's frame
-  double depth = 0.0;             ///< of the element beneath [mm]
+  double depth = 0.0;             ///< of the parent element [mm]
   double area = 0.0;              ///< that it stands for: half of that [mm^2]
   Vec3 place = Vec3::Zero();      ///< of the tool, in space [mm]
   Vec3 force = Vec3::Zero();      ///< on the workpiece, in space [N]
@@ -43,25 +43,32 @@ struct PlaceRate {
   Vec3 spin;         ///< [1/mm]
 };
 
-/// The corners of one tool.
+/// What is committed of a corner. Its history's shear and normal are those of its place, which is
+/// not one of the workpiece; its position says nothing.
+struct CornerState {
+  PointHistory history{};
+  double shear_yield = 0.0; ///< k of the parent element [MPa]
+  CornerPress press{};
+
+  template <class Archive> void fields(Archive& archive) { archive(history, shear_yield, press); }
+};
+
+/// What is tried of it.
+struct CornerTrial {
+  double multiplier = 0.0; ///< [MPa]
+  CornerPress press{};
+
+  template <class Archive> void fields(Archive& archive) { archive(multiplier, press); }
+};
+
+/// The corners of one tool on the faces of one mesh; constant, what changes is an argument. Lists
+/// of states and trials have shape (size()).
 class CornerContact {
 public:
-  /// A corner's committed state. Its history's shear and normal are those of its place, which is
-  /// not one of the workpiece; its position says nothing.
-  struct Corner {
-    geometry::ToolCorner shape;
-    PointHistory history{};
-    double strength = 0.0;   ///< k of the material beneath [MPa]
-    double multiplier = 0.0; ///< of the trial [MPa]
-    CornerPress committed{};
-    CornerPress trial{};
-
-    template <class Archive> void fields(Archive& archive) {
-      archive(shape, history, strength, multiplier, committed, trial);
-    }
-  };
   /// The trial and the tool in it.
   struct At {
+    const ContactSurface& surface;
+    const mechanics::BlockPattern& pattern;
     const mechanics::Trial& trial;
     const geometry::Pose& pose;
     const geometry::Pose& pose_old; ///< at its beginning
@@ -71,51 +78,50 @@ public:
     /// Free degrees of freedom of the tool, for a place.
     const std::function<std::vector<PlaceRate>(const Vec3& place)>& rates;
   };
+  /// Where a tool is on a new mesh.
+  struct Placed {
+    const ContactSurface& surface;
+    const geometry::Pose& pose;
+    std::span<const double> x; ///< shape (n_dofs) [mm]
+  };
 
-  CornerContact() = default;
   CornerContact(const ContactSurface& surface, const geometry::RigidSurface& tool);
 
-  [[nodiscard]] bool empty() const { return corners_.empty(); }
-  [[nodiscard]] std::span<Corner> corners() { return corners_; }
-  [[nodiscard]] std::span<const Corner> corners() const { return corners_; }
+  [[nodiscard]] bool empty() const { return shapes_.empty(); }
+  [[nodiscard]] std::size_t size() const { return shapes_.size(); }
+  /// In the tool's frame.
+  [[nodiscard]] const geometry::ToolCorner& shape(std::size_t corner) const {
+    return shapes_[corner];
+  }
 
   /// Finds what the corners press on in a trial and adds forces and their exact derivatives.
   ///
   /// @return corners whose status is not that of the trial before
-  int add(const ContactSurface& surface,
-          const mechanics::BlockPattern& pattern,
-          const At& at,
-          mechanics::System& system);
+  int add(const At& at,
+          std::span<const CornerState> committed,
+          std::span<CornerTrial> trial,
+          mechanics::System& system) const;
   /// Goes on where the corners of the same tool stood on another mesh; gaps are off by what the
   /// meshes differ. (C.41)
   ///
-  /// @param x        shape (n_dofs) [mm]
   /// @param penalty  pressure per depth [MPa/mm]
-  void go_on_from(std::span<const Corner> before,
-                  const ContactSurface& surface,
-                  const geometry::Pose& pose,
-                  std::span<const double> x,
-                  double penalty);
-  /// Nothing is pressed in the trial.
-  void part();
-  /// Takes the committed forces away and adds them to those on the nodes, shape (n_dofs) [N].
-  void release(const ContactSurface& surface, std::span<double> forces);
-
-  template <class Archive> void fields(Archive& archive) { archive(corners_); }
+  [[nodiscard]] std::vector<CornerState>
+  mapped(std::span<const CornerState> before, const Placed& tool, double penalty) const;
 
 private:
+  struct Pressing;
   template <class Shape>
-  void press(const ContactSurface& surface,
-             const mechanics::BlockPattern& pattern,
-             const At& at,
-             const PlacedCorner& place,
-             const CornerFoot& foot,
-             Corner& corner,
-             mechanics::System& system) const;
+  void
+  press(const At& at, const Pressing& corner, CornerPress& trial, mechanics::System& system) const;
 
   CornerSearch search_;
-  double largest_depth_ = 0.0; ///< of an element beneath [mm]
-  std::vector<Corner> corners_;
+  double largest_depth_ = 0.0; ///< of a parent element [mm]
+  std::vector<geometry::ToolCorner> shapes_;
 };
+
+/// Adds the committed forces of a tool's corners to those on the nodes, shape (n_dofs) [N].
+void add_corner_forces(const ContactSurface& surface,
+                       std::span<const CornerState> corners,
+                       std::span<double> forces);
 
 } // namespace billet::contact

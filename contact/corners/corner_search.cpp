@@ -14,15 +14,15 @@ namespace {
 
 using billet::cross;
 
-/// Of the element beneath: deeper than that, a corner has not come through this face.
+/// Of the parent element: deeper than that, a corner has not come through this face.
 constexpr double deepest_share = 0.5;
-/// Of the element beneath: larger roundings are left to contact points. Their centres are far
+/// Of the parent element: larger roundings are left to contact points. Their centres are far
 /// enough outside of the metal for two places of a notch to be equally close. No ratio that a user
 /// would choose: rounding must not decide.
 constexpr double widest = 0.26;
 /// Slope of a face that ends on a plane of symmetry: beyond, a corner is beside the part.
 constexpr double steepest = 4.0;
-/// Of the element beneath: closer to a node than that, the way to it has no direction.
+/// Of the parent element: closer to a node than that, the way to it has no direction.
 constexpr double at_node = 1e-12;
 
 double facing(const PlacedCorner& corner, const Vec2& normal) {
@@ -67,11 +67,11 @@ std::optional<CornerFoot> CornerSearch::find(const ContactSurface& surface,
   visit_line(surface.kind(), [&](auto shape) {
     using Shape = decltype(shape);
     for (Index f = 0; f < surface.n_faces(); ++f) {
-      const double depth_beneath = surface.depth(f);
-      if (corner.radius > widest * depth_beneath)
+      const double parent_depth = surface.depth(f);
+      if (corner.radius > widest * parent_depth)
         continue;
       const LineNodes<Shape> nodes = line_nodes<Shape>(surface, x, f);
-      const double reach = corner.radius + std::max(slack, deepest_share * depth_beneath);
+      const double reach = corner.radius + std::max(slack, deepest_share * parent_depth);
       if ((corner.centre - nodes[0]).norm() > 2.0 * (nodes[1] - nodes[0]).norm() + reach)
         continue;
       const double xi = foot_on_line<Shape>(nodes, corner.centre);
@@ -96,12 +96,12 @@ std::optional<CornerFoot> CornerSearch::find(const ContactSurface& surface,
         }
         const bool inside = off.dot(here.normal + beside) >= 0.0;
         here.depth = inside ? distance : -distance;
-        if (distance > at_node * depth_beneath)
+        if (distance > at_node * parent_depth)
           here.normal = off / here.depth;
       }
       here.depth += corner.radius;
       here.facing = facing(corner, here.normal);
-      if (distance >= closest || here.facing == 0.0 || here.depth > deepest_share * depth_beneath)
+      if (distance >= closest || here.facing == 0.0 || here.depth > deepest_share * parent_depth)
         continue;
       best = here;
       closest = distance;

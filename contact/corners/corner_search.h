@@ -73,7 +73,7 @@ public:
                                                const PlacedCorner& corner,
                                                double slack) const;
 
-  /// Depth of the elements beneath at both ends of a face, in the mean of the two there [mm].
+  /// Depth of the parent elements at both ends of a face, in the mean of the two there [mm].
   [[nodiscard]] const std::array<double, 2>& depths(Index face) const {
     return depths_[static_cast<std::size_t>(face)];
   }

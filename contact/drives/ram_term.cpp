@@ -45,12 +45,12 @@ double RamTerm::accelerating(std::size_t tool, double time) const {
 void RamTerm::strike(std::size_t tool, double time) {
   const geometry::Blow& blow = *tools_[tool].motion.force->blow;
   flight(tool).ram = Ram{blow.mass, blow.speed, accelerating(tool, time)};
-  contact_->hold(tool, false);
+  contact_->activity().hold(tool, false);
 }
 
 void RamTerm::stop(std::size_t tool) {
   flight(tool).ram.reset();
-  contact_->hold(tool, true);
+  contact_->activity().hold(tool, true);
 }
 
 const Ram* RamTerm::moving(std::size_t tool) const {

@@ -17,19 +17,19 @@ namespace {
 using geometry::Projection;
 using mechanics::FacePoint;
 
-/// Of the element beneath: on a flat tool nothing is deeper than the points, and rounding must not
+/// Of the parent element: on a flat tool nothing is deeper than the points, and rounding must not
 /// decide which springs press.
 constexpr double dead_zone = 1e-9;
 
 /// Of the springs, over the largest contact pressure of their face.
-constexpr double most_pressures = 10.0;
+constexpr double max_pressures = 10.0;
 
 /// Of what a spring is off, followed at the end of an increment. Springs that went the whole way
 /// would lift a point off the tool, be gone for it, let it come back, and so on.
 constexpr double share_followed = 0.5;
 
-/// Of the element beneath: springs of a face that nothing presses any more are gone by then.
-constexpr double faded = 1e-6;
+/// Of the parent element: springs of a face that nothing presses any more are gone by then.
+constexpr double negligible_share = 1e-6;
 
 template <class Shape> using Mixed = typename mechanics::FaceRules<Shape>::Lower;
 template <class Shape> using Full = typename mechanics::FaceRules<Shape>::Full;
@@ -182,11 +182,11 @@ void FaceStabilization::set(const ContactSurface& surface,
         if (!pressure && !pressed)
           continue;
         mechanics::gather(x, surface.scatter().nodes(f), dim, local.data());
-        const double deepest = most_pressures * pressure.value_or(0.0) / stiffness;
+        const double deepest = max_pressures * pressure.value_or(0.0) / stiffness;
         const auto face = wanted<Shape>(surface.analysis(), at, local.data(), deepest);
         if (!face || (!pressure && face->is_clear))
           continue;
-        const double negligible = faded * surface.depth(f);
+        const double negligible = negligible_share * surface.depth(f);
         double lowest = 0.0;
         for (std::size_t q = 0; q < face->rest.size(); ++q) {
           const int place = static_cast<int>(q);

@@ -2,7 +2,7 @@
 //
 // A contact stress of one order less than the displacement does no work on the rest of the gap: a
 // corner could sink into the tool and the nodes beside it rise, held by the solid alone. Springs as
-// stiff as the elements beneath press on the rest of the gap where it is inside the tool. They have
+// stiff as the parent elements press on the rest of the gap where it is inside the tool. They have
 // no resultant, so force and friction stay those of the contact points, and they are a hundred
 // times softer than the penalty, so a face need not follow the tool closer than the solid lets it.
 

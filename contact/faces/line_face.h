@@ -61,12 +61,12 @@ line_nodes(const ContactSurface& surface, std::span<const double> x, Index face)
 /// The coordinate of the closest place of a line, in [-1, 1].
 template <class Shape>
 [[nodiscard]] double foot_on_line(const LineNodes<Shape>& nodes, const Vec2& place) {
-  constexpr int most_steps = 20;
+  constexpr int max_steps = 20;
   constexpr double beyond = 1.5; // where a curve may be followed to
   constexpr double still = 1e-14;
   const Vec2 chord = nodes[1] - nodes[0];
   double xi = 2.0 * (place - nodes[0]).dot(chord) / chord.squaredNorm() - 1.0;
-  for (int step = 0; Shape::nodes > 2 && step < most_steps; ++step) {
+  for (int step = 0; Shape::nodes > 2 && step < max_steps; ++step) {
     const OnLine<Shape> at(std::clamp(xi, -beyond, beyond));
     const Vec2 off = place - at.sum(at.N, nodes), t = at.sum(at.dN, nodes);
     const double slope = off.dot(at.sum(at.ddN, nodes)) - t.squaredNorm();

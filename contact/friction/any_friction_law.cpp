@@ -6,11 +6,11 @@ namespace billet::contact {
 
 namespace {
 
-/// Strengths are told by the type of a law's members.
+/// Shear yield stresses are told by the type of a law's members.
 template <class Parameter, class Law>
-void add_strength(const Parameter& parameter, const Law& law, std::optional<Strength>& into) {
-  const auto add = [&](const ShearStrength& strength) {
-    if (const auto* const followed = std::get_if<Strength>(&strength))
+void add_followed(const Parameter& parameter, const Law& law, std::optional<FollowedStress>& into) {
+  const auto add = [&](const ShearYieldStress& shear_yield) {
+    if (const auto* const followed = std::get_if<FollowedStress>(&shear_yield))
       into = *followed;
   };
   if constexpr (requires { add(law.*parameter.member); })
@@ -23,10 +23,10 @@ void add_strength(const Parameter& parameter, const Law& law, std::optional<Stre
 
 } // namespace
 
-std::optional<Strength> followed_strength(const AnyFrictionLaw& law) {
-  std::optional<Strength> followed;
+std::optional<FollowedStress> followed_stress(const AnyFrictionLaw& law) {
+  std::optional<FollowedStress> followed;
   const auto look = [&](const auto& one) {
-    std::apply([&](const auto&... parameters) { (add_strength(parameters, one, followed), ...); },
+    std::apply([&](const auto&... parameters) { (add_followed(parameters, one, followed), ...); },
                one.parameters);
   };
   std::visit(look, law);

@@ -34,12 +34,13 @@ using AnyFrictionLaw = OneOfFrictionLaws<Frictionless,
   return std::visit([&](const auto& one) { return one.slip_limit(at); }, law);
 }
 
-/// What a law takes for the strength of the material beneath; none: it does not ask for it.
-[[nodiscard]] std::optional<Strength> followed_strength(const AnyFrictionLaw& law);
+/// What a law takes the shear yield stress of the parent element from; none: it does not ask for
+/// it.
+[[nodiscard]] std::optional<FollowedStress> followed_stress(const AnyFrictionLaw& law);
 
-/// Whether a law asks for the strength of the material beneath.
+/// Whether a law asks for the shear yield stress of the parent element.
 [[nodiscard]] inline bool follows_material(const AnyFrictionLaw& law) {
-  return followed_strength(law).has_value();
+  return followed_stress(law).has_value();
 }
 
 /// Whether the limit depends on how fast the point slides.

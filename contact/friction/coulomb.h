@@ -17,10 +17,10 @@ namespace billet::contact {
 ///
 /// Below the threshold the limit is zero (the paper's print would make it negative).
 struct Coulomb {
-  double mu;                                       ///< friction coefficient [-]
-  double threshold = 0.0;                          ///< sigma_A [MPa]
-  std::optional<ShearStrength> cap = std::nullopt; ///< absent: none
-  double mu2 = 0.0;                                ///< of second order [1/MPa]
+  double mu;                                          ///< friction coefficient [-]
+  double threshold = 0.0;                             ///< sigma_A [MPa]
+  std::optional<ShearYieldStress> cap = std::nullopt; ///< absent: none
+  double mu2 = 0.0;                                   ///< of second order [1/MPa]
 
   static constexpr std::string_view name = "coulomb";
   static constexpr std::tuple parameters{

@@ -26,7 +26,7 @@ LimitAtSlip limit_at(const Friction& friction, const SlipState& at, double slip)
   const Coefficient grown = friction.evolution(where);
   const Coefficient tabled = friction.table(where);
   const SlipLimit limit =
-      slip_limit(friction.law, {at.pressure, at.strength, speed, grown.value * tabled.value});
+      slip_limit(friction.law, {at.pressure, at.shear_yield, speed, grown.value * tabled.value});
   const double d_factor_d_pressure = grown.value * tabled.d_pressure;
   const double d_factor_d_slip =
       tabled.value * grown.d_sliding + grown.value * (tabled.d_sliding + tabled.d_speed / at.dt);

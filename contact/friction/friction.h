@@ -44,9 +44,9 @@ struct Friction {
   Friction(AnyFrictionLaw one) : law(one) {} // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool follows_material() const { return contact::follows_material(law); }
-  /// What stands for the strength of the material beneath; none: nothing asks for it.
-  [[nodiscard]] std::optional<Strength> followed_strength() const {
-    return contact::followed_strength(law);
+  /// What the shear yield stress of the parent element is taken from; none: nothing asks for it.
+  [[nodiscard]] std::optional<FollowedStress> followed_stress() const {
+    return contact::followed_stress(law);
   }
   /// Whether the limit depends on how far and how fast the point slides in the increment.
   [[nodiscard]] bool depends_on_slip() const;
@@ -55,7 +55,7 @@ struct Friction {
 /// State of a point that its slip limit depends on.
 struct SlipState {
   double pressure;         ///< [MPa]
-  double strength;         ///< k beneath [MPa]
+  double shear_yield;      ///< k of the parent element [MPa]
   double sliding = 0.0;    ///< distance before the increment [mm]
   double dt = 1.0;         ///< of the increment, as far as the point touches [s]
   double steepest = 100.0; ///< no more shear than this times the pressure (F.3) [-]
@@ -63,10 +63,10 @@ struct SlipState {
 
 /// Slip limit with its derivatives by what changes within an increment.
 struct LimitAtSlip {
-  double shear;      ///< [MPa]
-  double d_pressure; ///< [-]
-  double d_strength; ///< [-]
-  double d_slip;     ///< [MPa/mm]
+  double shear;         ///< [MPa]
+  double d_pressure;    ///< [-]
+  double d_shear_yield; ///< [-]
+  double d_slip;        ///< [MPa/mm]
 };
 
 /// The limit after sliding by `slip` in the increment, below the steep cone. (F.1), (F.3)

@@ -17,31 +17,31 @@
 
 namespace billet::contact {
 
-/// What "k of the material beneath" means.
-enum class Strength {
+/// What the shear yield stress k of the parent element is taken from.
+enum class FollowedStress {
   yield,     ///< its yield stress over sqrt(3)
   von_mises, ///< its von Mises stress over sqrt(3): the paper's generalisation of eq 7
 };
 
-/// A shear strength: of the material beneath, or a stress [MPa].
-using ShearStrength = std::variant<Strength, double>;
+/// A shear yield stress: of the parent element, or a value [MPa].
+using ShearYieldStress = std::variant<FollowedStress, double>;
 
 /// What a friction law may know about one contact point.
 struct InterfacePoint {
   double pressure;     ///< p [MPa], >= 0
-  double shear_yield;  ///< k of the material beneath [MPa]
+  double shear_yield;  ///< k, shear yield stress of the parent element [MPa]
   double speed = 0.0;  ///< of sliding, |v_t| [mm/s], >= 0
   double factor = 1.0; ///< on the law's coefficient [-]: its evolution, or a table in its place
 };
 
-/// The value of a strength at a point [MPa].
-[[nodiscard]] inline double stress(const ShearStrength& strength, const InterfacePoint& at) {
-  const double* const given = std::get_if<double>(&strength);
+/// The value of a shear yield stress at a point [MPa].
+[[nodiscard]] inline double stress(const ShearYieldStress& shear_yield, const InterfacePoint& at) {
+  const double* const given = std::get_if<double>(&shear_yield);
   return given != nullptr ? *given : at.shear_yield;
 }
 
-[[nodiscard]] inline bool follows_material(const ShearStrength& strength) {
-  return std::holds_alternative<Strength>(strength);
+[[nodiscard]] inline bool follows_material(const ShearYieldStress& shear_yield) {
+  return std::holds_alternative<FollowedStress>(shear_yield);
 }
 
 /// Largest shear the interface carries, and its exact partial derivatives. (F.1)

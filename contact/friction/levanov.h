@@ -18,7 +18,7 @@ namespace billet::contact {
 /// Tresca's.
 struct Levanov {
   double m;               ///< share [-], 0 to 1
-  ShearStrength k;        ///< [MPa]
+  ShearYieldStress k;     ///< [MPa]
   double exponent = 1.25; ///< [-], > 0
 
   static constexpr std::string_view name = "levanov";
@@ -31,16 +31,17 @@ struct Levanov {
   bool operator==(const Levanov&) const = default;
 
   [[nodiscard]] SlipLimit slip_limit(const InterfacePoint& at) const noexcept {
-    const double strength = stress(k, at);
+    const double shear_yield = stress(k, at);
     const double share = m * at.factor;
-    const double x = at.pressure > 0.0 ? exponent * at.pressure / (std::numbers::sqrt3 * strength)
-                                       : 0.0; // infinite where there is no strength
-    const double left = strength > 0.0 || x > 0.0 ? std::exp(-x) : 0.0;
+    const double x = at.pressure > 0.0
+                         ? exponent * at.pressure / (std::numbers::sqrt3 * shear_yield)
+                         : 0.0; // infinite where there is no shear_yield
+    const double left = shear_yield > 0.0 || x > 0.0 ? std::exp(-x) : 0.0;
     const double reached = -std::expm1(-x);
     // A stronger metal carries more, but of a smaller share.
     const double d_k = reached - (left > 0.0 ? x * left : 0.0);
-    return {share * reached * strength, share * exponent / std::numbers::sqrt3 * left,
-            follows_material(k) ? share * d_k : 0.0, 0.0, m * reached * strength};
+    return {share * reached * shear_yield, share * exponent / std::numbers::sqrt3 * left,
+            follows_material(k) ? share * d_k : 0.0, 0.0, m * reached * shear_yield};
   }
 };
 

@@ -12,8 +12,8 @@ namespace billet::contact {
 
 /// tau_lim = alpha(p) k. (F.7): the paper's eq 6.
 struct Shaw {
-  ShearStrength k; ///< [MPa]
-  double f;        ///< friction factor with which asperities were flattened [-], 0 to 1
+  ShearYieldStress k; ///< [MPa]
+  double f;           ///< friction factor with which asperities were flattened [-], 0 to 1
   Flattening flattening = Flattening::wanheim_bay;
 
   static constexpr std::string_view name = "shaw";

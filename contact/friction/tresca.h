@@ -12,8 +12,8 @@ namespace billet::contact {
 
 /// tau_lim = m k. (F.4): the paper's eq 7.
 struct Tresca {
-  double m;        ///< share [-], 0 to 1
-  ShearStrength k; ///< [MPa]
+  double m;           ///< share [-], 0 to 1
+  ShearYieldStress k; ///< [MPa]
 
   static constexpr std::string_view name = "tresca";
   static constexpr std::tuple parameters{
@@ -26,9 +26,9 @@ struct Tresca {
   [[nodiscard]] SlipLimit slip_limit(const InterfacePoint& at) const noexcept {
     if (m == 0.0)
       return {0.0, 0.0};
-    const double strength = stress(k, at);
+    const double shear_yield = stress(k, at);
     const double share = m * at.factor;
-    return {share * strength, 0.0, follows_material(k) ? share : 0.0, 0.0, m * strength};
+    return {share * shear_yield, 0.0, follows_material(k) ? share : 0.0, 0.0, m * shear_yield};
   }
 };
 

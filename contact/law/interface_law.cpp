@@ -39,11 +39,11 @@ ArcExcess arc_excess(double cosine) {
   return arc;
 }
 
-constexpr double most_half_turn = 1.5; // beyond a whole increment no longer tells where it was
+constexpr double max_half_turn = 1.5; // beyond a whole increment no longer tells where it was
 
 /// By how much the end of a path is turned from its chord about the normal.
 double half_turn(const Vec3& turn, const Vec3& n) {
-  return std::clamp(-0.5 * turn.dot(n), -most_half_turn, most_half_turn);
+  return std::clamp(-0.5 * turn.dot(n), -max_half_turn, max_half_turn);
 }
 
 /// Where tool and face turn against each other in the tangent plane a point goes along an arc of
@@ -62,7 +62,7 @@ void bend(Sliding& s, const Vec3& turn, const Vec3& n, const Mat3& H) {
   for (int j = 0; j < 3; ++j)
     dacross.col(j) = n.cross(s.dpath_dx.col(j)) + H.col(j).cross(s.path);
   const Vec3 dpath_da = (df * cosine - f * sine) * s.path + (df * sine + f * cosine) * across;
-  const Eigen::RowVector3d da = std::abs(a) < most_half_turn
+  const Eigen::RowVector3d da = std::abs(a) < max_half_turn
                                     ? Eigen::RowVector3d(-0.5 * turn.transpose() * H)
                                     : Eigen::RowVector3d::Zero();
   s.dpath_dx = f * (cosine * s.dpath_dx + sine * dacross) + dpath_da * da;
@@ -198,7 +198,7 @@ void add_shear(const Friction& friction,
   }
   out.traction += out.shear;
   out.dtraction_dx += in_space(frame, end.shear, dshear, foot);
-  out.dtraction_dk = frame.E * end.d_strength;
+  out.dtraction_dk = frame.E * end.d_shear_yield;
 }
 
 } // namespace
@@ -285,7 +285,7 @@ Traction traction(const Friction& friction,
   if (resting)
     holding = std::max(holding, penalty.normal * at.noise);
   const bool rubs = old.closed() || at.touching > 0.0;
-  SlipState state{holding, at.strength, old.sliding, at.dt};
+  SlipState state{holding, at.shear_yield, old.sliding, at.dt};
   if (!old.closed() && rubs)
     state.dt *= at.touching;
   if ((!old.closed() && rubs) || at.friction_limited)

@@ -33,22 +33,24 @@ struct PointHistory {
   double stiffness = 0.0;       ///< against slip from here on (C.17); 0: the penalty [MPa/mm]
   double multiplier = 0.0;      ///< pressure that needs no penetration (C.20) [MPa]
   double offset = 0.0;          ///< added to the gap: what a new mesh is off by (C.41) [mm]
-  double level = 0.0;  ///< added to the gap: what a straight face owes its length (C.43) [mm]
-  double relief = 0.0; ///< added to the gap: what evens pressure along a face (C.45) [mm]
-  double faded = 0.0;  ///< by what all three have shrunk at the last commit [mm]
-  double limit = 0.0;  ///< slip limit, at least the shear [MPa]
-  bool slips = false;  ///< has slipped in the last increment
+  /// Added to the gap: of a linear face on a curved tool (C.43) [mm].
+  double sagitta_offset = 0.0;
+  /// Added to the gap: what keeps pressure from oscillating along a face (C.45) [mm].
+  double gap_correction = 0.0;
+  double decayed = 0.0; ///< by what all three have decayed at the last commit [mm]
+  double limit = 0.0;   ///< slip limit, at least the shear [MPa]
+  bool slips = false;   ///< has slipped in the last increment
 
   [[nodiscard]] bool closed() const { return !normal.isZero(0.0); }
   [[nodiscard]] Status status() const {
     return !closed() ? Status::open : slips ? Status::slip : Status::stick;
   }
   /// What is added to the gap of the point that the surface gives [mm].
-  [[nodiscard]] double added() const { return offset + level + relief; }
+  [[nodiscard]] double added() const { return offset + sagitta_offset + gap_correction; }
 
   template <class Archive> void fields(Archive& archive) {
-    archive(position, normal, shear, pressure, sliding, stiffness, multiplier, offset, level,
-            relief, faded, limit, slips);
+    archive(position, normal, shear, pressure, sliding, stiffness, multiplier, offset,
+            sagitta_offset, gap_correction, decayed, limit, slips);
   }
 };
 
@@ -66,7 +68,7 @@ struct Traction {
   Vec3 traction = Vec3::Zero();     ///< p n + shear, on the workpiece [MPa]
   Mat3 dtraction_dx = Mat3::Zero(); ///< [MPa/mm], not symmetric when slipping
   Vec3 dtraction_dp = Vec3::Zero(); ///< by the pressure [-]
-  Vec3 dtraction_dk = Vec3::Zero(); ///< by the strength of the material beneath [-]
+  Vec3 dtraction_dk = Vec3::Zero(); ///< by the shear yield stress of the parent element [-]
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
   double limit = 0.0;               ///< largest shear at this pressure [MPa]
   /// The old shear in the new tangent plane, as far to the slip as it was when the increment began
@@ -89,7 +91,7 @@ struct SharedPressure {
 struct InterfaceInput {
   Vec3 position;                   ///< tool frame [mm]
   geometry::Projection projection; ///< of that position
-  double strength = 0.0;           ///< k beneath [MPa]
+  double shear_yield = 0.0;        ///< k of the parent element [MPa]
   double rounding = 0.0;           ///< gaps up to it count as touching [mm]
   double dt = 1.0;                 ///< of the increment [s]
   double softening = 1.0;  ///< of the stiffness against slip, below 1 on the way to a solution [-]
@@ -116,7 +118,7 @@ struct ShearBalance {
 /// Stiffness of the next increment and friction work of this one. (C.17), (C.18)
 ///
 /// @param sliding  distance so far, with this increment [mm]
-/// @param depth    of the element beneath [mm]
+/// @param depth    of the parent element [mm]
 [[nodiscard]] ShearBalance balance(const Penalty& penalty,
                                    const PointHistory& old,
                                    const Traction& now,

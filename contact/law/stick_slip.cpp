@@ -90,7 +90,7 @@ SlipResult radial(const Friction& friction, const SlipStep& step, const Mat2& Q)
   out.d_shear = Mat2::Identity() - loss;
   out.d_path = -K * out.d_shear;
   out.d_pressure = limit.d_pressure * (loss * (Q * d));
-  out.d_strength = limit.d_strength * (loss * (Q * d));
+  out.d_shear_yield = limit.d_shear_yield * (loss * (Q * d));
   return out;
 }
 
@@ -227,7 +227,7 @@ SlipResult along_path(const Friction& friction, const SlipScheme& scheme, const 
   out.d_shear = d.leftCols<2>();
   out.d_path = d.middleCols<2>(2) + limit.d_slip / length * d_limit * step.path.transpose();
   out.d_pressure = limit.d_pressure * d_limit;
-  out.d_strength = limit.d_strength * d_limit;
+  out.d_shear_yield = limit.d_shear_yield * d_limit;
   return out;
 }
 

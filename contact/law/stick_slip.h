@@ -35,14 +35,14 @@ struct SlipStep {
 /// Shear at the end of the increment and its exact derivatives.
 struct SlipResult {
   Status status = Status::stick;
-  Vec2 shear;      ///< [MPa]
-  Vec2 slip;       ///< irreversible part of the path [mm]
-  double limit;    ///< slip limit at the end [MPa]; with a tensor: the shear slipping, else the
-                   ///< mean over directions
-  Mat2 d_shear;    ///< by the committed shear [-]
-  Mat2 d_path;     ///< by the path [MPa/mm]
-  Vec2 d_pressure; ///< [-]
-  Vec2 d_strength; ///< [-]
+  Vec2 shear;         ///< [MPa]
+  Vec2 slip;          ///< irreversible part of the path [mm]
+  double limit;       ///< slip limit at the end [MPa]; with a tensor: the shear slipping, else the
+                      ///< mean over directions
+  Mat2 d_shear;       ///< by the committed shear [-]
+  Mat2 d_path;        ///< by the path [MPa/mm]
+  Vec2 d_pressure;    ///< [-]
+  Vec2 d_shear_yield; ///< [-]
 };
 
 /// (F.13)-(F.19)

@@ -125,10 +125,10 @@ ContactSurface::ContactSurface(const mechanics::Mesh& mesh,
       scatter_(pattern,
                groups_of(faces),
                mechanics::visit_face(mesh.kind, [](auto s) { return decltype(s)::nodes; })),
-      beneath_(faces.size() * idx(points_)) {
+      bulk_points_(faces.size() * idx(points_)) {
   const std::vector<double> x = mechanics::node_positions(mesh);
   set_penalty(mesh, bulk, faces, settings);
-  set_beneath(mesh, bulk, faces, x);
+  set_bulk_points(mesh, bulk, faces, x);
 }
 
 void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
@@ -137,7 +137,7 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
                                  const ContactSettings& settings) {
   const double young = bulk.material().elasticity.young;
   const std::vector<double> x = mechanics::node_positions(mesh);
-  std::vector<double> area(beneath_.size());
+  std::vector<double> area(bulk_points_.size());
   areas(x, area);
   // A triangle is twice, a tetrahedron three times as high as a prism of its volume.
   const double height_share = mechanics::is_simplex(kind_) ? mesh.dimension() : 1.0;
@@ -161,16 +161,16 @@ void ContactSurface::set_penalty(const mechanics::Mesh& mesh,
   penalty_ = {settings.penalty * stiffness_, settings.penalty_tangent * stiffness_};
 }
 
-bool ContactSurface::straight() const {
+bool ContactSurface::linear() const {
   return mechanics::visit_face(kind_,
                                [](auto shape) { return of_linear_element<decltype(shape)>; });
 }
 
-void ContactSurface::set_beneath(const mechanics::Mesh& mesh,
-                                 const mechanics::Bulk& bulk,
-                                 const std::vector<mechanics::Face>& faces,
-                                 std::span<const double> x) {
-  std::vector<Vec3> at(beneath_.size());
+void ContactSurface::set_bulk_points(const mechanics::Mesh& mesh,
+                                     const mechanics::Bulk& bulk,
+                                     const std::vector<mechanics::Face>& faces,
+                                     std::span<const double> x) {
+  std::vector<Vec3> at(bulk_points_.size());
   positions(x, at);
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Index element = faces[k / idx(points_)].element;
@@ -180,7 +180,7 @@ void ContactSurface::set_beneath(const mechanics::Mesh& mesh,
       const double distance = (candidates[g] - at[k]).norm();
       if (distance < closest) {
         closest = distance;
-        beneath_[k] = idx(element * bulk.points()) + g;
+        bulk_points_[k] = idx(element * bulk.points()) + g;
       }
     }
   }

@@ -4,7 +4,7 @@
 // fully. `mixed` gives the contact stress one order less than the displacement: on quadratic faces
 // it is linear, which after condensation is the 2-point Gauss rule per direction (C.11), on a
 // triangle the 3-point rule (C.25). On linear faces both forms use the 2-point rule (C.12): a
-// single point finds fold-over too late. The penalty follows the stiffness of the elements beneath.
+// single point finds fold-over too late. The penalty follows the stiffness of the parent elements.
 
 #pragma once
 
@@ -85,22 +85,22 @@ public:
   [[nodiscard]] Index n_faces() const { return scatter_.n_groups(); }
   /// Integration points a face.
   [[nodiscard]] int points() const { return points_; }
-  [[nodiscard]] std::size_t n_points() const { return beneath_.size(); }
+  [[nodiscard]] std::size_t n_points() const { return bulk_points_.size(); }
   /// Whether the faces are those of linear elements.
-  [[nodiscard]] bool straight() const;
-  /// Penalty of every face: multiples of E over the mean depth of the elements beneath.
+  [[nodiscard]] bool linear() const;
+  /// Penalty of every face: multiples of E over the mean depth of the parent elements.
   [[nodiscard]] const Penalty& penalty() const { return penalty_; }
-  /// E over the mean depth of the elements beneath: what penalties are multiples of [MPa/mm].
+  /// E over the mean depth of the parent elements: what penalties are multiples of [MPa/mm].
   [[nodiscard]] double stiffness() const { return stiffness_; }
   /// A limit that the case sets [mm].
   [[nodiscard]] std::optional<double> max_penetration() const { return max_penetration_; }
-  /// Length of the element beneath a face, normal to it [mm].
+  /// Length of a face's parent element, normal to the face [mm].
   [[nodiscard]] double depth(Index face) const { return depths_[static_cast<std::size_t>(face)]; }
   /// Index into the bulk's states of the integration point closest to a contact point.
-  [[nodiscard]] std::size_t beneath(std::size_t point) const { return beneath_[point]; }
+  [[nodiscard]] std::size_t bulk_point(std::size_t point) const { return bulk_points_[point]; }
 
   /// The same of all points, shape (n_points).
-  [[nodiscard]] std::span<const std::size_t> beneath() const { return beneath_; }
+  [[nodiscard]] std::span<const std::size_t> bulk_points() const { return bulk_points_; }
 
   /// Positions of all points, shape (n_points) [mm].
   void positions(std::span<const double> x, std::span<Vec3> out) const;
@@ -129,10 +129,10 @@ private:
                    const mechanics::Bulk& bulk,
                    const std::vector<mechanics::Face>& faces,
                    const ContactSettings& settings);
-  void set_beneath(const mechanics::Mesh& mesh,
-                   const mechanics::Bulk& bulk,
-                   const std::vector<mechanics::Face>& faces,
-                   std::span<const double> x);
+  void set_bulk_points(const mechanics::Mesh& mesh,
+                       const mechanics::Bulk& bulk,
+                       const std::vector<mechanics::Face>& faces,
+                       std::span<const double> x);
 
   mechanics::ElementKind kind_;
   mechanics::Analysis analysis_;
@@ -144,7 +144,7 @@ private:
   Penalty penalty_{};
   double stiffness_ = 0.0;
   std::vector<double> depths_;
-  std::vector<std::size_t> beneath_;
+  std::vector<std::size_t> bulk_points_;
 };
 
 /// Whether a face shape is a triangle.

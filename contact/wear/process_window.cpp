@@ -42,17 +42,16 @@ Window ProcessWindow::Sums::window() const {
 }
 
 void ProcessWindow::add(std::span<const std::vector<ClosedPoint>> closed,
-                        const Beneath& beneath,
+                        const BulkFields& bulk,
                         double dt) {
   total_.begin();
   for (std::size_t t = 0; t < closed.size(); ++t) {
     tools_[t].begin();
     for (const ClosedPoint& at : closed[t]) {
-      const std::size_t g = beneath.point[at.point];
+      const std::size_t g = bulk.point[at.point];
       const double sliding_time = at.touching * dt;
       const double speed = at.slip > 0.0 ? at.slip / sliding_time : 0.0;
-      const Values at_end{at.pressure, speed, at.sliding, beneath.strain[g],
-                          beneath.strain_rate[g]};
+      const Values at_end{at.pressure, speed, at.sliding, bulk.strain[g], bulk.strain_rate[g]};
       Values means = at_end;
       means[static_cast<std::size_t>(WindowQuantity::pressure)] = at.mean_pressure();
       means[static_cast<std::size_t>(WindowQuantity::speed)] = at.slip / dt;

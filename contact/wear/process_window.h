@@ -51,8 +51,8 @@ struct Window {
   }
 };
 
-/// What the workpiece does beneath its contact points, by integration point of the bulk.
-struct Beneath {
+/// What the workpiece does at its contact points, by integration point of the bulk.
+struct BulkFields {
   std::span<const std::size_t> point;  ///< of every contact point, shape (n_points)
   std::span<const double> strain;      ///< equivalent plastic [-]
   std::span<const double> strain_rate; ///< over the increment [1/s]
@@ -66,7 +66,7 @@ public:
   ///
   /// @param closed  the points closed on each tool, shape (n_tools)
   /// @param dt      [s], > 0
-  void add(std::span<const std::vector<ClosedPoint>> closed, const Beneath& beneath, double dt);
+  void add(std::span<const std::vector<ClosedPoint>> closed, const BulkFields& bulk, double dt);
 
   [[nodiscard]] Window tool(std::size_t t) const { return tools_[t].window(); }
   /// Over all pairs; a point that touches two tools counts twice.

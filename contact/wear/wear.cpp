@@ -105,9 +105,9 @@ void Wear::add(const ContactTerm& contact, std::span<const double> x, double tim
         pressed_way += edge_of_contact(before->pressure, before->to - before->from, before->normal);
       wear_off(t, at, pressed_way, place, Vec3::Zero());
     }
-    for (const CornerContact::Corner& corner : contact.corners(t))
-      if (corner.committed.foot && !corner.committed.traction.slip.isZero(0.0))
-        wear_off(t, corner.committed, place);
+    for (const CornerState& corner : corners(contact, t))
+      if (corner.press.foot && !corner.press.traction.slip.isZero(0.0))
+        wear_off(t, corner.press, place);
     if (contact.acts(t, time))
       leave(t, closed, place);
     last_[t] = closed;

@@ -19,7 +19,7 @@ constexpr double farthest = 1e6;
 constexpr double fineness = 0.5;
 
 /// Cells are not cut beyond this number of them.
-constexpr std::size_t most_nodes = 4'000'000;
+constexpr std::size_t max_nodes = 4'000'000;
 
 /// Length in the plane, square root of the area in space [mm].
 double size(const Footprint& footprint) {
@@ -34,7 +34,7 @@ double size(const Footprint& footprint) {
 
 /// A cut may add a corner, and so may each side of a footprint.
 bool can_be_cut(const geometry::ConvexPolygon& shape, std::size_t n_nodes) {
-  return n_nodes < most_nodes && shape.corners().size() + 6 < geometry::ConvexPolygon::most_corners;
+  return n_nodes < max_nodes && shape.corners().size() + 6 < geometry::ConvexPolygon::most_corners;
 }
 
 /// Out of the tool, of any length: of a line its right, as in a profile.

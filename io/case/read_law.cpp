@@ -36,11 +36,11 @@ bool read_value(const At& at, const Number& /*kind*/, mechanics::AnyStaticLaw& i
   return is_law;
 }
 
-bool read_value(const At& at, const Number& kind, contact::ShearStrength& into) {
+bool read_value(const At& at, const Number& kind, contact::ShearYieldStress& into) {
   return assign(as_shear_strength(at, kind), into);
 }
 
-bool read_value(const At& at, const Number& kind, std::optional<contact::ShearStrength>& into) {
+bool read_value(const At& at, const Number& kind, std::optional<contact::ShearYieldStress>& into) {
   return assign(as_shear_strength(at, kind), into);
 }
 

@@ -24,9 +24,9 @@ namespace billet::io {
 [[nodiscard]] bool
 read_value(const At& at, const Number& kind, std::vector<std::pair<double, double>>& into);
 [[nodiscard]] bool read_value(const At& at, const Number& kind, mechanics::AnyStaticLaw& into);
-[[nodiscard]] bool read_value(const At& at, const Number& kind, contact::ShearStrength& into);
+[[nodiscard]] bool read_value(const At& at, const Number& kind, contact::ShearYieldStress& into);
 [[nodiscard]] bool
-read_value(const At& at, const Number& kind, std::optional<contact::ShearStrength>& into);
+read_value(const At& at, const Number& kind, std::optional<contact::ShearYieldStress>& into);
 [[nodiscard]] bool read_value(const At& at, const Number& kind, contact::Flattening& into);
 
 /// "WORDS NUMBER".

@@ -80,11 +80,12 @@ std::string toml_text(const Where& where) {
   return toml_text(std::string_view(text));
 }
 
-std::string toml_text(const contact::ShearStrength& strength) {
+std::string toml_text(const contact::ShearYieldStress& strength) {
   if (const double* const value = std::get_if<double>(&strength))
     return toml_text(*value);
-  return std::get<contact::Strength>(strength) == contact::Strength::von_mises ? "\"von-mises\""
-                                                                               : "\"shear-yield\"";
+  return std::get<contact::FollowedStress>(strength) == contact::FollowedStress::von_mises
+             ? "\"von-mises\""
+             : "\"shear-yield\"";
 }
 
 std::string toml_text(const Vec3& vector, int size) {

@@ -21,7 +21,7 @@ namespace billet::io {
 [[nodiscard]] std::string toml_text(const TimeFunction& function);
 [[nodiscard]] std::string toml_text(const InputFile& file);
 [[nodiscard]] std::string toml_text(const Where& where);
-[[nodiscard]] std::string toml_text(const contact::ShearStrength& strength);
+[[nodiscard]] std::string toml_text(const contact::ShearYieldStress& strength);
 
 /// A list of items that are TOML text already.
 [[nodiscard]] std::string toml_list(const std::vector<std::string>& items);

@@ -99,8 +99,8 @@ struct LengthUnit {
 [[nodiscard]] std::optional<Where> as_where(const At& at);
 
 /// A stress, "shear-yield" or "von-mises".
-[[nodiscard]] std::optional<contact::ShearStrength> as_shear_strength(const At& at,
-                                                                      const Number& kind);
+[[nodiscard]] std::optional<contact::ShearYieldStress> as_shear_strength(const At& at,
+                                                                         const Number& kind);
 
 /// A word of the case file and what it stands for.
 template <class Value> struct Word {

@@ -96,18 +96,18 @@ std::optional<Where> as_where(const At& at) {
   return std::nullopt;
 }
 
-std::optional<contact::ShearStrength> as_shear_strength(const At& at, const Number& kind) {
+std::optional<contact::ShearYieldStress> as_shear_strength(const At& at, const Number& kind) {
   const auto* const text = at.node.as<std::string>();
   if (text != nullptr && *text == "shear-yield")
-    return contact::Strength::yield;
+    return contact::FollowedStress::yield;
   if (text != nullptr && *text == "von-mises")
-    return contact::Strength::von_mises;
+    return contact::FollowedStress::von_mises;
   if (text != nullptr && text->find_first_of("0123456789") == std::string::npos) {
     at.complain_found("a stress such as \"10 MPa\", \"shear-yield\" or \"von-mises\"");
     return std::nullopt;
   }
   const std::optional<double> value = as_number(at, kind);
-  return value ? std::optional<contact::ShearStrength>(*value) : std::nullopt;
+  return value ? std::optional<contact::ShearYieldStress>(*value) : std::nullopt;
 }
 
 } // namespace billet::io

@@ -16,7 +16,8 @@ namespace billet::io {
 [[nodiscard]] inline std::string toml_text(contact::Flattening flattening) {
   return word_text(flattening, real_contacts);
 }
-[[nodiscard]] inline std::string toml_text(const std::optional<contact::ShearStrength>& strength) {
+[[nodiscard]] inline std::string
+toml_text(const std::optional<contact::ShearYieldStress>& strength) {
   return toml_text(strength.value()); // where it is absent nothing is written
 }
 

@@ -53,7 +53,7 @@ void on_drives(const process::Run& run, const process::PostMortem& post, Lines& 
           "it lets go, or prescribe its motion",
           drive.load, name));
     } else {
-      const double area = run.contact()->bearing_area();
+      const double area = contact::bearing_area(*run.contact());
       const double yield = yield_stress_of(run);
       lines.push_back(fmt::format("tool {} is under a force of {:.6g} there", name, drive.load));
       if (area > 0.0 && std::isfinite(yield))

@@ -130,7 +130,7 @@ void add_contact(const process::Run& run, const FrameSettings& s, WorkpieceFrame
   if (run.contact() == nullptr)
     return;
   const contact::ContactSurface& surface = *run.model.surface;
-  const std::vector<contact::PointResult> results = run.contact()->results();
+  const std::vector<contact::PointResult> results = contact::point_results(*run.contact());
   const std::size_t n = frame.points.size();
   std::vector<double> count(n, 0.0);
   std::vector<double> pressure(n, 0.0);
@@ -292,7 +292,7 @@ SurfaceFrame contact_frame(const process::Run& run,
   frame.time = run.state.time;
   frame.notes = notes_of(settings);
   const contact::ContactSurface& surface = *run.model.surface;
-  const std::vector<contact::PointResult> results = run.contact()->results();
+  const std::vector<contact::PointResult> results = contact::point_results(*run.contact());
   const std::size_t n = idx(surface.points());
   std::vector<double> pressure;
   std::vector<double> shear;

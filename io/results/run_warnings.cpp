@@ -18,7 +18,7 @@ namespace billet::io {
 
 namespace {
 
-constexpr double tolerated_penetration = 0.02; // of the element beneath
+constexpr double tolerated_penetration = 0.02; // of the parent element
 
 bool moves(const geometry::Motion& motion) {
   return motion.velocity || motion.displacement || motion.crank || motion.rotation ||
@@ -55,13 +55,14 @@ void on_work_missing(const process::Run& run,
         "time.increments.max shows which",
         100.0 * energy.error(), energy.missing(), units.force, units.length, most.at, units.time,
         most.work));
-  if (energy.grounding > budget * energy.scale())
+  if (energy.stabilization > budget * energy.scale())
     lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) went into the grounding, which holds the "
+        "warning: {:.1f} % of the work ({:.3g} {} {}) went into the stabilization, which holds the "
         "part "
         "where neither supports nor tools do: forces and shape are off by as much and more; a "
         "[[support]] for its free motions mends that",
-        100.0 * energy.grounding / energy.scale(), energy.grounding, units.force, units.length));
+        100.0 * energy.stabilization / energy.scale(), energy.stabilization, units.force,
+        units.length));
 }
 
 /// Of work that new meshes or contact itself have done.
@@ -74,13 +75,13 @@ void on_work_made(const process::Run& run, const UnitSystem& units, Lines& lines
         "part over to new meshes: energy in remesh.csv tells which; finer meshes lose less",
         100.0 * energy.remeshing / energy.scale(), energy.remeshing, units.force, units.length));
   constexpr double unpaid = 0.02;
-  if (std::abs(energy.enforcement) > std::max(energy.nothing, unpaid * energy.scale()))
+  if (std::abs(energy.penalty_update) > std::max(energy.nothing, unpaid * energy.scale()))
     lines.push_back(fmt::format(
         "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
         "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
         "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
         "quadratic ones also contact.form = \"compatible\") mend that",
-        100.0 * energy.enforcement / energy.scale(), energy.enforcement, units.force,
+        100.0 * energy.penalty_update / energy.scale(), energy.penalty_update, units.force,
         units.length));
 }
 
@@ -154,10 +155,10 @@ void RunWriter::note_unmet_tools(const process::Run& run, const process::Increme
   unmet_.resize(run.tools().size());
   for (std::size_t t = 0; t < unmet_.size(); ++t) {
     unmet_[t].acts = unmet_[t].acts || run.contact()->acts(t, report.time);
-    unmet_[t].met = unmet_[t].met || run.contact()->lies_on(t);
+    unmet_[t].met = unmet_[t].met || contact::lies_on(*run.contact(), t);
   }
   Unmet& deepest = unmet_[report.penetration.tool];
-  constexpr double noticed = 2e-3; // of the element beneath
+  constexpr double noticed = 2e-3; // of the parent element
   if (report.penetration_share > noticed) {
     if (deepest.depth == 0.0)
       deepest.time = report.time;
@@ -187,7 +188,7 @@ void RunWriter::warn_of_penetration(std::vector<std::string>& lines) const {
   if (largest_share_ > tolerated_penetration)
     lines.push_back(fmt::format(
         "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
-        "{:.1f} % of the element beneath; a finer mesh there (for quadratic elements also "
+        "{:.1f} % of the parent element; a finer mesh there (for quadratic elements also "
         "contact.form = \"compatible\") lessens it",
         largest_penetration_, content_->units.length, 100.0 * largest_share_));
 }
@@ -217,7 +218,7 @@ void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>&
   }
   if (last_) {
     const mechanics::Material& material = run.model.bulk->material();
-    const double left = mechanics::strength_left(
+    const double left = mechanics::flow_stress_left(
         material.flow, {last_->max_plastic_strain, 1.0, material.temperature});
     constexpr double soft = 0.5;
     if (left < soft)

@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 ordered_json energy_json(const process::EnergyBalance& e) {
   return {{"external_work", e.external},       {"elastic_energy", e.elastic},
           {"plastic_work", e.plastic},         {"friction_work", e.friction},
-          {"contact_energy", e.contact},       {"grounding_work", e.grounding},
+          {"contact_energy", e.contact},       {"grounding_work", e.stabilization},
           {"enforcement_work", e.enforcement}, {"lost_in_remeshing", e.remeshing},
           {"relative_error", e.error()}};
 }
@@ -180,14 +180,15 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
     summary["volume"] = about.last->volume;
     summary["max_plastic_strain"] = about.last->max_plastic_strain;
     summary["min_quality"] = about.last->min_quality;
-    summary["penetration"] = {
-        {"last", about.last->max_penetration},
-        {"largest", about.largest_penetration},
-        {"largest_share_of_element", about.largest_share},
-        {"last_sampled", about.last->penetration.sampled},
-        {"last_at_contact_points", about.last->penetration.at_points},
-        {"penalty_raised_by", run.contact() != nullptr ? run.contact()->stiffening() : 1.0},
-        {"how", "upper bound over every point of every face"}};
+    summary["penetration"] = {{"last", about.last->max_penetration},
+                              {"largest", about.largest_penetration},
+                              {"largest_share_of_element", about.largest_share},
+                              {"last_sampled", about.last->penetration.sampled},
+                              {"last_at_contact_points", about.last->penetration.at_points},
+                              {"penalty_raised_by", run.contact() != nullptr
+                                                        ? run.contact()->state().penalty.trial
+                                                        : 1.0},
+                              {"how", "upper bound over every point of every face"}};
   }
   summary["energy"] = energy_json(run.state.energy);
   if (!run.blows().empty()) {

@@ -48,16 +48,16 @@ public:
   [[nodiscard]] int points() const { return points_; }
   /// Committed states, shape (n_elements, points).
   [[nodiscard]] std::span<const PointState> states() const { return states_; }
-  /// Von Mises stress and strength of an integration point in the last assembled trial; what they
-  /// owe to the displacements of its element's nodes. (F.21)
+  /// Von Mises stress and flow stress of an integration point in the last assembled trial; what
+  /// they owe to the displacements of its element's nodes. (F.21)
   [[nodiscard]] MisesStress trial_stress(std::size_t point) const {
     return mises_stress(material_, trial_states_[point], states_[point].plastic_strain, trial_dt_,
                         temperature(point));
   }
   /// Flow stress of an integration point in the last assembled trial [MPa].
-  [[nodiscard]] double trial_strength(std::size_t point) const {
+  [[nodiscard]] double trial_flow_stress(std::size_t point) const {
     return follows_rate(material_.flow)
-               ? trial_stress(point).strength
+               ? trial_stress(point).flow_stress
                : yield_stress(material_.flow,
                               {trial_states_[point].plastic_strain, 0.0, temperature(point)});
   }

@@ -2,7 +2,7 @@
 
 #include "mechanics/bulk/point_table.h"
 #include "mechanics/elements/elements.h"
-#include "mechanics/numerics/lanes.h"
+#include "mechanics/numerics/simd_pack.h"
 
 #include <Eigen/Dense>
 
@@ -35,14 +35,14 @@ template <class Element, Analysis analysis> struct Kernel {
   /// Derivatives that strains are made of: by each coordinate and, about an axis, N / r.
   static constexpr int slopes = axisymmetric ? dim + 1 : dim;
 
-  using NodalRow = Lanes<nodes>;
-  using Square = SquareLanes<dim>;
+  using NodalRow = SimdPack<nodes>;
+  using Square = SquarePack<dim>;
   using Slopes = std::array<NodalRow, slopes>;
   /// Of a batch of points, by the slopes of two displacements.
-  using Factor = std::array<std::array<PointLanes, slopes>, slopes>;
+  using Factor = std::array<std::array<PointPack, slopes>, slopes>;
   using Vector = std::array<NodalRow, dim>; ///< of all nodes, component by component
   /// Moduli of a batch of points, on and above the diagonal.
-  using Moduli = std::array<std::array<PointLanes, n_strains>, n_strains>;
+  using Moduli = std::array<std::array<PointPack, n_strains>, n_strains>;
   using Pairs = std::array<NodalRow, nodes>;
   /// Tangent of displacement i by displacement j, i <= j, for each pair of nodes.
   using Blocks = std::array<Pairs, static_cast<std::size_t>(dim*(dim + 1) / 2)>;
@@ -63,32 +63,32 @@ template <class Element, Analysis analysis> struct Kernel {
   using Positions = std::array<const double*, elements>;
 
   std::array<Slopes, points_at_once> slope; ///< d N / d x and N / r, current
-  PointLanes volume;                        ///< current
-  TensorLanes b_pred;
+  PointPack volume;                         ///< current
+  TensorPack b_pred;
   DeviatoricResponse response;
 
   /// A number of each element at its points.
-  template <class Function> static PointLanes at_points(Function&& of_element) {
+  template <class Function> static PointPack at_points(Function&& of_element) {
     if constexpr (elements == 1)
-      return PointLanes::constant(of_element(0));
+      return PointPack::constant(of_element(0));
     else
-      return PointLanes::of([&](int l) { return of_element(idx(Places<Element>::element(l))); });
+      return PointPack::of([&](int l) { return of_element(idx(Places<Element>::element(l))); });
   }
 
   /// Volumes of the points in a configuration; `J` receives d x / d xi, `r` the radius.
-  static PointLanes measure(const Positions& x, Square& J, PointLanes& r) {
+  static PointPack measure(const Positions& x, Square& J, PointPack& r) {
     const auto& table = point_table<Element>();
     J = {};
     r = {};
     for (int a = 0; a < nodes; ++a)
       for (std::size_t i = 0; i < dim; ++i) {
-        const PointLanes x_i = at_points([&](std::size_t e) { return x[e][idx(a * dim) + i]; });
+        const PointPack x_i = at_points([&](std::size_t e) { return x[e][idx(a * dim) + i]; });
         for (std::size_t j = 0; j < dim; ++j)
           J[i][j] += x_i * table.dN_at_points[idx(a)][j];
         if (axisymmetric && i == 0)
           r += x_i * table.N_at_points[idx(a)];
       }
-    PointLanes v = determinant(J) * table.weight;
+    PointPack v = determinant(J) * table.weight;
     if constexpr (axisymmetric)
       v = full_turn * (v * r);
     return v;
@@ -104,11 +104,11 @@ template <class Element, Analysis analysis> struct Kernel {
     }
     Square J;
     Square J_old;
-    PointLanes r;
-    PointLanes r_old;
+    PointPack r;
+    PointPack r_old;
     volume = measure(x, J, r);
-    const PointLanes volume_old = measure(x_old, J_old, r_old);
-    PointLanes bad = unless_positive(volume) + unless_positive(volume_old);
+    const PointPack volume_old = measure(x_old, J_old, r_old);
+    PointPack bad = unless_positive(volume) + unless_positive(volume_old);
     if constexpr (axisymmetric)
       bad += unless_positive(r);
     if (!all_zero(bad))
@@ -118,20 +118,20 @@ template <class Element, Analysis analysis> struct Kernel {
     return true;
   }
 
-  void set_slopes(const Square& J, [[maybe_unused]] const PointLanes& r) {
+  void set_slopes(const Square& J, [[maybe_unused]] const PointPack& r) {
     const auto& table = point_table<Element>();
     const Square C = adjugate(J);
-    const PointLanes per_volume = PointLanes::constant(1.0) / determinant(J);
+    const PointPack per_volume = PointPack::constant(1.0) / determinant(J);
     for (std::size_t j = 0; j < dim; ++j)
       for (std::size_t i = 0; i < dim; ++i) {
-        const PointLanes inverse = C[i][j] * per_volume;
+        const PointPack inverse = C[i][j] * per_volume;
         for (int l = 0; l < elements * points; ++l) {
           const NodalRow part = inverse[l] * table.dN[idx(l % points)][i];
           slope[idx(l)][j] = i == 0 ? part : slope[idx(l)][j] + part;
         }
       }
     if constexpr (axisymmetric) {
-      const PointLanes per_radius = PointLanes::constant(1.0) / r;
+      const PointPack per_radius = PointPack::constant(1.0) / r;
       for (int l = 0; l < elements * points; ++l)
         slope[idx(l)][dim] = per_radius[l] * table.N[idx(l % points)];
     }
@@ -140,11 +140,11 @@ template <class Element, Analysis analysis> struct Kernel {
   /// b_e,pred = f b_e f^T with the deformation gradient f of the increment. (M.4)
   void set_predictors(const Square& J,
                       const Square& J_old,
-                      [[maybe_unused]] const PointLanes& radii,
+                      [[maybe_unused]] const PointPack& radii,
                       const Inputs& in) {
     const Square C = adjugate(J_old);
-    const PointLanes per_volume = PointLanes::constant(1.0) / determinant(J_old);
-    SquareLanes<3> f{};
+    const PointPack per_volume = PointPack::constant(1.0) / determinant(J_old);
+    SquarePack<3> f{};
     for (std::size_t i = 0; i < dim; ++i)
       for (std::size_t j = 0; j < dim; ++j) {
         for (std::size_t l = 0; l < dim; ++l)
@@ -152,15 +152,15 @@ template <class Element, Analysis analysis> struct Kernel {
         f[i][j] = f[i][j] * per_volume;
       }
     if constexpr (dim == 2)
-      f[2][2] = axisymmetric ? radii : PointLanes::constant(1.0);
-    SquareLanes<3> b{};
+      f[2][2] = axisymmetric ? radii : PointPack::constant(1.0);
+    SquarePack<3> b{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i; j < 3; ++j)
         if (coupled(i, j))
-          b[i][j] = b[j][i] = PointLanes::of(
+          b[i][j] = b[j][i] = PointPack::of(
               [&](int l) { return state(in, l).b_e(static_cast<int>(i), static_cast<int>(j)); });
-    const SquareLanes<3> fb = product(f, b, false);
-    const SquareLanes<3> fbf = product(fb, f, true);
+    const SquarePack<3> fb = product(f, b, false);
+    const SquarePack<3> fbf = product(fb, f, true);
     for (std::size_t c = 0; c < tensor_components.size(); ++c) {
       const auto [i, j] = tensor_components[c];
       b_pred[c] = fbf[i][j];
@@ -178,8 +178,8 @@ template <class Element, Analysis analysis> struct Kernel {
   }
 
   /// A B, or A B^T.
-  static SquareLanes<3> product(const SquareLanes<3>& A, const SquareLanes<3>& B, bool transposed) {
-    SquareLanes<3> AB{};
+  static SquarePack<3> product(const SquarePack<3>& A, const SquarePack<3>& B, bool transposed) {
+    SquarePack<3> AB{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t l = 0; l < 3; ++l)
@@ -220,8 +220,8 @@ template <class Element, Analysis analysis> struct Kernel {
   }
 
   /// Kirchhoff stresses of a batch of points. [MPa]
-  static TensorLanes stresses(const TensorLanes& deviator, const PointLanes& p) {
-    TensorLanes tau = deviator;
+  static TensorPack stresses(const TensorPack& deviator, const PointPack& p) {
+    TensorPack tau = deviator;
     for (std::size_t i = 0; i < 3; ++i)
       tau[i] = tau[i] + p;
     return tau;
@@ -229,14 +229,14 @@ template <class Element, Analysis analysis> struct Kernel {
 
   /// What the tangents of a batch of points are made of.
   struct PointModuli {
-    PointLanes trace; ///< moduli of the pressure: `trace` I (x) I - 2 `unit` II [MPa]
-    PointLanes unit;
-    PointLanes volume; ///< reference
+    PointPack trace; ///< moduli of the pressure: `trace` I (x) I - 2 `unit` II [MPa]
+    PointPack unit;
+    PointPack volume; ///< reference
     const Moduli* deviatoric;
-    const TensorLanes* tau; ///< Kirchhoff stresses times the volumes
+    const TensorPack* tau; ///< Kirchhoff stresses times the volumes
 
-    template <int s, int t> [[nodiscard]] PointLanes at() const {
-      PointLanes value = (*deviatoric)[std::min(s, t)][std::max(s, t)];
+    template <int s, int t> [[nodiscard]] PointPack at() const {
+      PointPack value = (*deviatoric)[std::min(s, t)][std::max(s, t)];
       if constexpr (s < 3 && t < 3)
         value = value + trace;
       if constexpr (s == t)
@@ -317,7 +317,7 @@ template <class Element, Analysis analysis> struct Kernel {
   }
 
   /// Adds the nodal forces of the stress at a point of a batch.
-  static void add_force(Vector& force, const Slopes& S, const TensorLanes& tau, int point) {
+  static void add_force(Vector& force, const Slopes& S, const TensorPack& tau, int point) {
     for (std::size_t i = 0; i < dim; ++i)
       for (std::size_t l = 0; l < slopes_of(i); ++l)
         force[i] += tau[strain_of(i, l)][point] * S[l];
@@ -377,28 +377,28 @@ template <class Element, Analysis analysis> struct Kernel {
     if constexpr (Element::mean_dilatation)
       for (std::size_t e = 0; e < given.size(); ++e)
         whole[e] = dilatation(given[e], static_cast<int>(e) * points);
-    const PointLanes dV = PointLanes::of([&](int l) {
+    const PointPack dV = PointPack::of([&](int l) {
       return in[idx(Places<Element>::element(l))]->volumes[idx(Places<Element>::point(l))];
     });
     // Pressures times J: of the element's mean dilatation, or of the points' own.
-    const PointLanes p = Element::mean_dilatation
-                             ? at_points([&](std::size_t e) {
-                                 return kappa * whole[e].log_theta / whole[e].theta;
-                               }) * volume /
-                                   dV
-                             : kappa * response.log_J;
-    TensorLanes tau = stresses(response.deviator, p);
-    for (PointLanes& component : tau)
+    const PointPack p = Element::mean_dilatation
+                            ? at_points([&](std::size_t e) {
+                                return kappa * whole[e].log_theta / whole[e].theta;
+                              }) * volume /
+                                  dV
+                            : kappa * response.log_J;
+    TensorPack tau = stresses(response.deviator, p);
+    for (PointPack& component : tau)
       component = dV * component;
     std::array<Factor, components.size()> A;
     if (out[0].tangent != nullptr) {
       const Moduli D = moduli(response);
-      const PointLanes trace = Element::mean_dilatation ? p : PointLanes::constant(kappa);
+      const PointPack trace = Element::mean_dilatation ? p : PointPack::constant(kappa);
       for_each_block([&]<std::size_t block, std::size_t i, std::size_t j>() {
         set_factor<i, j>({trace, p, dV, &D, &tau}, A[block]);
       });
     }
-    const PointLanes energies = shape_energies(material.elasticity, response.s);
+    const PointPack energies = shape_energies(material.elasticity, response.s);
     for (std::size_t e = 0; e < given.size(); ++e) {
       put_points(static_cast<int>(e) * points, energies, out[e]);
       put_forces(static_cast<int>(e) * points, tau, out[e]);
@@ -409,7 +409,7 @@ template <class Element, Analysis analysis> struct Kernel {
   }
 
   /// Writes what an element's points have come to, the first of them at a place of the batch.
-  void put_points(int first, const PointLanes& energies, ElementOutput& out) const {
+  void put_points(int first, const PointPack& energies, ElementOutput& out) const {
     for (int g = 0; g < points; ++g) {
       response.put_state(first + g, out.trial[idx(g)]);
       if (!out.shape_energies.empty())
@@ -419,7 +419,7 @@ template <class Element, Analysis analysis> struct Kernel {
     }
   }
 
-  void put_forces(int first, const TensorLanes& tau, ElementOutput& out) const {
+  void put_forces(int first, const TensorPack& tau, ElementOutput& out) const {
     Vector force{};
 #pragma GCC unroll 8
     for (int g = 0; g < points; ++g)
@@ -477,8 +477,8 @@ void volumes_of(const double* x, std::span<double> out) {
   for (std::size_t e = 0; e < positions.size(); ++e)
     positions[e] = x + std::min(e, count - 1) * (K::nodes * K::dim);
   typename K::Square J;
-  PointLanes r;
-  const PointLanes v = K::measure(positions, J, r);
+  PointPack r;
+  const PointPack v = K::measure(positions, J, r);
   for (std::size_t l = 0; l < out.size(); ++l)
     out[l] = v[static_cast<int>(l)];
 }

@@ -6,7 +6,7 @@
 #include "geometry/base/index.h"
 #include "mechanics/elements/elements.h"
 #include "mechanics/materials/j2_hencky.h"
-#include "mechanics/numerics/lanes.h"
+#include "mechanics/numerics/simd_pack.h"
 
 #include <algorithm>
 #include <array>
@@ -33,11 +33,11 @@ template <class Element> struct PointTable {
   static constexpr int dim = Element::Shape::dim;
   static constexpr int points = Element::Rule::points;
 
-  std::array<Lanes<nodes>, points> N{};
-  std::array<std::array<Lanes<nodes>, dim>, points> dN{}; ///< by each reference coordinate
-  std::array<PointLanes, nodes> N_at_points{};
-  std::array<std::array<PointLanes, dim>, nodes> dN_at_points{};
-  PointLanes weight{};
+  std::array<SimdPack<nodes>, points> N{};
+  std::array<std::array<SimdPack<nodes>, dim>, points> dN{}; ///< by each reference coordinate
+  std::array<PointPack, nodes> N_at_points{};
+  std::array<std::array<PointPack, dim>, nodes> dN_at_points{};
+  PointPack weight{};
 
   PointTable() {
     for (int place = 0; place < points_at_once; ++place) {
@@ -64,19 +64,19 @@ template <class Element> const PointTable<Element>& point_table() {
 }
 
 /// A square matrix at each point of a batch.
-template <int dim> using SquareLanes = std::array<std::array<PointLanes, dim>, dim>;
+template <int dim> using SquarePack = std::array<std::array<PointPack, dim>, dim>;
 
-inline PointLanes determinant(const SquareLanes<2>& A) {
+inline PointPack determinant(const SquarePack<2>& A) {
   return A[0][0] * A[1][1] - A[0][1] * A[1][0];
 }
 
 /// The matrix of cofactors' transpose: the inverse times the determinant.
-inline SquareLanes<2> adjugate(const SquareLanes<2>& A) {
+inline SquarePack<2> adjugate(const SquarePack<2>& A) {
   return {{{A[1][1], -1.0 * A[0][1]}, {-1.0 * A[1][0], A[0][0]}}};
 }
 
-inline SquareLanes<3> adjugate(const SquareLanes<3>& A) {
-  SquareLanes<3> C;
+inline SquarePack<3> adjugate(const SquarePack<3>& A) {
+  SquarePack<3> C;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t p = (j + 1) % 3;
@@ -88,8 +88,8 @@ inline SquareLanes<3> adjugate(const SquareLanes<3>& A) {
   return C;
 }
 
-inline PointLanes determinant(const SquareLanes<3>& A) {
-  PointLanes sum{};
+inline PointPack determinant(const SquarePack<3>& A) {
+  PointPack sum{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;

@@ -1,9 +1,9 @@
 // What Newton's method sums: forces on the nodes and their derivatives.
 //
-// The bulk of the workpiece, loads, contact and the grounding of free bodies are all force terms.
-// The residual is the sum of internal minus external forces; at equilibrium it vanishes at every
-// unknown that is not prescribed. A term never changes its committed state while it assembles, so
-// any trial can be repeated to the bit.
+// The bulk of the workpiece, loads, contact and the stabilization of free bodies are all force
+// terms. The residual is the sum of internal minus external forces; at equilibrium it vanishes at
+// every unknown that is not prescribed. A term never changes its committed state while it
+// assembles, so any trial can be repeated to the bit.
 //
 // Units   forces N (plane strain: N per unit thickness; axisymmetric: of the full turn).
 
@@ -82,9 +82,9 @@ public:
   /// Adds residual and exact tangent at a trial. A failure (inverted element, return map) ends the
   /// trial; nothing that matters later has changed.
   [[nodiscard]] virtual Outcome<Assembled> assemble(const Trial& trial, System& system) = 0;
-  /// Whether its forces have kinks and jumps, and cost little beside those of the bulk: a line
+  /// Whether its forces are nonsmooth, and cost little beside those of the bulk: a line
   /// search asks it alone.
-  [[nodiscard]] virtual bool has_kinks() const { return false; }
+  [[nodiscard]] virtual bool nonsmooth() const { return false; }
   /// The last assembled trial becomes the committed state.
   virtual void commit(const Trial& trial) = 0;
 

@@ -37,8 +37,8 @@ double largest(std::span<const double> v) {
 /// A trial that still is this far off after so many iterations has lost its way: a shorter
 /// increment costs less than going on. (N.5) Measured on 5400 tries of eleven cases: of 570 that
 /// failed 435 come to the first mark, of 4840 that come through 8.
-bool hopeless(Approach approach, int iterations, double relative_residual) {
-  if (approach == Approach::patiently)
+bool hopeless(Continuation continuation, int iterations, double relative_residual) {
+  if (continuation == Continuation::more_iterations)
     return false;
   return (iterations >= 8 && relative_residual > 0.9) ||
          (iterations >= 10 && relative_residual > 0.3) ||
@@ -63,11 +63,11 @@ double expected_residual(double before, double now) {
 }
 
 /// Ten times stiffer whenever the residual is small. (N.10)
-Softening first_softening(Approach approach) {
+Softening first_softening(Continuation continuation) {
   constexpr double soft = 1e-3, gentle = 1e-4;
-  if (approach == Approach::softly)
+  if (continuation == Continuation::friction)
     return {soft, 1.0};
-  if (approach == Approach::gently)
+  if (continuation == Continuation::penalty_and_friction)
     return {gentle, gentle};
   return {};
 }
@@ -79,17 +79,17 @@ void harden(Softening& softening) {
 }
 
 /// Times the usual number.
-int iterations_for(Approach approach) {
-  constexpr int softly = 2, gently = 4, patiently = 4;
-  switch (approach) {
-  case Approach::softly:
-    return softly;
-  case Approach::gently:
-    return gently;
-  case Approach::patiently:
-    return patiently;
-  case Approach::directly:
-  case Approach::from_solution:
+int iterations_for(Continuation continuation) {
+  constexpr int friction = 2, penalty_and_friction = 4, more_iterations = 4;
+  switch (continuation) {
+  case Continuation::friction:
+    return friction;
+  case Continuation::penalty_and_friction:
+    return penalty_and_friction;
+  case Continuation::more_iterations:
+    return more_iterations;
+  case Continuation::none:
+  case Continuation::from_solution:
     break;
   }
   return 1;
@@ -178,8 +178,9 @@ double Newton::slope() const {
   return sum;
 }
 
-Outcome<SolveReport>
-Newton::correct(const Prescribed& prescribed, std::span<const double> x, const Demand& demand) {
+Outcome<SolveReport> Newton::correct(const Prescribed& prescribed,
+                                     std::span<const double> x,
+                                     const SolveOptions& options) {
   const Stopwatch watch(times_.solve);
   auto& values = system_.tangent.values;
   std::fill(correction_.begin(), correction_.end(), 0.0);
@@ -213,15 +214,15 @@ Newton::correct(const Prescribed& prescribed, std::span<const double> x, const D
   std::erase_if(system_.tangent.unsymmetric, [&](const EntryPart& part) {
     return fixed_[idx(part.row)] != 0 || fixed_[idx(pattern_->columns[idx(part.entry)])] != 0;
   });
-  return solve_bordered(demand);
+  return solve_bordered(options);
 }
 
 /// Eliminates the nodes: one more right-hand side for each unknown that belongs to none. (N.7)
-Outcome<SolveReport> Newton::solve_bordered(const Demand& demand) {
+Outcome<SolveReport> Newton::solve_bordered(const SolveOptions& options) {
   const std::size_t n = rhs_.size();
   const std::size_t m = system_.borders.size();
   const std::span<double> nodal = std::span(correction_).first(n);
-  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, demand);
+  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, options);
   const bool held = std::all_of(fixed_.begin() + static_cast<std::ptrdiff_t>(n), fixed_.end(),
                                 [](char fixed) { return fixed != 0; });
   if (!solved || held) // they are where they have been told to be: none follows its load
@@ -277,17 +278,17 @@ Outcome<Newton::Evaluation> Newton::try_step(std::span<ForceTerm* const> terms,
   return Evaluation{*norms, slope()};
 }
 
-double Newton::slope_of_kinks(std::span<ForceTerm* const> terms,
-                              const Trial& trial,
-                              std::vector<double>& x,
-                              double step) {
+double Newton::nonsmooth_slope(std::span<ForceTerm* const> terms,
+                               const Trial& trial,
+                               std::vector<double>& x,
+                               double step) {
   const Stopwatch watch(times_.assembly);
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = base_[i] + step * correction_[i];
   system_.forces_only = true; // no solution follows before all is assembled anew
   system_.clear();
   for (ForceTerm* term : terms)
-    if (term->has_kinks() && !term->assemble(trial, system_))
+    if (term->nonsmooth() && !term->assemble(trial, system_))
       return 0.0; // the whole system will say why
   contact_changes_ += system_.contact_changes;
   return slope();
@@ -320,7 +321,7 @@ Outcome<Newton::Evaluation> Newton::search(std::span<ForceTerm* const> terms,
 /// The work of the correction changes its sign between 0 and `step`: closes in on that place, also
 /// across the kink of a contact that opens or closes, to go on with the far side's tangent.
 ///
-/// Contact makes the kinks and costs next to nothing: it is found anew in every trial, the rest
+/// Contact makes it nonsmooth and costs next to nothing: it is found anew in every trial, the rest
 /// drawn as a line between the steps where everything was assembled. (N.9)
 ///
 /// @param start  slope at 0
@@ -332,26 +333,26 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
                                              const Evaluation& far,
                                              double& step) {
   constexpr double close = 0.2; // of the slope left after closing in
-  constexpr int most_trials = 10;
+  constexpr int max_trials = 10;
   struct End {
     double step;
     double slope;
-    double rest; // of the slope, without what has kinks
+    double rest; // of the slope, without nonsmooth terms
   };
-  const auto kinks = [&](double s) { return slope_of_kinks(terms, trial, x, s); };
-  End near_end{0.0, start, start - kinks(0.0)};
-  End far_end{step, far.slope, far.slope - kinks(step)};
+  const auto nonsmooth = [&](double s) { return nonsmooth_slope(terms, trial, x, s); };
+  End near_end{0.0, start, start - nonsmooth(0.0)};
+  End far_end{step, far.slope, far.slope - nonsmooth(step)};
   int trials = 0;
   while (true) {
     double low = near_end.step, slope_low = near_end.slope;
     double high = far_end.step, slope_high = far_end.slope;
-    double kinked = 0.0;
-    for (bool found = false; !found && trials < most_trials; ++trials) {
+    double bent = 0.0;
+    for (bool found = false; !found && trials < max_trials; ++trials) {
       const double secant = low + (high - low) * slope_low / (slope_low - slope_high);
       step = std::clamp(secant, low + 0.1 * (high - low), high - 0.1 * (high - low));
-      kinked = kinks(step);
+      bent = nonsmooth(step);
       const double share = (step - near_end.step) / (far_end.step - near_end.step);
-      const double estimate = kinked + near_end.rest + share * (far_end.rest - near_end.rest);
+      const double estimate = bent + near_end.rest + share * (far_end.rest - near_end.rest);
       found = std::abs(estimate) <= close * std::abs(start);
       const bool same_side = (estimate > 0.0) == (start > 0.0);
       (same_side ? low : high) = step;
@@ -360,10 +361,10 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
       (same_side ? slope_high : slope_low) *= 0.5;
     }
     auto now = try_step(terms, trial, x, step);
-    if (!now || std::abs(now->slope) <= close * std::abs(start) || trials == most_trials)
+    if (!now || std::abs(now->slope) <= close * std::abs(start) || trials == max_trials)
       return now;
     const bool same_side = (now->slope > 0.0) == (start > 0.0);
-    (same_side ? near_end : far_end) = {step, now->slope, now->slope - kinked};
+    (same_side ? near_end : far_end) = {step, now->slope, now->slope - bent};
   }
 }
 
@@ -373,12 +374,12 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     double time,
                                     std::span<const double> x_old,
                                     std::vector<double>& x,
-                                    Approach approach) {
-  const bool guessed = approach != Approach::from_solution;
+                                    Continuation continuation) {
+  const bool guessed = continuation != Continuation::from_solution;
   if (guessed)
     records_.clear();
   mark(prescribed);
-  Softening softening = first_softening(approach);
+  Softening softening = first_softening(continuation);
   const auto trial = [&](bool first_guess = false) {
     return Trial{time_old, time, x_old, x, softening, first_guess};
   };
@@ -401,7 +402,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   // the tolerance; when the correction is no more than that rounding, no better x can be written.
   // Nor when the residual is: a slender body turns such forces into corrections of any length.
   int shortened = 0;
-  constexpr int most_shortened = 8;
+  constexpr int max_shortened = 8;
   double taken = HUGE_VAL;
   const double position = std::max(largest(x_old), 0.5 * largest(x)); // it may come from far
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * position;
@@ -413,13 +414,13 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   double before = norms->residual / norms->scale;
   double correction = 0.0;
   int hardened = 0; // the iteration that the last softness was left at
-  const int most_iterations = iterations_for(approach) * settings_.most_iterations;
-  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+  const int max_iterations = iterations_for(continuation) * settings_.max_iterations;
+  for (int iteration = 1; iteration <= max_iterations; ++iteration) {
     double relative = norms->residual / norms->scale;
     constexpr double near = 1e-4;
     if (softening.slip < 1.0 && relative <= near) {
       harden(softening);
-      if (approach == Approach::gently)
+      if (continuation == Continuation::penalty_and_friction)
         hardened = iteration - 1;
       norms = evaluate(terms, trial());
       if (!norms)
@@ -443,19 +444,19 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
     }
     if ((solved_well || (softening.slip == 1.0 && at_rounding(relative))) && missing() == 0.0)
       return NewtonReport{iteration - 1, relative, norms->scale};
-    if (hopeless(approach, iteration - 1 - hardened, relative))
+    if (hopeless(continuation, iteration - 1 - hardened, relative))
       return Failure{"no convergence"};
     const bool expected_last = settled_ && softening.slip == 1.0 && missing() == 0.0 &&
                                expected_residual(before, relative) <= settings_.tolerance;
     before = relative;
     // After an event - a contact that opens or closes, a line search - the tangent is another.
     const auto solved =
-        correct(prescribed, x, Demand{forcing(relative, settings_.tolerance), !settled_});
+        correct(prescribed, x, SolveOptions{forcing(relative, settings_.tolerance), !settled_});
     if (!solved)
       return solved.error();
     if (iteration > 1 && missing() == 0.0)
       limit_correction(x_old, x);
-    if (shorten_correction() && ++shortened > most_shortened)
+    if (shorten_correction() && ++shortened > max_shortened)
       return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
     // While supports still move their work is unknown to the search: it takes the whole step.
     // So it does where contacts were kept: the residual is not that of the real contacts.
@@ -479,7 +480,7 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
   }
   if (softening.slip == 1.0 && norms->residual / norms->scale <= settings_.tolerance &&
       missing() == 0.0)
-    return NewtonReport{settings_.most_iterations, norms->residual / norms->scale, norms->scale};
+    return NewtonReport{settings_.max_iterations, norms->residual / norms->scale, norms->scale};
   return Failure{"no convergence"};
 }
 

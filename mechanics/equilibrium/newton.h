@@ -23,7 +23,7 @@ namespace billet::mechanics {
 /// When an increment counts as solved, and when it is given up.
 struct NewtonSettings {
   double tolerance = 1e-6; ///< residual over the largest internal or contact force [-]
-  int most_iterations = 24;
+  int max_iterations = 24;
   double force_floor = 0.0; ///< forces below it count as zero: an unloaded state converges [N]
   double largest_correction = HUGE_VAL; ///< a longer one means that nothing holds the body [mm]
 };
@@ -58,13 +58,16 @@ struct NewtonTimes {
   double solve = 0.0;
 };
 
-/// How an increment goes to its solution.
-enum class Approach {
-  directly,      ///< from a first guess
-  softly,        ///< from a first guess, by way of the solution with a softer resistance to slip
-  gently,        ///< from the start of the increment, with a softer resistance to penetration, too
-  patiently,     ///< from a first guess, however long it takes: metal snaps, no increment is short
-  from_solution, ///< from what solves terms that have changed a little since; goes on recording
+/// What is continued to the full problem on the way to a solution, or is given more time.
+enum class Continuation {
+  none,     ///< from a first guess
+  friction, ///< from a first guess, by way of the solution with a softer resistance to slip
+  /// From the start of the increment, with a softer resistance to penetration, too.
+  penalty_and_friction,
+  /// From a first guess, however long it takes: metal snaps, no increment is short.
+  more_iterations,
+  /// From what solves terms that have changed a little since; goes on recording.
+  from_solution,
 };
 
 /// The iteration, with the memory it works in.
@@ -91,7 +94,7 @@ public:
                                             double time,
                                             std::span<const double> x_old,
                                             std::vector<double>& x,
-                                            Approach approach = Approach::directly);
+                                            Continuation continuation = Continuation::none);
 
   /// Goes on as if this were its first call: what the next ones do depends on no earlier one.
   void forget();
@@ -117,8 +120,8 @@ private:
   [[nodiscard]] Outcome<Norms>
   evaluate(std::span<ForceTerm* const> terms, const Trial& trial, bool forces_only = false);
   [[nodiscard]] Outcome<SolveReport>
-  correct(const Prescribed& prescribed, std::span<const double> x, const Demand& demand);
-  [[nodiscard]] Outcome<SolveReport> solve_bordered(const Demand& demand);
+  correct(const Prescribed& prescribed, std::span<const double> x, const SolveOptions& options);
+  [[nodiscard]] Outcome<SolveReport> solve_bordered(const SolveOptions& options);
   [[nodiscard]] Outcome<Evaluation> search(std::span<ForceTerm* const> terms,
                                            const Trial& trial,
                                            std::vector<double>& x,
@@ -130,11 +133,11 @@ private:
                                              std::vector<double>& x,
                                              double step,
                                              bool forces_only = false);
-  /// What terms with kinks have in the slope after a step; the system is theirs alone then.
-  [[nodiscard]] double slope_of_kinks(std::span<ForceTerm* const> terms,
-                                      const Trial& trial,
-                                      std::vector<double>& x,
-                                      double step);
+  /// What nonsmooth terms have in the slope after a step; the system is theirs alone then.
+  [[nodiscard]] double nonsmooth_slope(std::span<ForceTerm* const> terms,
+                                       const Trial& trial,
+                                       std::vector<double>& x,
+                                       double step);
   [[nodiscard]] Outcome<Evaluation> close_in(std::span<ForceTerm* const> terms,
                                              const Trial& trial,
                                              std::vector<double>& x,

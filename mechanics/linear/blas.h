@@ -1,4 +1,4 @@
-// The linear-algebra kernels beneath the factorizations, and two faults of them to be mended.
+// The linear-algebra kernels beneath the factorizations, and two faults of them to be repaired.
 //
 // OpenBLAS 0.3.21 does not know new processors and then silently uses kernels up to several times
 // slower (docs/decisions); and it starts threads, which spin for a tenth of a second, before

@@ -26,7 +26,7 @@ double norm(std::span<const double> v) {
 /// that is less than exact. Counted, not timed, so that a run repeats. The constants are measured:
 /// a factorization runs at the speed of matrix products plus some work for every entry, a solve at
 /// that of memory.
-int most_solves(const FactorCost& cost) {
+int max_solves(const FactorCost& cost) {
   constexpr double per_entry = 5.0;
   constexpr double flops_per_entry = 50.0;
   constexpr double fewest = 8.0;
@@ -47,7 +47,7 @@ constexpr double exact = 1e-10;
 constexpr std::string_view with_earlier = "gmres";
 
 /// Iterations with a neighbour of the matrix: more cost more than an LU does.
-constexpr int most_iterations = 24;
+constexpr int max_iterations = 24;
 
 /// Relative corrections of a solution in single precision: each iteration lessens what is wrong in
 /// it by that factor. Beyond a fair one many are asked for. (N.11)
@@ -114,9 +114,9 @@ SolverWork SolverWork::after(const SolverWork& earlier) const {
   return sum;
 }
 
-void Patience::take(bool served) {
-  constexpr int most_failures = 5;
-  failures_ = served ? 0 : std::min(failures_ + 1, most_failures);
+void RetryBackoff::take(bool served) {
+  constexpr int max_failures = 5;
+  failures_ = served ? 0 : std::min(failures_ + 1, max_failures);
   wait_ = served ? 0 : (1 << failures_) - 2;
 }
 
@@ -163,10 +163,10 @@ void LinearSolver::set_alone(std::span<const char> alone) {
 
 void LinearSolver::forget() {
   last_ = nullptr;
-  wear_ = {};
-  held_ = Held::earlier;
-  symmetric_patience_ = {};
-  single_patience_ = {};
+  reuse_ = {};
+  factor_of_ = FactorOf::previous;
+  symmetric_backoff_ = {};
+  single_backoff_ = {};
   single_lu_serves_ = true;
   first_.clear();
   correction_ = 0.0;
@@ -210,7 +210,7 @@ bool LinearSolver::factorize(Factorization& factorization,
   work_.last_factor_bytes = cost.entries * static_cast<double>(cost.entry_size);
   if (done)
     last_ = &factorization;
-  wear_.begin(most_solves(cost));
+  reuse_.begin(max_solves(cost));
   return done;
 }
 
@@ -224,7 +224,7 @@ Outcome<SolveReport> LinearSolver::solve_with(Factorization& factorization,
   correction_ = 0.0; // of double precision
   auto report = back_substitute(factorization, method, matrix, rhs, x);
   if (report)
-    held_ = Held::current;
+    factor_of_ = FactorOf::current;
   else
     last_ = nullptr;
   return report;
@@ -239,7 +239,7 @@ Outcome<SolveReport> LinearSolver::back_substitute(Factorization& factorization,
   std::copy(rhs.begin(), rhs.end(), x.begin());
   factorization.solve(x);
   ++work_.substitutions;
-  // Backward stable factorizations leave 1e-14 or so; one refinement mends a poor pivot order.
+  // Backward stable factorizations leave 1e-14 or so; one refinement repairs a poor pivot order.
   const double scale = norm(rhs);
   SolveReport report{method, 0.0};
   for (int pass = 0; pass < 2; ++pass) {
@@ -311,9 +311,9 @@ Outcome<SolveReport> LinearSolver::solve(const SparseMatrix& matrix,
                                          bool symmetric,
                                          std::span<const double> rhs,
                                          std::span<double> x,
-                                         const Demand& demand) {
+                                         const SolveOptions& options) {
   ++work_.systems;
-  auto solved = solve_system(matrix, symmetric, rhs, x, demand);
+  auto solved = solve_system(matrix, symmetric, rhs, x, options);
   if (solved && solved->method == with_earlier)
     ++work_.reused;
   return solved;
@@ -323,23 +323,23 @@ Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
                                                 bool symmetric,
                                                 std::span<const double> rhs,
                                                 std::span<double> x,
-                                                const Demand& demand) {
-  held_ = Held::earlier;
+                                                const SolveOptions& options) {
+  factor_of_ = FactorOf::previous;
   if (norm(rhs) == 0.0) {
     std::fill(x.begin(), x.end(), 0.0);
     return SolveReport{"zero", 0.0};
   }
-  const bool may_reuse = demand.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
-  const int most = may_reuse && last_ != nullptr ? most_solves(last_->cost()) : 0;
-  if (most > 0 && !wear_.worn()) {
-    const double enough = tolerance_for(demand.tolerance, correction_, false);
+  const bool may_reuse = options.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
+  const int most = may_reuse && last_ != nullptr ? max_solves(last_->cost()) : 0;
+  if (most > 0 && !reuse_.wants_new()) {
+    const double enough = tolerance_for(options.tolerance, correction_, false);
     const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
     if (report.converged) {
-      wear_.take(report.solves);
+      reuse_.take(report.solves);
       return SolveReport{with_earlier, report.residual};
     }
   }
-  return factorize_and_solve(matrix, symmetric, rhs, x, demand);
+  return factorize_and_solve(matrix, symmetric, rhs, x, options);
 }
 
 Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
@@ -347,11 +347,11 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
                                                std::span<const double> rhs,
                                                std::span<double> x,
                                                double tolerance) {
-  if (held_ == Held::current)
+  if (factor_of_ == FactorOf::current)
     return back_substitute(*last_, "again", matrix, rhs, x);
-  if (held_ == Held::neighbour) {
+  if (factor_of_ == FactorOf::symmetrized) {
     const GmresReport report =
-        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), most_iterations, {});
+        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), max_iterations, {});
     if (report.converged)
       return SolveReport{"again", report.residual};
   }
@@ -381,21 +381,21 @@ bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<cons
 
 bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
                                        std::span<const double> rhs,
-                                       const Demand& demand) {
-  if (settings_.choice != SolverChoice::automatic || !single_patience_.over())
+                                       const SolveOptions& options) {
+  if (settings_.choice != SolverChoice::automatic || !single_backoff_.due())
     return false;
   const auto& fronts = elimination();
   Factorization& single = prepared(single_, [&] { return make_single(fronts); });
   // Where nothing happens the next matrix is much like the last.
   constexpr double far_from_bad = 0.1;
-  const bool asks = !(demand.tolerance > 0.0 && !demand.far && last_ == &single &&
+  const bool asks = !(options.tolerance > 0.0 && !options.far && last_ == &single &&
                       correction_ <= far_from_bad * good_correction);
   first_.clear();
   const bool serves =
       factorize(single, "ldlt-single", matrix) && (!asks || agrees_with_itself(matrix, rhs));
   if (!serves)
     last_ = nullptr;
-  single_patience_.take(serves);
+  single_backoff_.take(serves);
   return serves;
 }
 
@@ -403,53 +403,53 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         const SparseMatrix& matrix,
                                                         std::span<const double> rhs,
                                                         std::span<double> x,
-                                                        const Demand& demand,
+                                                        const SolveOptions& options,
                                                         Known known) {
-  const bool small = most_solves(last_->cost()) == 0;
-  const double enough = tolerance_for(demand.tolerance, correction_, small);
-  const GmresReport report = iterate(matrix, rhs, x, enough, most_iterations, known);
+  const bool small = max_solves(last_->cost()) == 0;
+  const double enough = tolerance_for(options.tolerance, correction_, small);
+  const GmresReport report = iterate(matrix, rhs, x, enough, max_iterations, known);
   if (!report.converged) {
     last_ = nullptr;
     return Failure{"no convergence (" + std::string(method) + ")"};
   }
-  held_ = Held::neighbour;
+  factor_of_ = FactorOf::symmetrized;
   return SolveReport{method, report.residual};
 }
 
 Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix& matrix,
                                                              std::span<const double> rhs,
                                                              std::span<double> x,
-                                                             const Demand& demand) {
+                                                             const SolveOptions& options) {
   matrix.take_symmetric_part(symmetric_part_);
   const auto attempt = [&]() -> Outcome<SolveReport> {
-    if (factorize_in_single(symmetric_part_, rhs, demand))
-      return solve_with_neighbour("ldlt-single", matrix, rhs, x, demand,
+    if (factorize_in_single(symmetric_part_, rhs, options))
+      return solve_with_neighbour("ldlt-single", matrix, rhs, x, options,
                                   Known(first_).first(first_.empty() ? 0 : 1));
     const auto& fronts = elimination();
     correction_ = 0.0;
     Factorization& cholesky = prepared(cholmod_, [&] { return make_cholmod(fronts); });
     if (!factorize(cholesky, "cholmod-gmres", symmetric_part_))
       return Failure{"the symmetric part is not positive definite"};
-    return solve_with_neighbour("cholmod-gmres", matrix, rhs, x, demand, {});
+    return solve_with_neighbour("cholmod-gmres", matrix, rhs, x, options, {});
   };
   auto outcome = attempt();
   if (outcome)
     ++work_.nearly_symmetric;
   else
     free_memory(symmetric_part_.values); // LU needs the memory
-  symmetric_patience_.take(bool(outcome));
+  symmetric_backoff_.take(bool(outcome));
   return outcome;
 }
 
 Outcome<SolveReport> LinearSolver::solve_symmetric(const SparseMatrix& matrix,
                                                    std::span<const double> rhs,
                                                    std::span<double> x,
-                                                   const Demand& demand) {
-  if (factorize_in_single(matrix, rhs, demand)) {
+                                                   const SolveOptions& options) {
+  if (factorize_in_single(matrix, rhs, options)) {
     // What is left of a solution that is exact but for rounding is the second direction.
     if (!first_.empty() && norm(first_[1]) == 0.0)
       first_.pop_back();
-    auto outcome = solve_with_neighbour("ldlt-single", matrix, rhs, x, demand, first_);
+    auto outcome = solve_with_neighbour("ldlt-single", matrix, rhs, x, options, first_);
     if (outcome)
       return outcome;
   }
@@ -462,21 +462,21 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
                                                        bool symmetric,
                                                        std::span<const double> rhs,
                                                        std::span<double> x,
-                                                       const Demand& demand) {
+                                                       const SolveOptions& options) {
   const bool fast =
       settings_.choice == SolverChoice::automatic || settings_.choice == SolverChoice::cholmod;
   if (symmetric && fast) {
-    auto outcome = solve_symmetric(matrix, rhs, x, demand);
+    auto outcome = solve_symmetric(matrix, rhs, x, options);
     if (outcome)
       return outcome;
   }
-  if (!symmetric && fast && symmetric_patience_.over()) {
-    auto outcome = solve_with_symmetric_part(matrix, rhs, x, demand);
+  if (!symmetric && fast && symmetric_backoff_.due()) {
+    auto outcome = solve_with_symmetric_part(matrix, rhs, x, options);
     if (outcome)
       return outcome;
   }
   if (!symmetric && fast && single_lu_serves_ &&
-      most_solves({elimination()->flops(), elimination()->entries()}) > 0) {
+      max_solves({elimination()->flops(), elimination()->entries()}) > 0) {
     Factorization& lu =
         prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
     correction_ = 0.0;

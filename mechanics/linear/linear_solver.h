@@ -35,7 +35,7 @@ struct SolverSettings {
 };
 
 /// What is asked of a solution.
-struct Demand {
+struct SolveOptions {
   double tolerance = 0.0; ///< relative residual that will do [-]; 0: as exact as can be
   bool far = false;       ///< the matrix may have little in common with the last one
 };
@@ -110,10 +110,10 @@ make_mumps(const BlockPattern& pattern, std::span<const Index> order, bool symme
                                                           std::span<const Index> order);
 
 /// When something that has failed is tried again: with the next system, then after 2, 6, ... 30.
-class Patience {
+class RetryBackoff {
 public:
   /// Counts a system. @return whether it is tried with this one
-  [[nodiscard]] bool over() { return wait_-- <= 0; }
+  [[nodiscard]] bool due() { return wait_-- <= 0; }
   void take(bool served);
 
 private:
@@ -124,7 +124,7 @@ private:
 /// Whether systems go on with an earlier factorization. One of its own is due when the last took
 /// more solves than systems have taken on the average since the factorization was made, its cost
 /// shared among them: more of the like would only raise that average.
-class Wear {
+class ReusePolicy {
 public:
   /// @param cost  of the factorization [solves]
   void begin(int cost) {
@@ -138,7 +138,7 @@ public:
     ++systems_;
     last_ = solves;
   }
-  [[nodiscard]] bool worn() const { return last_ * systems_ > spent_; }
+  [[nodiscard]] bool wants_new() const { return last_ * systems_ > spent_; }
 
 private:
   int spent_ = 0; ///< with the factorization [solves]
@@ -166,7 +166,7 @@ public:
                                            bool symmetric,
                                            std::span<const double> rhs,
                                            std::span<double> x,
-                                           const Demand& demand = {});
+                                           const SolveOptions& options = {});
 
   /// Solves for another right-hand side, just after `solve` with the same matrix.
   /// The symmetric part's factorization serves here as well.
@@ -190,7 +190,7 @@ private:
                                                   bool symmetric,
                                                   std::span<const double> rhs,
                                                   std::span<double> x,
-                                                  const Demand& demand);
+                                                  const SolveOptions& options);
   /// Makes a factorization of the pattern where there is none so far.
   template <class Make>
   Factorization& prepared(std::unique_ptr<Factorization>& factorization, Make make);
@@ -214,12 +214,12 @@ private:
                                                           const SparseMatrix& matrix,
                                                           std::span<const double> rhs,
                                                           std::span<double> x,
-                                                          const Demand& demand,
+                                                          const SolveOptions& options,
                                                           Known known);
   /// L S L^T in single precision, where that is enough and has been lately.
   [[nodiscard]] bool factorize_in_single(const SparseMatrix& matrix,
                                          std::span<const double> rhs,
-                                         const Demand& demand);
+                                         const SolveOptions& options);
   /// Whether the factorization at hand gives a solution back that it is given the product of. A
   /// slender body's soft motions are lost in single precision, and a residual does not show it.
   /// (N.11)
@@ -228,11 +228,11 @@ private:
   [[nodiscard]] Outcome<SolveReport> solve_with_symmetric_part(const SparseMatrix& matrix,
                                                                std::span<const double> rhs,
                                                                std::span<double> x,
-                                                               const Demand& demand);
+                                                               const SolveOptions& options);
   [[nodiscard]] Outcome<SolveReport> solve_symmetric(const SparseMatrix& matrix,
                                                      std::span<const double> rhs,
                                                      std::span<double> x,
-                                                     const Demand& demand);
+                                                     const SolveOptions& options);
   /// GMRES with the factorization at hand.
   [[nodiscard]] GmresReport iterate(const SparseMatrix& matrix,
                                     std::span<const double> rhs,
@@ -245,7 +245,7 @@ private:
                                                          bool symmetric,
                                                          std::span<const double> rhs,
                                                          std::span<double> x,
-                                                         const Demand& demand);
+                                                         const SolveOptions& options);
 
   const BlockPattern* pattern_;
   SolverSettings settings_;
@@ -259,15 +259,15 @@ private:
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
   Factorization* last_ = nullptr; ///< holds a factorization of an earlier matrix
-  Wear wear_;                     ///< of that factorization
-  /// ... and the matrix it is of.
-  enum class Held { earlier, neighbour, current } held_ = Held::earlier;
+  ReusePolicy reuse_;             ///< of that factorization
+  /// The matrix that factorization is of.
+  enum class FactorOf { previous, symmetrized, current } factor_of_ = FactorOf::previous;
   Gmres gmres_;
   std::vector<Index> diagonal_; ///< entry of each unknown
   std::vector<double> weights_; ///< of each unknown's residual
   SparseMatrix symmetric_part_;
-  Patience symmetric_patience_;            ///< with the symmetric part
-  Patience single_patience_;               ///< with L S L^T in single precision
+  RetryBackoff symmetric_backoff_;         ///< with the symmetric part
+  RetryBackoff single_backoff_;            ///< with L S L^T in single precision
   bool single_lu_serves_ = true;           ///< whether LU in single precision is worth a try
   std::vector<std::vector<double>> first_; ///< a rough solution and a correction of it, if made
   double correction_ = 0.0;                ///< relative to that solution

@@ -279,7 +279,7 @@ void Scatter::find_places(const BlockPattern& pattern,
                           Index group,
                           std::span<double> values,
                           BlockPlaces& places) const {
-  assert(idx(size_) <= BlockPlaces::most_nodes);
+  assert(idx(size_) <= BlockPlaces::max_nodes);
   places.blocks = offsets_.data() + at(group) * idx(size_);
   for (std::size_t a = 0; a < idx(size_); ++a) {
     const std::size_t row = idx(nodes(group)[a]) * idx(pattern.dim);

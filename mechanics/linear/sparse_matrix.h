@@ -46,9 +46,9 @@ struct EntryPart {
 /// Where the blocks of an element's tangent are added: for each of its nodes the first entry of the
 /// rows and how far they lie apart, and which block of them belongs to each node.
 struct BlockPlaces {
-  static constexpr std::size_t most_nodes = 20;
-  std::array<double*, most_nodes> rows;
-  std::array<std::size_t, most_nodes> apart;
+  static constexpr std::size_t max_nodes = 20;
+  std::array<double*, max_nodes> rows;
+  std::array<std::size_t, max_nodes> apart;
   const Index* blocks; ///< shape (nodes, nodes)
 };
 
@@ -75,7 +75,7 @@ public:
   /// Pieces by colour: colour c holds those from colour_start[c] to colour_start[c + 1] - 1.
   [[nodiscard]] const std::vector<Index>& colour_start() const { return colour_start_; }
 
-  /// Finds where a group's blocks lie in `values`. @pre size() is at most BlockPlaces::most_nodes
+  /// Finds where a group's blocks lie in `values`. @pre size() is at most BlockPlaces::max_nodes
   void find_places(const BlockPattern& pattern,
                    Index group,
                    std::span<double> values,
@@ -113,7 +113,7 @@ struct SparseMatrix {
   const BlockPattern* pattern = nullptr;
   std::vector<double> values; ///< shape (n_entries)
   /// What, taken away, leaves a symmetric matrix close to this one, in any order: what couples slip
-  /// to pressure and strength. Solvers may use it; it is part of the values.
+  /// to pressure and shear yield stress. Solvers may use it; it is part of the values.
   std::vector<EntryPart> unsymmetric = {};
 
   /// y = A x, shapes (n_dofs).

@@ -1,8 +1,8 @@
 #include "mechanics/materials/j2_hencky.h"
 
 #include "geometry/base/index.h"
-#include "mechanics/numerics/lanes.h"
 #include "mechanics/numerics/quadrature.h"
+#include "mechanics/numerics/simd_pack.h"
 
 #include <algorithm>
 #include <array>
@@ -129,44 +129,44 @@ std::optional<Return> solve_return(const Law& law,
 ///
 /// @param beyond  0 where the series serves
 template <class Function>
-PointLanes mended(const PointLanes& values, const PointLanes& beyond, Function function) {
-  return PointLanes::of([&](int l) { return beyond[l] == 0.0 ? values[l] : function(l); });
+PointPack repaired(const PointPack& values, const PointPack& beyond, Function function) {
+  return PointPack::of([&](int l) { return beyond[l] == 0.0 ? values[l] : function(l); });
 }
 
 /// artanh(z) / z.
-PointLanes artanh_per_z(const PointLanes& z) {
-  const PointLanes squares = z * z;
-  PointLanes sum{};
+PointPack artanh_per_z(const PointPack& z) {
+  const PointPack squares = z * z;
+  PointPack sum{};
   for (const double coefficient : artanh_series)
-    sum = PointLanes::constant(coefficient) + squares * sum;
+    sum = PointPack::constant(coefficient) + squares * sum;
   return sum;
 }
 
 /// Logarithms of b > 0; false where one is not, or is infinite.
-bool logarithms(const PrincipalLanes& b, PrincipalLanes& out) {
-  const PointLanes one = PointLanes::constant(1.0);
-  PrincipalLanes beyond;
+bool logarithms(const PrincipalPack& b, PrincipalPack& out) {
+  const PointPack one = PointPack::constant(1.0);
+  PrincipalPack beyond;
   for (std::size_t a = 0; a < 3; ++a) {
-    const PointLanes z = (b[a] - one) / (b[a] + one);
+    const PointPack z = (b[a] - one) / (b[a] + one);
     beyond[a] = unless_within(z, artanh_series_reach);
     out[a] = 2.0 * (z * artanh_per_z(z));
   }
   if (all_zero(beyond[0] + beyond[1] + beyond[2]))
     return true;
-  PointLanes bad{};
+  PointPack bad{};
   for (std::size_t a = 0; a < 3; ++a) {
-    out[a] = mended(out[a], beyond[a], [&](int l) { return std::log(b[a][l]); });
+    out[a] = repaired(out[a], beyond[a], [&](int l) { return std::log(b[a][l]); });
     bad += unless_positive(b[a]) + unless_within(b[a], std::numeric_limits<double>::max());
   }
   return all_zero(bad);
 }
 
 /// Exponentials.
-PrincipalLanes exponentials(const PrincipalLanes& x) {
+PrincipalPack exponentials(const PrincipalPack& x) {
   constexpr double near = 1.0 / 32.0; // where the series is exact to rounding
-  const PointLanes one = PointLanes::constant(1.0);
-  PrincipalLanes result;
-  PrincipalLanes beyond;
+  const PointPack one = PointPack::constant(1.0);
+  PrincipalPack result;
+  PrincipalPack beyond;
   for (std::size_t a = 0; a < 3; ++a) {
     result[a] = one;
     for (const double n : {9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0})
@@ -175,28 +175,28 @@ PrincipalLanes exponentials(const PrincipalLanes& x) {
   }
   if (!all_zero(beyond[0] + beyond[1] + beyond[2]))
     for (std::size_t a = 0; a < 3; ++a)
-      result[a] = mended(result[a], beyond[a], [&](int l) { return std::exp(x[a][l]); });
+      result[a] = repaired(result[a], beyond[a], [&](int l) { return std::exp(x[a][l]); });
   return result;
 }
 
 /// `log_difference` of a and b.
-PointLanes log_differences(const PointLanes& a, const PointLanes& b) {
-  const PointLanes per_sum = PointLanes::constant(1.0) / (a + b);
-  const PointLanes z = (a - b) * per_sum;
-  const PointLanes beyond = unless_within(z, artanh_series_reach);
-  const PointLanes series = 2.0 * (b * per_sum) * artanh_per_z(z);
+PointPack log_differences(const PointPack& a, const PointPack& b) {
+  const PointPack per_sum = PointPack::constant(1.0) / (a + b);
+  const PointPack z = (a - b) * per_sum;
+  const PointPack beyond = unless_within(z, artanh_series_reach);
+  const PointPack series = 2.0 * (b * per_sum) * artanh_per_z(z);
   return all_zero(beyond)
              ? series
-             : mended(series, beyond, [&](int l) { return log_difference(a[l], b[l]); });
+             : repaired(series, beyond, [&](int l) { return log_difference(a[l], b[l]); });
 }
 
 /// A batch of points on its way from the predictors to the responses.
 struct Batch {
-  PrincipalLanes eps;  ///< deviatoric principal strains of the predictors
-  PointLanes norm;     ///< of the predictors' deviatoric stress [MPa]
-  PointLanes beta;     ///< share of the stress that is left; 1: elastic
-  PointLanes share;    ///< (M.7)'s gamma-bar; 0: elastic
-  PointLanes per_norm; ///< 1 / norm; 0: elastic
+  PrincipalPack eps;  ///< deviatoric principal strains of the predictors
+  PointPack norm;     ///< of the predictors' deviatoric stress [MPa]
+  PointPack beta;     ///< share of the stress that is left; 1: elastic
+  PointPack share;    ///< (M.7)'s gamma-bar; 0: elastic
+  PointPack per_norm; ///< 1 / norm; 0: elastic
 };
 
 /// Strains and stress of the predictors, whose decompositions are in `out`; false when one of them
@@ -204,11 +204,11 @@ struct Batch {
 bool set_strains(double mu, DeviatoricResponse& out, Batch& now) {
   if (!logarithms(out.predictor.values, now.eps))
     return false;
-  for (PointLanes& strain : now.eps)
+  for (PointPack& strain : now.eps)
     strain = 0.5 * strain;
   out.log_J = now.eps[0] + now.eps[1] + now.eps[2];
-  const PointLanes mean = (1.0 / 3.0) * out.log_J;
-  for (PointLanes& strain : now.eps)
+  const PointPack mean = (1.0 / 3.0) * out.log_J;
+  for (PointPack& strain : now.eps)
     strain = strain - mean;
   now.norm = (2.0 * mu) *
              sqrt(now.eps[0] * now.eps[0] + now.eps[1] * now.eps[1] + now.eps[2] * now.eps[2]);
@@ -219,9 +219,9 @@ bool set_strains(double mu, DeviatoricResponse& out, Batch& now) {
 ///
 /// @tparam planar  the last axis is the one out of the plane
 template <bool planar>
-TensorLanes in_space(const DeviatoricResponse& at, const PrincipalLanes& values) {
+TensorPack in_space(const DeviatoricResponse& at, const PrincipalPack& values) {
   constexpr auto has = [](std::size_t i, std::size_t a) { return !planar || (i == 2) == (a == 2); };
-  TensorLanes tensor{};
+  TensorPack tensor{};
   for (std::size_t k = 0; k < tensor.size(); ++k) {
     const auto [i, j] = tensor_components[k];
     for (std::size_t a = 0; a < 3; ++a)
@@ -233,9 +233,9 @@ TensorLanes in_space(const DeviatoricResponse& at, const PrincipalLanes& values)
 
 /// Stresses and moduli in principal axes. (M.7), (M.8)
 template <bool planar> void put_moduli(const Batch& at, double mu, DeviatoricResponse& out) {
-  const PointLanes scaled = (2.0 * mu) * at.beta;
-  const PointLanes less = (2.0 * mu) * at.share;
-  PrincipalLanes direction;
+  const PointPack scaled = (2.0 * mu) * at.beta;
+  const PointPack less = (2.0 * mu) * at.share;
+  PrincipalPack direction;
   for (std::size_t a = 0; a < 3; ++a) {
     out.s[a] = scaled * at.eps[a];
     direction[a] = (2.0 * mu) * (at.eps[a] * at.per_norm);
@@ -244,7 +244,7 @@ template <bool planar> void put_moduli(const Batch& at, double mu, DeviatoricRes
   out.shear_moduli = {};
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t c = a; c < 3; ++c) {
-      const PointLanes dyad = less * (direction[a] * direction[c]);
+      const PointPack dyad = less * (direction[a] * direction[c]);
       out.normal_moduli[a][c] =
           a == c ? (2.0 / 3.0) * scaled - dyad - 2.0 * out.s[a] : (-1.0 / 3.0) * scaled - dyad;
       out.normal_moduli[c][a] = out.normal_moduli[a][c];
@@ -262,11 +262,11 @@ template <bool planar> void put_moduli(const Batch& at, double mu, DeviatoricRes
 /// b_e in space from the strains that are left; where nothing flows the predictor, to the bit.
 /// (M.9)
 template <bool planar>
-void put_states(const Batch& at, const TensorLanes& b_pred, DeviatoricResponse& out) {
-  PrincipalLanes logarithm;
+void put_states(const Batch& at, const TensorPack& b_pred, DeviatoricResponse& out) {
+  PrincipalPack logarithm;
   for (std::size_t a = 0; a < 3; ++a)
     logarithm[a] = 2.0 * (at.beta * at.eps[a]) + (2.0 / 3.0) * out.log_J;
-  const TensorLanes flowing = in_space<planar>(out, exponentials(logarithm));
+  const TensorPack flowing = in_space<planar>(out, exponentials(logarithm));
   for (std::size_t k = 0; k < b_pred.size(); ++k)
     out.b_e[k] = where_negative(-1.0 * at.per_norm, flowing[k], b_pred[k]);
 }
@@ -275,14 +275,14 @@ void put_states(const Batch& at, const TensorLanes& b_pred, DeviatoricResponse& 
 template <bool planar, class Law>
 bool update_batch(const Law& law,
                   double mu,
-                  const TensorLanes& b_pred,
+                  const TensorPack& b_pred,
                   const PointsBefore& before,
                   DeviatoricResponse& out) {
   Batch now;
   if (!set_strains(mu, out, now))
     return false;
-  const PointLanes q = std::sqrt(1.5) * now.norm;
-  const PointLanes highest = (1.0 / (3.0 * mu)) * q;
+  const PointPack q = std::sqrt(1.5) * now.norm;
+  const PointPack highest = (1.0 / (3.0 * mu)) * q;
   std::array<double, points_at_once> stress{};
   std::array<double, points_at_once> slope{};
   std::array<double, points_at_once> rests; // below zero where a point flows
@@ -290,13 +290,13 @@ bool update_batch(const Law& law,
   out.plastic_increment.fill(0.0);
   bool flows = false;
   for (std::size_t l = 0; l < idx(before.count); ++l) {
-    const auto lane = static_cast<int>(l);
+    const auto k = static_cast<int>(l);
     const PointConditions at{before.dt, before.temperature[l]};
     const double strain = before.plastic_strain[l];
     out.plastic_strain[l] = strain;
-    if (q[lane] <= stress_at_rest(law, strain, at))
+    if (q[k] <= stress_at_rest(law, strain, at))
       continue;
-    const std::optional<Return> flow = solve_return(law, mu, q[lane], highest[lane], strain, at);
+    const std::optional<Return> flow = solve_return(law, mu, q[k], highest[k], strain, at);
     if (!flow)
       return false;
     flows = true;
@@ -306,15 +306,15 @@ bool update_batch(const Law& law,
     out.plastic_increment[l] = flow->increment;
     out.plastic_strain[l] += flow->increment;
   }
-  const auto lanes = [](const std::array<double, points_at_once>& numbers) {
-    return PointLanes::of([&](int l) { return numbers[idx(l)]; });
+  const auto packed = [](const std::array<double, points_at_once>& numbers) {
+    return PointPack::of([&](int l) { return numbers[idx(l)]; });
   };
-  const PointLanes one = PointLanes::constant(1.0);
-  const PointLanes zero{};
-  const PointLanes rest = lanes(rests);
-  now.beta = where_negative(rest, lanes(stress) / q, one);
+  const PointPack one = PointPack::constant(1.0);
+  const PointPack zero{};
+  const PointPack rest = packed(rests);
+  now.beta = where_negative(rest, packed(stress) / q, one);
   // 1 - 3 mu / (3 mu + slope), of infinite slopes as well.
-  const PointLanes kept = one / (one + PointLanes::constant(3.0 * mu) / lanes(slope));
+  const PointPack kept = one / (one + PointPack::constant(3.0 * mu) / packed(slope));
   now.share = where_negative(rest, now.beta - kept, zero);
   now.per_norm = where_negative(rest, one / now.norm, zero);
   put_moduli<planar>(now, mu, out);
@@ -340,7 +340,7 @@ struct PrincipalStates {
   std::size_t first; ///< the first of them
   int count;
   DeviatoricResponse at; ///< axes, and ln J
-  PrincipalLanes eps;    ///< logarithmic strains, less their mean [-]
+  PrincipalPack eps;     ///< logarithmic strains, less their mean [-]
 };
 
 /// Calls `visit` with every batch of states.
@@ -349,11 +349,11 @@ void for_each_batch(std::span<const PointState> states, bool planar, Visit visit
   constexpr auto most = idx(points_at_once);
   for (std::size_t first = 0; first < states.size(); first += most) {
     const std::size_t count = std::min(most, states.size() - first);
-    TensorLanes b;
+    TensorPack b;
     for (std::size_t c = 0; c < tensor_components.size(); ++c) {
       const auto i = static_cast<Eigen::Index>(tensor_components[c][0]);
       const auto j = static_cast<Eigen::Index>(tensor_components[c][1]);
-      b[c] = PointLanes::of(
+      b[c] = PointPack::of(
           [&](int l) { return states[first + std::min(idx(l), count - 1)].b_e(i, j); });
     }
     PrincipalStates batch;
@@ -373,7 +373,7 @@ void for_each_batch(std::span<const PointState> states, bool planar, Visit visit
 } // namespace
 
 bool update(const Material& material,
-            const TensorLanes& b_pred,
+            const TensorPack& b_pred,
             const PointsBefore& before,
             bool planar,
             DeviatoricResponse& out) {
@@ -395,10 +395,10 @@ void elastic_energies(const Elasticity& elasticity,
                       bool planar,
                       std::span<double> out) {
   for_each_batch(states, planar, [&](const PrincipalStates& batch) {
-    const PointLanes squares =
+    const PointPack squares =
         batch.eps[0] * batch.eps[0] + batch.eps[1] * batch.eps[1] + batch.eps[2] * batch.eps[2];
-    const PointLanes energies = (0.5 * elasticity.bulk()) * (batch.at.log_J * batch.at.log_J) +
-                                elasticity.shear() * squares;
+    const PointPack energies = (0.5 * elasticity.bulk()) * (batch.at.log_J * batch.at.log_J) +
+                               elasticity.shear() * squares;
     for (int l = 0; l < batch.count; ++l)
       out[batch.first + idx(l)] = energies[l];
   });
@@ -424,7 +424,7 @@ double yield_stress(const AnyFlowLaw& flow, const FlowPoint& at) {
   return std::visit([&](const auto& law) { return flow_at(law, at).stress; }, flow);
 }
 
-double strength_left(const AnyFlowLaw& flow, const FlowPoint& at) {
+double flow_stress_left(const AnyFlowLaw& flow, const FlowPoint& at) {
   const double end = yield_stress(flow, at);
   double largest = end;
   constexpr int places = 100;
@@ -462,10 +462,10 @@ MisesStress mises_stress(const Material& material,
   if (flows) {
     const double h = flow.slope + (flow.rate_slope > 0.0 ? flow.rate_slope / dt : 0.0);
     out.d_stress *= std::isfinite(h) ? h / (3.0 * mu + h) : 1.0;
-    out.d_strength = out.d_stress;
+    out.d_flow_stress = out.d_stress;
   }
   if (flows && follows_rate(material.flow))
-    out.strength = out.stress;
+    out.flow_stress = out.stress;
   return out;
 }
 
@@ -474,10 +474,10 @@ void kirchhoff_stresses(const Elasticity& elasticity,
                         bool planar,
                         std::span<Mat3> out) {
   for_each_batch(states, planar, [&](const PrincipalStates& batch) {
-    PrincipalLanes tau;
+    PrincipalPack tau;
     for (std::size_t a = 0; a < 3; ++a)
       tau[a] = (2.0 * elasticity.shear()) * batch.eps[a] + elasticity.bulk() * batch.at.log_J;
-    const TensorLanes in_axes =
+    const TensorPack in_axes =
         planar ? in_space<true>(batch.at, tau) : in_space<false>(batch.at, tau);
     for (int l = 0; l < batch.count; ++l)
       for (std::size_t c = 0; c < tensor_components.size(); ++c) {

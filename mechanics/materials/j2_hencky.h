@@ -14,7 +14,7 @@
 
 #include "geometry/base/vector.h"
 #include "mechanics/materials/any_flow_law.h"
-#include "mechanics/numerics/lanes.h"
+#include "mechanics/numerics/simd_pack.h"
 #include "mechanics/numerics/spectral.h"
 
 #include <array>
@@ -51,11 +51,11 @@ struct PointState {
 /// Points that are updated side by side: as many as the widest processors' vectors hold numbers, of
 /// others two vectors, neither of which waits for the other.
 constexpr int points_at_once = tensors_at_once;
-using PointLanes = Lanes<points_at_once>;
+using PointPack = SimdPack<points_at_once>;
 /// Of each principal axis.
-using PrincipalLanes = std::array<PointLanes, 3>;
+using PrincipalPack = std::array<PointPack, 3>;
 /// Symmetric tensors: xx, yy, zz, xy, yz, xz.
-using TensorLanes = TensorsSideBySide;
+using TensorPack = TensorsSideBySide;
 
 /// A batch of points as an increment finds them.
 struct PointsBefore {
@@ -68,13 +68,13 @@ struct PointsBefore {
 /// Deviatoric response of a batch of points, mostly in the principal axes of the predictors.
 struct DeviatoricResponse {
   SpectralSideBySide predictor;
-  PointLanes log_J;                            ///< ln J, J the total (elastic) volume ratio [-]
-  PrincipalLanes s;                            ///< principal deviatoric Kirchhoff stresses [MPa]
-  TensorLanes deviator;                        ///< the same in space [MPa]
-  std::array<PrincipalLanes, 3> normal_moduli; ///< d s_a / d eps_b - 2 s_a delta_ab [MPa]
+  PointPack log_J;                            ///< ln J, J the total (elastic) volume ratio [-]
+  PrincipalPack s;                            ///< principal deviatoric Kirchhoff stresses [MPa]
+  TensorPack deviator;                        ///< the same in space [MPa]
+  std::array<PrincipalPack, 3> normal_moduli; ///< d s_a / d eps_b - 2 s_a delta_ab [MPa]
   /// Spatial moduli of the shears 01, 12, 02, the last two 0 where the problem is planar [MPa].
-  PrincipalLanes shear_moduli;
-  TensorLanes b_e;                                      ///< of the trial states [-]
+  PrincipalPack shear_moduli;
+  TensorPack b_e;                                       ///< of the trial states [-]
   std::array<double, points_at_once> plastic_strain;    ///< likewise
   std::array<double, points_at_once> plastic_increment; ///< [-]
 
@@ -98,7 +98,7 @@ struct DeviatoricResponse {
 /// @param out     overwritten
 /// @return false when a return map has no solution (NaN or a predictor that is not positive)
 [[nodiscard]] bool update(const Material& material,
-                          const TensorLanes& b_pred,
+                          const TensorPack& b_pred,
                           const PointsBefore& before,
                           bool planar,
                           DeviatoricResponse& out);
@@ -106,8 +106,8 @@ struct DeviatoricResponse {
 /// Elastic energies of shape per reference volume [MPa]. (M.6)
 ///
 /// @param s  principal deviatoric Kirchhoff stresses [MPa]
-[[nodiscard]] inline PointLanes shape_energies(const Elasticity& elasticity,
-                                               const PrincipalLanes& s) {
+[[nodiscard]] inline PointPack shape_energies(const Elasticity& elasticity,
+                                              const PrincipalPack& s) {
   return (1.0 / (4.0 * elasticity.shear())) * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
 }
 
@@ -130,15 +130,15 @@ void elastic_energies(const Elasticity& elasticity,
 
 /// Flow stress as a share of the largest on the way there from no strain, at the same rate and
 /// temperature, found at a hundred strains; 1 for an elastic body [-].
-[[nodiscard]] double strength_left(const AnyFlowLaw& flow, const FlowPoint& at);
+[[nodiscard]] double flow_stress_left(const AnyFlowLaw& flow, const FlowPoint& at);
 
 /// Von Mises stress of a state and how it follows the strains of an increment. (F.21)
 struct MisesStress {
-  double stress;     ///< q, of the Kirchhoff stress [MPa]
-  double strength;   ///< flow stress at its plastic strain, rate and temperature [MPa]
-  Mat3 direction;    ///< unit deviator of the elastic strain [-]; zero without one
-  double d_stress;   ///< d q = d_stress direction : grad u [MPa]
-  double d_strength; ///< of the flow stress, likewise [MPa]
+  double stress;        ///< q, of the Kirchhoff stress [MPa]
+  double flow_stress;   ///< at its plastic strain, rate and temperature [MPa]
+  Mat3 direction;       ///< unit deviator of the elastic strain [-]; zero without one
+  double d_stress;      ///< d q = d_stress direction : grad u [MPa]
+  double d_flow_stress; ///< of the flow stress, likewise [MPa]
 };
 
 /// @param old_plastic_strain  of the committed state: the point flows when it has grown [-]

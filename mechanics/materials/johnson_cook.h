@@ -16,7 +16,7 @@ namespace billet::mechanics {
 /// T_room). (M.27)
 ///
 /// Rates below rate0 count as rate0 and temperatures below T_room as T_room. The last factor does
-/// not fall below `melt_floor`: a body without any strength has no equilibrium to be found.
+/// not fall below `melt_floor`: a body without any flow stress has no equilibrium to be found.
 struct JohnsonCook {
   double A;      ///< [MPa]
   double B;      ///< [MPa]
@@ -40,7 +40,7 @@ struct JohnsonCook {
       Parameter{"T_melt", &JohnsonCook::T_melt, quantity::temperature, allowed::above_absolute_zero}
           .more_than(&JohnsonCook::T_room, "more than T_room ="),
   };
-  /// Share of the strength at T_room that is left at T_melt and above [-].
+  /// Share of the flow stress at T_room that is left at T_melt and above [-].
   static constexpr double melt_floor = 1e-6;
 
   bool operator==(const JohnsonCook&) const = default;

@@ -14,20 +14,20 @@ namespace billet::mechanics {
 
 namespace {
 
-using Side = std::pair<Index, Index>;
+using MeshEdge = std::pair<Index, Index>;
 
-Side side(Index a, Index b) { return std::minmax(a, b); }
+MeshEdge edge_between(Index a, Index b) { return std::minmax(a, b); }
 
 /// The middle node of every edge.
-std::map<Side, Index> middles(const Mesh& mesh) {
-  std::map<Side, Index> result;
+std::map<MeshEdge, Index> middles(const Mesh& mesh) {
+  std::map<MeshEdge, Index> result;
   const auto edges = element_edges(mesh.kind);
   const auto n_corners = static_cast<std::size_t>(corners_per_element(mesh.kind));
   for (Index e = 0; e < mesh.n_elements(); ++e) {
     const auto cell = mesh.cell(e);
     for (std::size_t i = 0; i < edges.size(); ++i)
-      result[side(cell[static_cast<std::size_t>(edges[i][0])],
-                  cell[static_cast<std::size_t>(edges[i][1])])] = cell[n_corners + i];
+      result[edge_between(cell[static_cast<std::size_t>(edges[i][0])],
+                          cell[static_cast<std::size_t>(edges[i][1])])] = cell[n_corners + i];
   }
   return result;
 }
@@ -49,10 +49,10 @@ Mesh triangle_mesh(const geometry::PlaneMesh& domain) {
   for (const Vec2& p : domain.points)
     points.emplace_back(p.x(), p.y(), 0.0);
   Mesh mesh = quadratic_mesh(ElementKind::tri6, std::move(points), in_one_list(domain.triangles));
-  const std::map<Side, Index> middle_of = middles(mesh);
+  const std::map<MeshEdge, Index> middle_of = middles(mesh);
   for (const geometry::BoundarySide& boundary : domain.boundary) {
     const auto [a, b] = boundary.corners;
-    const Index middle = middle_of.at(side(a, b));
+    const Index middle = middle_of.at(edge_between(a, b));
     mesh.points[static_cast<std::size_t>(middle)] =
         Vec3(boundary.middle.x(), boundary.middle.y(), 0.0);
     std::vector<Index>& set = mesh.node_sets[fmt::format("segment-{}", boundary.segment + 1)];
@@ -71,10 +71,10 @@ Mesh tetrahedron_mesh(const geometry::SolidMesh& domain) {
 
 Mesh tetrahedron_mesh(const geometry::RemeshedSolid& solid) {
   Mesh mesh = tetrahedron_mesh(solid.mesh);
-  const std::map<Side, Index> middle_of = middles(mesh);
+  const std::map<MeshEdge, Index> middle_of = middles(mesh);
   for (const geometry::RemeshedSolid::Edge& edge : solid.edges)
-    mesh.points[static_cast<std::size_t>(middle_of.at(side(edge.corners[0], edge.corners[1])))] =
-        edge.middle;
+    mesh.points[static_cast<std::size_t>(
+        middle_of.at(edge_between(edge.corners[0], edge.corners[1])))] = edge.middle;
   return mesh;
 }
 

@@ -20,9 +20,9 @@ namespace billet::mechanics {
 
 namespace {
 
-constexpr std::size_t most_complaints = 10; // of a sort
-constexpr double same_place = 2e-6;         // of the size of the mesh: files may have six digits
-constexpr double same_of_edge = 1e-2;       // of the shortest edge, no more than that
+constexpr std::size_t max_complaints = 10; // of a sort
+constexpr double same_place = 2e-6;        // of the size of the mesh: files may have six digits
+constexpr double same_of_edge = 1e-2;      // of the shortest edge, no more than that
 
 std::string written(const Vec3& p, int dimension) {
   return dimension == 2 ? fmt::format("({:.6g}, {:.6g})", p.x(), p.y())
@@ -259,11 +259,11 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
         where(free[static_cast<std::size_t>(i)])));
   std::vector<Complaint> complaints;
   const auto report = [&](const std::vector<std::string>& messages, const std::string& remedy) {
-    for (std::size_t i = 0; i < std::min(messages.size(), most_complaints); ++i)
+    for (std::size_t i = 0; i < std::min(messages.size(), max_complaints); ++i)
       complaints.push_back({place, messages[i], remedy});
-    if (messages.size() > most_complaints)
+    if (messages.size() > max_complaints)
       complaints.push_back(
-          {place, fmt::format("and {} more such sides", messages.size() - most_complaints), {}});
+          {place, fmt::format("and {} more such sides", messages.size() - max_complaints), {}});
   };
   report(crowded, "a side belongs to one or two elements: leave out those that are there twice");
   report(on_each_other, "leave out the elements that are there twice");

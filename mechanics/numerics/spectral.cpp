@@ -62,9 +62,9 @@ private:
 } // namespace
 
 void decompose(const TensorsSideBySide& A, SpectralSideBySide& out) {
-  constexpr int most_sweeps = 20; // five do for any matrix met so far
+  constexpr int max_sweeps = 20; // five do for any matrix met so far
   JacobiBatch batch(A);
-  for (int sweep = 0; sweep < most_sweeps && !batch.converged(); ++sweep) {
+  for (int sweep = 0; sweep < max_sweeps && !batch.converged(); ++sweep) {
     batch.rotate(0, 1, 2);
     batch.rotate(1, 2, 0);
     batch.rotate(2, 0, 1);

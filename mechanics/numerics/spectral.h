@@ -5,7 +5,7 @@
 #pragma once
 
 #include "geometry/base/vector.h"
-#include "mechanics/numerics/lanes.h"
+#include "mechanics/numerics/simd_pack.h"
 
 #include <array>
 #include <cmath>
@@ -32,11 +32,11 @@ inline constexpr std::array<std::array<std::size_t, 2>, 6> tensor_components{
 
 /// Tensors decomposed side by side: two batches of points, a vector of the widest processors.
 inline constexpr int tensors_at_once = 8;
-using TensorsSideBySide = std::array<Lanes<tensors_at_once>, 6>; ///< by component
+using TensorsSideBySide = std::array<SimdPack<tensors_at_once>, 6>; ///< by component
 
 struct SpectralSideBySide {
-  std::array<Lanes<tensors_at_once>, 3> values;                 ///< in no particular order
-  std::array<std::array<Lanes<tensors_at_once>, 3>, 3> vectors; ///< vectors[a][i], of value a
+  std::array<SimdPack<tensors_at_once>, 3> values;                 ///< in no particular order
+  std::array<std::array<SimdPack<tensors_at_once>, 3>, 3> vectors; ///< vectors[a][i], of value a
 };
 
 /// Decompositions of symmetric tensors by Jacobi rotations, which give small eigenvalues to the

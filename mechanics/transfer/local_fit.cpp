@@ -19,7 +19,7 @@ constexpr double reach = 1.7;
 constexpr double closeness = 1e-2;
 
 /// Of a symmetric tensor in space.
-constexpr std::size_t most_components = 6;
+constexpr std::size_t max_components = 6;
 
 /// A polynomial term is given up when the terms before it explain all but this share of it.
 constexpr double independent = 0.03;
@@ -112,7 +112,7 @@ void LocalFit::weigh() {
 
 void LocalFit::write_terms() {
   const std::size_t n = near_.size();
-  basis_.resize(most_terms * n);
+  basis_.resize(max_terms * n);
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3& x = near_[i].offset;
     double* term = &basis_[i];
@@ -163,13 +163,13 @@ void LocalFit::orthogonalise() {
 bool LocalFit::evaluate(std::span<const double> values,
                         std::size_t stride,
                         std::span<double> out) const {
-  assert(out.size() <= most_components);
+  assert(out.size() <= max_components);
   const double* own = &values[idx(nearest()) * stride];
   std::copy(own, own + out.size(), out.begin());
   if (n_terms_ == 1)
     return false;
   // What the fit adds to the value of the nearest point, and its size.
-  std::array<double, most_components> wanted{};
+  std::array<double, max_components> wanted{};
   double length = 0.0;
   for (std::size_t c = 0; c < out.size(); ++c) {
     for (std::size_t i = 0; i < near_.size(); ++i)
@@ -196,7 +196,7 @@ bool LocalFit::evaluate(std::span<const double> values,
 
 double LocalFit::unexplained(std::span<const double> values, std::size_t terms) const {
   const std::size_t n = near_.size();
-  std::array<double, most_terms> coefficient{};
+  std::array<double, max_terms> coefficient{};
   for (std::size_t t = 0; t < terms; ++t)
     for (std::size_t i = 0; i < n; ++i)
       coefficient[t] += basis_[t * n + i] * root_[i] * values[i];

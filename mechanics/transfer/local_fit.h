@@ -45,7 +45,7 @@ public:
   bool evaluate(std::span<const double> values, std::size_t stride, std::span<double> out) const;
 
 private:
-  static constexpr std::size_t most_terms = 10;
+  static constexpr std::size_t max_terms = 10;
   struct Near {
     double distance2; ///< in the metric of the surroundings [-]
     Index point;
@@ -76,8 +76,8 @@ private:
   std::size_t n_terms_ = 0;   ///< of the polynomial; 1: the value of the nearest point
   std::vector<double> root_;  ///< square roots of the weights
   std::vector<double> basis_; ///< orthonormal polynomials at the points, shape (terms, points)
-  std::array<double, most_terms> at_place_{}; ///< their values at the place
-  std::vector<double> influence_;             ///< d value / d value of each point
+  std::array<double, max_terms> at_place_{}; ///< their values at the place
+  std::vector<double> influence_;            ///< d value / d value of each point
   mutable std::vector<double> along_;
 };
 

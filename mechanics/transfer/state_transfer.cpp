@@ -156,14 +156,14 @@ bool put_back(PointValues& point, const Material& material, const Columns& colum
   if (follows_rate(material.flow) && !columns.rates)
     return false;
   const double temperature = columns.temperatures ? point.temperature : material.temperature;
-  const double strength =
+  const double flow_stress =
       yield_stress(material.flow, {point.plastic_strain, point.rate, temperature});
   const double q = std::sqrt(6.0) * material.elasticity.shear() * point.e.norm();
-  if (!(q > strength))
+  if (!(q > flow_stress))
     return false;
-  point.e *= strength / q;
+  point.e *= flow_stress / q;
   constexpr double rounding = 1e-10;
-  return q > strength * (1.0 + rounding);
+  return q > flow_stress * (1.0 + rounding);
 }
 
 /// True if all points of an element lie where old ones do.

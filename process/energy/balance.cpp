@@ -30,8 +30,8 @@ balance_of(const Run& run, double elastic, double plastic, const contact::Contac
       energy.external += load->work();
   if (contact != nullptr) {
     const contact::ContactWork& work = contact->work();
-    energy.external += work.external + work.enforcement + work.unseen;
-    energy.enforcement = contact->work().enforcement;
+    energy.external += work.external + work.penalty_update + work.unseen;
+    energy.penalty_update = contact->work().penalty_update;
     energy.friction = contact->work().friction;
     energy.contact = contact->work().stored;
   }
@@ -61,8 +61,8 @@ EnergyBalance energy_after(const Run& run, double dt) {
   for (const auto* loads : {&run.model.loads, &run.model.fading})
     for (const auto& load : *loads)
       energy.external += load->work_in(trial);
-  if (run.model.grounding)
-    energy.grounding += run.model.grounding->work_in(trial);
+  if (run.model.stabilization)
+    energy.stabilization += run.model.stabilization->work_in(trial);
   return energy;
 }
 

@@ -7,7 +7,6 @@
 #include "process/state/mesh_quality.h"
 #include "process/state/model.h"
 #include "process/state/run.h"
-#include "process/tools/passage_guard.h"
 
 #include <fmt/format.h>
 
@@ -33,15 +32,15 @@ Outcome<Done> plausible(const Run& run, double dt, double force_scale) {
   for (std::size_t i = run.n_nodal(); i < run.state.x.size(); ++i)
     if (std::abs(run.attempt.x[i] - run.state.x[i]) > 0.5 * size)
       return Failure{"a driven tool moves away: nothing holds it against its load"};
-  if (run.model.grounding) {
-    // The grounding may carry rounding, never a load: in steps of a share of the body it may go
+  if (run.model.stabilization) {
+    // The stabilization may carry rounding, never a load: in steps of a share of the body it may go
     // with a tool that pushes it.
     constexpr double most_share = 1e-3;
     constexpr double floor = 1e-7;
     const double scale =
         std::max(force_scale, floor * body_stiffness(run.scene, run.part()) * size);
-    if (run.model.grounding->force_in(run.trial(dt)) >
-        most_share * run.model.grounding->share() * scale)
+    if (run.model.stabilization->force_in(run.trial(dt)) >
+        most_share * run.model.stabilization->share() * scale)
       return Failure{"the workpiece moves away freely: neither supports nor contact hold it"};
   }
   return Done{};

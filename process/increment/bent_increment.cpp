@@ -16,13 +16,13 @@ namespace billet::process {
 
 namespace {
 
-/// Mises stress over strength at the end of the trial, on average over the part: 1 where all of it
-/// flows [-].
+/// Mises stress over flow stress at the end of the trial, on average over the part: 1 where all of
+/// it flows [-].
 double average_effort(const mechanics::Bulk& bulk) {
   double sum = 0.0;
   for (std::size_t k = 0; k < bulk.volumes().size(); ++k) {
     const mechanics::MisesStress now = bulk.trial_stress(k);
-    sum += bulk.volumes()[k] * now.stress / now.strength;
+    sum += bulk.volumes()[k] * now.stress / now.flow_stress;
   }
   return sum / bulk.reference_volume();
 }
@@ -41,7 +41,7 @@ std::optional<Bend> bend_within(const Run& run, double dt, double length, double
   constexpr double early = 0.1;       // of the run: later ones are compared with its work so far
   constexpr double short_share = 0.1; // of the longest by default: no shorter for that
   constexpr double most = 1e-3;       // of the work of a stage that goes on like this
-  constexpr double much = 0.25;    // of the strength: the force of contact that grows is little yet
+  constexpr double much = 0.25; // of the flow stress: the force of contact that grows is little yet
   constexpr double nothing = 0.01; // of the work of the increment: what was done before
   if (run.state.time >= early * run.scene.stages.back().end ||
       dt <= short_share * default_longest(length))

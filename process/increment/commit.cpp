@@ -26,10 +26,10 @@ void commit(Run& run, double dt) {
   for (std::size_t k = 0; k < strain_old.size(); ++k)
     run.state.plastic_rate[k] = (run.model.bulk->states()[k].plastic_strain - strain_old[k]) / dt;
   run.state.works.supports += work_of_supports(run, dt);
-  double of_grounding = 0.0;
-  if (run.model.grounding) {
-    run.state.energy.grounding += run.model.grounding->work_in(trial);
-    of_grounding = run.model.grounding->force_in(trial);
+  double of_stabilization = 0.0;
+  if (run.model.stabilization) {
+    run.state.energy.stabilization += run.model.stabilization->work_in(trial);
+    of_stabilization = run.model.stabilization->force_in(trial);
   }
   for (const Index i : prescribed(run, run.state.time + dt).unknowns)
     run.state.reactions[idx(i)] = run.model.newton->residual()[idx(i)];
@@ -42,7 +42,7 @@ void commit(Run& run, double dt) {
   run.state.last_dt = dt;
   run.state.x = run.attempt.x;
   run.state.time += dt;
-  note_largest_force(run, of_grounding);
+  note_largest_force(run, of_stabilization);
 }
 
 void account_contact(Run& run, double dt) {
@@ -53,7 +53,8 @@ void account_contact(Run& run, double dt) {
   for (const auto& state : run.model.bulk->states())
     strain.push_back(state.plastic_strain);
   run.state.record.window.add(run.model.contact->closed(),
-                              {run.model.surface->beneath(), strain, run.state.plastic_rate}, dt);
+                              {run.model.surface->bulk_points(), strain, run.state.plastic_rate},
+                              dt);
   if (run.model.wear)
     run.model.wear->add(*run.model.contact, run.state.x, run.state.time);
 }
@@ -78,7 +79,7 @@ void accept(Run& run, double dt) {
   const double external = run.state.energy.external;
   const double plastic = run.state.energy.plastic;
   update_energy(run);
-  if (fades && run.model.contact->bearing_area() == 0.0)
+  if (fades && contact::bearing_area(*run.model.contact) == 0.0)
     run.state.leaving.flow_in_fading += run.state.energy.plastic - plastic;
   run.state.springs_back = run.state.energy.external < external;
   account_contact(run, dt);

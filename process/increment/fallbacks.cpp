@@ -13,7 +13,7 @@ namespace billet::process {
 
 namespace {
 
-using mechanics::Approach;
+using mechanics::Continuation;
 
 /// What has been solved and refused has the same solution again.
 bool unsolved(const Run& run) {
@@ -25,30 +25,30 @@ std::optional<Outcome<Done>> hardly_touching(Run& run, double dt) {
   if (!may_hardly_touch(run, run.state.time + dt))
     return std::nullopt;
   run.attempt.hardly_touches = true;
-  Outcome<Done> solved = try_increment(run, dt, Approach::directly);
+  Outcome<Done> solved = try_increment(run, dt, Continuation::none);
   run.attempt.hardly_touches = false;
   return solved;
 }
 
 /// Finds the neutral point of a roll.
 std::optional<Outcome<Done>> softer_friction(Run& run, double dt) {
-  return try_increment(run, dt, Approach::softly);
+  return try_increment(run, dt, Continuation::friction);
 }
 
 /// Where a sheet lifts off a tool that it lay on a stiff penalty opens little more than a point an
 /// iteration.
 std::optional<Outcome<Done>> softer_penalty(Run& run, double dt) {
-  return try_increment(run, dt, Approach::gently);
+  return try_increment(run, dt, Continuation::penalty_and_friction);
 }
 
 /// Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
 /// does not.
-std::optional<Outcome<Done>> with_less_friction(Run& run, double dt, Approach approach) {
+std::optional<Outcome<Done>> with_less_friction(Run& run, double dt, Continuation continuation) {
   constexpr int most_rounds = 4; // calm points may leave others chattering
   std::optional<Outcome<Done>> solved;
   for (int round = 0; round < most_rounds && run.model.contact->restart_friction_limited();
        ++round) {
-    solved = solve_increment(run, dt, approach);
+    solved = solve_increment(run, dt, continuation);
     if (*solved || run.attempt.too_deep || run.attempt.inside_out)
       break;
   }
@@ -56,16 +56,16 @@ std::optional<Outcome<Done>> with_less_friction(Run& run, double dt, Approach ap
 }
 
 std::optional<Outcome<Done>> friction_limited(Run& run, double dt) {
-  return with_less_friction(run, dt, Approach::directly);
+  return with_less_friction(run, dt, Continuation::none);
 }
 
 /// Metal that snaps off an edge has far to go in any increment.
 std::optional<Outcome<Done>> more_iterations(Run& run, double dt) {
-  return try_increment(run, dt, Approach::patiently);
+  return try_increment(run, dt, Continuation::more_iterations);
 }
 
 std::optional<Outcome<Done>> friction_limited_and_more_iterations(Run& run, double dt) {
-  return with_less_friction(run, dt, Approach::patiently);
+  return with_less_friction(run, dt, Continuation::more_iterations);
 }
 
 /// A way to a solution.
@@ -87,7 +87,7 @@ constexpr std::array<Fallback, 7> fallbacks{{
 } // namespace
 
 Outcome<Done> solve_by_any_way(Run& run, double dt, const Difficulty& difficulty) {
-  Outcome<Done> solved = try_increment(run, dt, Approach::directly);
+  Outcome<Done> solved = try_increment(run, dt, Continuation::none);
   for (const Fallback& way : fallbacks)
     if (!solved && difficulty.*way.worth_it && unsolved(run))
       if (const std::optional<Outcome<Done>> by_it = way.go(run, dt))

@@ -1,5 +1,6 @@
 #include "process/increment/flight_increment.h"
 
+#include "process/control/increment_control.h"
 #include "process/increment/acceptance.h"
 #include "process/increment/commit.h"
 #include "process/increment/force_floor.h"
@@ -9,7 +10,6 @@
 #include "process/reports/observer.h"
 #include "process/scene/scene.h"
 #include "process/stages/stage_start.h"
-#include "process/control/increment_control.h"
 #include "process/state/run.h"
 #include "process/state/unknowns.h"
 #include "process/tools/flight.h"
@@ -53,13 +53,13 @@ bool try_flight(Run& run, double dt) {
   const Vec3 shift = run.state.flights.now->carrier.shift(run.state.time, run.state.time + dt);
   if (run.model.contact)
     run.model.contact->restart();
-  if (run.model.grounding && !shift.isZero(0.0)) {
+  if (run.model.stabilization && !shift.isZero(0.0)) {
     // It resists as before the flight, or not at all: a long way is no load.
     constexpr double nothing = 1e-6; // of the body
     const double before = longest_component(run.state.last_step);
     const double usual = before > 0.0 ? before : nothing * body_size(run.mesh());
-    run.model.grounding->set_share(std::min(1.0, usual / shift.norm()) *
-                                   run.model.grounding->share());
+    run.model.stabilization->set_share(std::min(1.0, usual / shift.norm()) *
+                                       run.model.stabilization->share());
   }
   const std::vector<double> step = run.state.last_step, velocity = run.state.velocity;
   const double step_dt = run.state.last_dt;
@@ -95,7 +95,7 @@ bool flies(Run& run, const Stage& stage, double length) {
                        run.state.energy.elastic > run.state.energy.nothing;
   const bool releases = run.model.contact && [&] {
     for (std::size_t t = 0; t < run.tools().size(); ++t)
-      if (run.model.contact->leaves(t, run.state.time + least * length))
+      if (contact::leaves(*run.model.contact, t, run.state.time + least * length))
         return true;
     return false;
   }();
@@ -115,7 +115,7 @@ bool fly(Run& run, const Stage& stage, const std::vector<Observer*>& observers) 
   const double end = std::min(next_landing(run, stage.end), run.state.flights.now->until);
   const double left = end - run.state.time;
   const double step = step_towards(left, run.scene.increments.max.value_or(left));
-  const double share = run.model.grounding ? run.model.grounding->share() : 1.0;
+  const double share = run.model.stabilization ? run.model.stabilization->share() : 1.0;
   const bool solved = try_flight(run, step);
   if (solved) {
     accept(run, step);
@@ -127,8 +127,8 @@ bool fly(Run& run, const Stage& stage, const std::vector<Observer*>& observers) 
     run.state.flights.none_before = run.state.flights.now->until;
     run.state.flights.now.reset();
   }
-  if (run.model.grounding)
-    run.model.grounding->set_share(share);
+  if (run.model.stabilization)
+    run.model.stabilization->set_share(share);
   if (solved)
     notify(run, observers, report(run, step, 0));
   return solved && run.state.time == run.state.flights.now->until;

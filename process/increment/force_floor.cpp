@@ -36,11 +36,11 @@ bool may_hardly_touch(const Run& run, double time) {
          hardly * body_stiffness(run.scene, run.part()) * body_size(run.mesh());
 }
 
-void note_largest_force(Run& run, double of_grounding) {
-  // A part that is pushed through the air is held back by its grounding alone.
+void note_largest_force(Run& run, double of_stabilization) {
+  // A part that is pushed through the air is held back by its stabilization alone.
   constexpr double far_above = 100.0; // a sum over nodes against a norm
   const auto note = [&](double force) {
-    if (force > far_above * of_grounding)
+    if (force > far_above * of_stabilization)
       run.state.forces.largest = std::max(run.state.forces.largest, force);
   };
   for (const Index i : prescribed(run, run.state.time).unknowns)

@@ -14,7 +14,7 @@ namespace billet::process {
 /// Whether forces are so small that they may be no more than what rounding makes of a touch.
 [[nodiscard]] bool may_hardly_touch(const Run& run, double time);
 
-/// @param of_grounding  what the grounding has resisted with in the increment [N]
-void note_largest_force(Run& run, double of_grounding);
+/// @param of_stabilization  what the stabilization has resisted with in the increment [N]
+void note_largest_force(Run& run, double of_stabilization);
 
 } // namespace billet::process

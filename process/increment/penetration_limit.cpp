@@ -22,8 +22,8 @@ namespace {
 void certify(Run& run, double dt) {
   const Stopwatch timed(run.clock.times.certificate);
   const mechanics::Trial trial = run.trial(dt);
-  run.attempt.penetration =
-      run.model.contact->penetration(trial, run.scene.contact.max_penetration.value_or(HUGE_VAL));
+  run.attempt.penetration = contact::penetration(
+      *run.model.contact, trial, run.scene.contact.max_penetration.value_or(HUGE_VAL));
   run.attempt.narrow_radius = -1.0;
   const DeepTool deepest =
       run.model.narrow->deepest(*run.model.contact, trial, run.attempt.penetration.share);
@@ -73,7 +73,7 @@ double most_unfelt(const Run& run) {
 Outcome<Done> check_unfelt(const Run& run) {
   const contact::Penetration::Place& deep = run.attempt.penetration.relative;
   if (deep.face < 0 || !(deep.depth > most_unfelt(run)) ||
-      run.model.contact->bears_near(deep.tool, deep.face))
+      contact::bears_near(*run.model.contact, deep.tool, deep.face))
     return Done{};
   std::string why = fmt::format(
       "tool '{}' lies {:.3g} deep in the workpiece near ({:.6g}, {:.6g}, {:.6g}), {:.0f} % of the "
@@ -92,7 +92,7 @@ bool too_deep(const Run& run) {
   const contact::ContactSettings& settings = run.scene.contact;
   if (settings.max_penetration)
     return run.attempt.penetration.bound > *settings.max_penetration;
-  constexpr double unasked = 1e-6; // of the element beneath
+  constexpr double unasked = 1e-6; // of the parent element
   return settings.method == contact::Method::augmented &&
          run.attempt.penetration.share_pressed > unasked;
 }
@@ -155,7 +155,7 @@ Outcome<Done> press_until_allowed(Run& run, double dt) {
     const double before = run.attempt.penetration.pressed;
     const auto again = run.model.newton->solve(
         run.model.terms, prescribed(run, run.state.time + dt), run.state.time, run.state.time + dt,
-        run.state.x, run.attempt.x, mechanics::Approach::from_solution);
+        run.state.x, run.attempt.x, mechanics::Continuation::from_solution);
     if (!again)
       return Failure{penetration_failure(run, round) +
                      "; when pressed harder: " + again.error().reason};

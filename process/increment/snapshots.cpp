@@ -40,7 +40,7 @@ Snapshot snapshot(const Run& run) {
   s.last_dt = run.state.last_dt;
   s.plastic_rate = run.state.plastic_rate;
   if (run.model.contact)
-    s.contact = run.model.contact->state();
+    s.contact = contact::snapshot(run.model.contact->state());
   s.reference_volume = run.model.bulk->reference_volume();
   s.plastic_work = run.model.bulk->plastic_work();
   s.support_work = run.state.works.supports;
@@ -49,7 +49,7 @@ Snapshot snapshot(const Run& run) {
     s.load_work += load->work();
   for (const auto& load : run.model.fading)
     s.load_work += load->work();
-  s.grounding = run.state.energy.grounding;
+  s.stabilization = run.state.energy.stabilization;
   return s;
 }
 

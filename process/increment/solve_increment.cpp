@@ -22,7 +22,7 @@ namespace {
 bool touched(const Run& run) {
   if (run.model.contact)
     for (std::size_t t = 0; t < run.tools().size(); ++t)
-      if (run.model.contact->lies_on(t))
+      if (contact::lies_on(*run.model.contact, t))
         return true;
   return false;
 }
@@ -31,7 +31,7 @@ bool touched(const Run& run) {
 std::string chattering_points(Run& run) {
   if (!run.model.contact)
     return {};
-  const std::vector<contact::ContactTerm::ChatteringPoint> points = run.model.contact->chattering();
+  const std::vector<contact::ChatteringPoint> points = contact::chattering(*run.model.contact);
   if (points.empty())
     return {};
   run.attempt.chattering = points;
@@ -43,9 +43,9 @@ std::string chattering_points(Run& run) {
 }
 
 /// The first guess: on as in the last increment, or where everything is.
-void guess(Run& run, double dt, mechanics::Approach approach) {
+void guess(Run& run, double dt, mechanics::Continuation continuation) {
   run.attempt.x = run.state.x;
-  if (run.state.last_step.empty() || approach == mechanics::Approach::gently)
+  if (run.state.last_step.empty() || continuation == mechanics::Continuation::penalty_and_friction)
     return;
   const double factor = dt / run.state.last_dt;
   for (std::size_t i = 0; i < run.state.x.size(); ++i)
@@ -53,16 +53,16 @@ void guess(Run& run, double dt, mechanics::Approach approach) {
 }
 
 /// Equilibrium from the first guess on, and whether it can be accepted.
-Outcome<Done> solve_and_check(Run& run, double dt, mechanics::Approach approach) {
+Outcome<Done> solve_and_check(Run& run, double dt, mechanics::Continuation continuation) {
   if (run.model.contact)
     run.model.contact->predict(predicted(run, dt));
   run.model.newton->set_force_floor(force_floor(run, run.state.time + dt));
   draw_back_to(run, run.state.time + dt);
   auto outcome =
       run.model.newton->solve(run.model.terms, prescribed(run, run.state.time + dt), run.state.time,
-                              run.state.time + dt, run.state.x, run.attempt.x, approach);
-  if (outcome && run.model.grounding)
-    outcome = with_light_grounding(run, dt, *outcome);
+                              run.state.time + dt, run.state.x, run.attempt.x, continuation);
+  if (outcome && run.model.stabilization)
+    outcome = with_light_stabilization(run, dt, *outcome);
   if (!outcome) {
     run.attempt.inside_out = false;
     return Failure{outcome.error().reason + chattering_points(run)};
@@ -77,13 +77,13 @@ int spent(const Run& run) {
   return static_cast<int>(run.solver_work().systems - run.attempt.systems_before);
 }
 
-Outcome<Done> solve_increment(Run& run, double dt, mechanics::Approach approach) {
+Outcome<Done> solve_increment(Run& run, double dt, mechanics::Continuation continuation) {
   run.attempt.none = false;
   run.attempt.systems_before = run.solver_work().systems;
-  guess(run, dt, approach);
+  guess(run, dt, continuation);
   if (Outcome<Done> outside = check_passages(run, dt); !outside)
     return outside;
-  Outcome<Done> solved = solve_and_check(run, dt, approach);
+  Outcome<Done> solved = solve_and_check(run, dt, continuation);
   if (solved)
     run.attempt.iterations = spent(run);
   else
@@ -91,20 +91,20 @@ Outcome<Done> solve_increment(Run& run, double dt, mechanics::Approach approach)
   return solved;
 }
 
-Outcome<Done> try_increment(Run& run, double dt, mechanics::Approach approach) {
+Outcome<Done> try_increment(Run& run, double dt, mechanics::Continuation continuation) {
   if (run.model.contact)
     run.model.contact->restart();
-  Outcome<Done> solved = solve_increment(run, dt, approach);
-  if (solved || !run.model.grounding)
+  Outcome<Done> solved = solve_increment(run, dt, continuation);
+  if (solved || !run.model.stabilization)
     return solved;
   const auto solved_with = [&](double share) {
-    run.model.grounding->set_share(share);
+    run.model.stabilization->set_share(share);
     if (run.model.contact)
       run.model.contact->restart();
-    solved = solve_increment(run, dt, approach);
+    solved = solve_increment(run, dt, continuation);
     return solved.has_value();
   };
-  const double share = run.model.grounding->share();
+  const double share = run.model.stabilization->share();
   if (share != 1.0 && solved_with(1.0)) // what held the part so far may have gone
     return solved;
   // Forces that fade keep their directions: a bent sheet between them may be about to turn over.
@@ -112,7 +112,7 @@ Outcome<Done> try_increment(Run& run, double dt, mechanics::Approach approach) {
     for (const double stiffer : {10.0, 100.0, 1e3})
       if (stiffer > share && solved_with(stiffer))
         return solved;
-  run.model.grounding->set_share(1.0);
+  run.model.stabilization->set_share(1.0);
   return solved;
 }
 

@@ -11,9 +11,9 @@ namespace billet::process {
 [[nodiscard]] int spent(const Run& run);
 
 /// Attempts an increment, contact as it stands at the end of the last one.
-Outcome<Done> try_increment(Run& run, double dt, mechanics::Approach approach);
+Outcome<Done> try_increment(Run& run, double dt, mechanics::Continuation continuation);
 
 /// Likewise, with contact as it has been started for the attempt.
-Outcome<Done> solve_increment(Run& run, double dt, mechanics::Approach approach);
+Outcome<Done> solve_increment(Run& run, double dt, mechanics::Continuation continuation);
 
 } // namespace billet::process

@@ -1,4 +1,4 @@
-// A grounding that is no stiffer than the body. (M.17)
+// A stabilization that is no stiffer than the body. (M.17)
 
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace billet::process {
 
-/// Whether the grounding takes more of the increment just tried than it may.
-[[nodiscard]] bool grounding_weighs(const Run& run, double dt);
+/// Whether the stabilization takes more of the increment just tried than it may.
+[[nodiscard]] bool stabilization_weighs(const Run& run, double dt);
 
 [[nodiscard]] Outcome<mechanics::NewtonReport>
-with_light_grounding(Run& run, double dt, const mechanics::NewtonReport& solved);
+with_light_stabilization(Run& run, double dt, const mechanics::NewtonReport& solved);
 
 } // namespace billet::process

@@ -27,15 +27,15 @@ double up_to_touch(Run& run, double step) {
   // driven tools will be is not known.
   constexpr int lately = 10;
   if (!run.model.contact || run.state.last_step.empty() ||
-      run.model.contact->since_parting() < lately || run.scene.remesh ||
+      run.model.contact->state().since_parting < lately || run.scene.remesh ||
       run.state.x.size() > run.n_nodal())
     return step;
   const std::vector<double> x = predicted(run, step);
   const mechanics::Trial trial{run.state.time, run.state.time + step, run.state.x, x, {}};
-  if (run.model.contact->any_turns(trial))
+  if (contact::any_turns(*run.model.contact, trial))
     return step;
   run.model.contact->predict(x);
-  return step * share_up_to_touch(run.model.contact->touches(trial));
+  return step * share_up_to_touch(contact::touches(*run.model.contact, trial));
 }
 
 } // namespace billet::process

@@ -63,7 +63,7 @@ bool lets_go_too_fast(const Run& run, double dt) {
   for (std::size_t t = 0; t < run.tools().size(); ++t) {
     if (!run.model.contact->acts(t, run.state.time + dt))
       continue;
-    const auto [before, now] = run.model.contact->forces_of_tool(t, trial);
+    const auto [before, now] = contact::forces_of_tool(*run.model.contact, t, trial);
     if (now.sum < fall * before.sum &&
         0.5 * std::abs(now.work - before.work) >
             std::max(most * run.state.works.most, work_of_rounding(run)))

@@ -43,7 +43,7 @@ std::optional<FailedCheck> stabilization(const Run& run) {
   const EnergyBalance& energy = run.state.energy;
   if (!(energy.scale() > energy.nothing))
     return std::nullopt;
-  const double share = energy.grounding / energy.scale();
+  const double share = energy.stabilization / energy.scale();
   if (!(share > most))
     return std::nullopt;
   return FailedCheck{
@@ -81,10 +81,11 @@ std::optional<FailedCheck> contact_resolution(const Run& run) {
     return std::nullopt;
   double hardest = 0.0; // pressure over flow stress
   const contact::ContactSurface& surface = *run.model.surface;
-  for (const contact::CornerContact::Corner& corner : run.contact()->corners(load.tool))
-    if (const auto& foot = corner.committed.foot) {
-      const std::size_t point = surface.beneath(contact::nearest_point(surface, *foot));
-      hardest = std::max(hardest, corner.history.pressure / run.model.bulk->trial_strength(point));
+  for (const contact::CornerState& corner : contact::corners(*run.contact(), load.tool))
+    if (const auto& foot = corner.press.foot) {
+      const std::size_t point = surface.bulk_point(contact::nearest_point(surface, *foot));
+      hardest =
+          std::max(hardest, corner.history.pressure / run.model.bulk->trial_flow_stress(point));
     }
   if (!(hardest > indents))
     return std::nullopt;

@@ -1,6 +1,7 @@
 #include "process/loop/stage_loop.h"
 
 #include "geometry/base/outcome.h"
+#include "process/control/increment_control.h"
 #include "process/increment/commit.h"
 #include "process/increment/fallbacks.h"
 #include "process/increment/flight_increment.h"
@@ -21,7 +22,6 @@
 #include "process/stages/striking.h"
 #include "process/stages/tool_activation.h"
 #include "process/stages/unloading.h"
-#include "process/control/increment_control.h"
 #include "process/state/run.h"
 
 #include <fmt/format.h>
@@ -221,7 +221,7 @@ void StageLoop::leave_forces_behind() {
   run_.state.record.refusal_event = "  tools leave their forces behind, which fade: drawn back "
                                     "further they do not hold the part";
   put_tools_back(run_);
-  run_.model.contact->enable(std::vector<char>(run_.tools().size(), 0));
+  run_.model.contact->activity().enable(std::vector<char>(run_.tools().size(), 0));
   run_.state.leaving.fading_until = run_.state.time;
   progress_.control = IncrementControl(progress_.limits);
   progress_.failures = progress_.refusals = 0;

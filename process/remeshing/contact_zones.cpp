@@ -16,8 +16,8 @@ std::vector<int> touching_tools(const Run& run) {
   for (std::size_t t = 0; run.model.contact && t < run.tools().size(); ++t) {
     for (const contact::ClosedPoint& at : run.model.contact->closed()[t])
       touching[at.point / idx(run.model.surface->points())] = static_cast<int>(t);
-    for (const contact::CornerContact::Corner& corner : run.model.contact->corners(t))
-      if (const auto& foot = corner.committed.foot)
+    for (const contact::CornerState& corner : contact::corners(*run.model.contact, t))
+      if (const auto& foot = corner.press.foot)
         touching[idx(foot->face)] = static_cast<int>(t);
   }
   return touching;
@@ -32,21 +32,21 @@ std::vector<ContactZone> zones_of_contact(const Run& run) {
 // A strip that is bent touches its tools along lines, whatever the mesh; its force is that of the
 // bend. With the half width of elastic contact in the plane, 2 F' / E deep to within a logarithm.
 bool indents(const Run& run, const ContactZone& zone) {
-  constexpr double of_strength = 0.5, of_work = 0.01;
+  constexpr double of_flow_stress = 0.5, of_work = 0.01;
   double force = 0.0, area = 0.0, weakest = std::numeric_limits<double>::infinity();
   for (const contact::ClosedPoint& at : run.model.contact->closed()[idx(zone.tool)]) {
     force += at.area * at.pressure;
     area += at.area;
-    weakest =
-        std::min(weakest, run.model.bulk->trial_strength(run.model.surface->beneath(at.point)));
+    weakest = std::min(weakest,
+                       run.model.bulk->trial_flow_stress(run.model.surface->bulk_point(at.point)));
   }
-  for (const contact::CornerContact::Corner& corner : run.model.contact->corners(idx(zone.tool)))
-    force += corner.committed.area * corner.history.pressure;
+  for (const contact::CornerState& corner : contact::corners(*run.model.contact, idx(zone.tool)))
+    force += corner.press.area * corner.history.pressure;
   if (!(area > 0.0))
     return force > 0.0;
   const double pressure = force / area;
   const double work = force * pressure * zone.length / run.scene.material.elasticity.young;
-  return pressure > of_strength * weakest ||
+  return pressure > of_flow_stress * weakest ||
          work > of_work * (run.state.energy.elastic + run.state.energy.plastic);
 }
 

@@ -20,7 +20,7 @@ double touching_share(const contact::ContactTerm& contact,
                       const contact::PointSource& source) {
   double closed = 0.0;
   for (std::size_t k = 0; k < source.points.size(); ++k)
-    if (source.weights[k] > 0.0 && contact.closed_on(tool, source.points[k]))
+    if (source.weights[k] > 0.0 && contact::closed_on(contact, tool, source.points[k]))
       closed += source.weights[k];
   return std::clamp(2.0 * closed - 1.0, 0.0, 1.0);
 }
@@ -33,9 +33,9 @@ double pressed_depth(const contact::ContactTerm& contact,
                      const contact::PointSource& source) {
   double depth = 0.0, closed = 0.0;
   for (std::size_t k = 0; k < source.points.size(); ++k)
-    if (source.weights[k] > 0.0 && contact.closed_on(tool, source.points[k])) {
+    if (source.weights[k] > 0.0 && contact::closed_on(contact, tool, source.points[k])) {
       closed += source.weights[k];
-      depth += source.weights[k] * contact.depth_of_pressure(tool, source.points[k]);
+      depth += source.weights[k] * contact::depth_of_pressure(contact, tool, source.points[k]);
     }
   return closed > 0.0 ? depth / closed : 0.0;
 }

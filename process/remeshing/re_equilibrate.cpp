@@ -1,15 +1,14 @@
 #include "process/remeshing/re_equilibrate.h"
 
+#include "process/control/increment_control.h"
 #include "process/increment/commit.h"
 #include "process/increment/fallbacks.h"
 #include "process/increment/increment_report.h"
 #include "process/increment/snapshots.h"
 #include "process/remeshing/free_surface.h"
 #include "process/remeshing/mapped_states.h"
-#include "process/remeshing/remeshing.h"
 #include "process/reports/run_reports.h"
 #include "process/stages/stage_start.h"
-#include "process/control/increment_control.h"
 #include "process/state/mesh_quality.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
@@ -27,7 +26,7 @@ namespace {
 /// Gives the part on its new mesh a volume by moving the surface that touches no tool. (P.21)
 void restore_part_volume(Run& run,
                          double volume,
-                         const contact::ContactState& contact,
+                         const contact::ContactSnapshot& contact,
                          std::span<const contact::PointSource> sources) {
   const auto touches = [&](const contact::PointSource& source) {
     return std::any_of(contact.history.begin(), contact.history.end(),
@@ -72,10 +71,10 @@ void start_from(Run& run,
   run.state.works.loads_before = to.load_work;
   for (const auto& load : run.model.loads)
     run.state.works.loads_before -= load->work(); // of a way that is not taken
-  run.state.energy.grounding = to.grounding;
+  run.state.energy.stabilization = to.stabilization;
   if (run.model.contact) {
     run.model.contact->start(run.state.x, run.state.time);
-    run.model.contact->go_on_from(to.contact, sources, run.state.x, run.state.time);
+    run.model.contact->go_on_from(to.contact, {sources, run.state.x, run.state.time});
   }
   FieldIntegrals after = field_integrals(*run.model.bulk, to);
   after.volume = run.model.bulk->volume(run.state.x);

@@ -8,6 +8,7 @@
 #include "process/remeshing/remeshing.h"
 #include "process/remeshing/sizes.h"
 #include "process/scene/scene.h"
+#include "process/setup/drawing.h"
 #include "process/state/mesh_quality.h"
 #include "process/state/run.h"
 
@@ -26,7 +27,7 @@ namespace billet::process {
 
 namespace {
 
-/// Without a limit of the case: a face that lies deeper in a tool, relative to the element beneath,
+/// Without a limit of the case: a face that lies deeper in a tool, relative to the parent element,
 /// and twice as deep as when the mesh was new, is too coarse for it.
 constexpr double deep = 0.1;
 
@@ -152,8 +153,8 @@ CornerLoad most_at_corner(const Run& run) {
     double at_points = 0.0, at_corner = 0.0;
     for (const contact::ClosedPoint& at : run.model.contact->closed()[t])
       at_points += at.area * at.pressure;
-    for (const contact::CornerContact::Corner& corner : run.model.contact->corners(t))
-      at_corner += corner.committed.area * corner.history.pressure;
+    for (const contact::CornerState& corner : contact::corners(*run.model.contact, t))
+      at_corner += corner.press.area * corner.history.pressure;
     if (at_corner > most.share * (at_points + at_corner))
       most = {at_corner / (at_points + at_corner), t};
   }

@@ -28,7 +28,7 @@ struct IncrementReport {
   int cutbacks = 0;                 ///< tries that failed before it
   double volume = 0.0;              ///< [mm^3]
   double max_penetration = 0.0;     ///< no point of any face is deeper in a tool [mm]
-  double penetration_share = 0.0;   ///< nor deeper relative to the element beneath [-]
+  double penetration_share = 0.0;   ///< nor deeper relative to the parent element [-]
   contact::Penetration penetration; ///< what these two were found with
   double contact_area = 0.0;        ///< [mm^2]
   double max_plastic_strain = 0.0;  ///< [-]
@@ -56,7 +56,7 @@ struct PostMortem {
   std::vector<std::string> tried;     ///< one line a try
   std::vector<DriveState> drives;     ///< tools that loads drive there
   /// Contact points that kept changing in the last tries, those that changed most first.
-  std::vector<contact::ContactTerm::ChatteringPoint> chattering;
+  std::vector<contact::ChatteringPoint> chattering;
   bool inside_out = false; ///< an element turned inside out in the last try
   bool too_deep = false;   ///< a face lay deeper in a tool than a limit allows
   std::vector<mechanics::IterationRecord> records; ///< of the last try

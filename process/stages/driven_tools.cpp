@@ -26,7 +26,7 @@ Vec3 towards(const Run& run, std::size_t tool, double load) {
 bool is_pulled_off(const Run& run, std::size_t tool) {
   const geometry::Drive& drive = *run.tools()[tool].motion.force;
   const double load = first_load(drive.load, 0.0);
-  if (load == 0.0 || contact_under(run.model.contact->state().history[tool],
+  if (load == 0.0 || contact_under(run.model.contact->state().tools[tool].committed.history,
                                    towards(run, tool, load)) != DriveState::Contact::pulls_off)
     return false;
   // In a hole, or between two walls, it may come to the other side.
@@ -44,7 +44,7 @@ void check_drives(const Run& run) {
   for (std::size_t t = 0; t < run.tools().size(); ++t) {
     const contact::Tool& tool = run.tools()[t];
     const bool pressed = tool.motion.force && !tool.motion.force->blow; // a blow begins by touching
-    if (pressed && run.model.contact->acts(t, 0.0) && !run.model.contact->lies_on(t))
+    if (pressed && run.model.contact->acts(t, 0.0) && !contact::lies_on(*run.model.contact, t))
       throw Error(Fault::case_file, tool.said_at,
                   fmt::format("tool '{}' is driven by a force but does not touch the workpiece: "
                               "nothing tells where it is",
@@ -63,13 +63,13 @@ std::vector<DriveState> drive_states(const Run& run, double time) {
   std::vector<DriveState> states;
   if (!run.model.contact)
     return states;
-  const contact::ContactState contact = run.model.contact->state();
+  const contact::ContactState& contact = run.model.contact->state();
   const contact::DriveScale scale = drive_scale(run.scene, run.part());
   const std::vector<contact::DriveUnknown> drives = contact::drive_unknowns(run.model.tools);
   for (std::size_t j = 0; j < drives.size(); ++j) {
     const auto [tool, turns] = drives[j];
     const geometry::Motion& motion = run.tools()[tool].motion;
-    if (!run.model.contact->acts(tool, time) || contact.held[tool] != 0 ||
+    if (!run.model.contact->acts(tool, time) || contact.activity.held(tool) ||
         (!turns && motion.force->blow))
       continue;
     const std::size_t i = run.n_nodal() + j;
@@ -80,7 +80,8 @@ std::vector<DriveState> drive_states(const Run& run, double time) {
     DriveState state{tool, turns, load, load + arm * (run.model.newton->residual()[i] - held),
                      DriveState::Contact::presses};
     if (!turns)
-      state.contact = contact_under(contact.history[tool], towards(run, tool, load));
+      state.contact =
+          contact_under(contact.tools[tool].committed.history, towards(run, tool, load));
     states.push_back(state);
   }
   return states;

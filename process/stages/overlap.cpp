@@ -26,7 +26,7 @@ bool has_all_behind(const contact::Tool& tool,
                     const contact::ContactSurface& surface,
                     std::span<const double> x,
                     double reach) {
-  constexpr double touching = 0.02; // of the element beneath
+  constexpr double touching = 0.02; // of the parent element
   for (Index f = 0; f < surface.n_faces(); ++f)
     for (const Vec3& p : surface.samples(x, f, 1)) {
       const Vec3 at = pose.to_tool(p);
@@ -62,7 +62,7 @@ bool lies_within(const Run& run, std::size_t tool, double time) {
                                          std::span(&foot, 1));
       if (!foot.found())
         continue;
-      constexpr double clear = 0.02, inside = 1e-6; // of the element beneath
+      constexpr double clear = 0.02, inside = 1e-6; // of the parent element
       // A little beneath the tool's surface: one that touches a face has that outside.
       const double depth = run.model.surface->depth(f);
       const Vec3 beneath = pose.to_space(foot.foot - clear * depth * foot.normal);
@@ -77,7 +77,7 @@ std::string depth_in(const Run& run, std::size_t tool, double time) {
   // A chord of a curved face may lie a little inside a tool that touches its nodes; a sharp tool
   // that was brought to the contact points of a face may lie deeper between them.
   const bool brought = tool < run.scene.touch.size() && run.scene.touch[tool] != 0;
-  const double allowed_share = brought ? 0.5 : 0.02; // of the element beneath
+  const double allowed_share = brought ? 0.5 : 0.02; // of the parent element
   const geometry::Pose pose = run.model.contact->pose(tool, time, run.state.x);
   double deepest = 0.0;
   Vec3 at = Vec3::Zero();

@@ -1,10 +1,10 @@
 #include "process/stages/stage_start.h"
 
 #include "geometry/base/outcome.h"
+#include "process/control/increment_control.h"
 #include "process/scene/scene.h"
 #include "process/stages/striking.h"
 #include "process/stages/unloading.h"
-#include "process/control/increment_control.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
 
@@ -15,12 +15,12 @@ namespace billet::process {
 void start_stage(Run& run, const Stage& stage) {
   run.state.last_step.clear();
   run.state.snapshots.clear();
-  if (run.model.grounding && run.model.grounding->share() > 1.0)
-    run.model.grounding->set_share(1.0); // it held what forces that faded could turn over
+  if (run.model.stabilization && run.model.stabilization->share() > 1.0)
+    run.model.stabilization->set_share(1.0); // it held what forces that faded could turn over
   if (run.model.contact && stage.unload)
     draw_tools_back(run, stage.end);
   else if (run.model.contact)
-    run.model.contact->enable(stage.tools);
+    run.model.contact->activity().enable(stage.tools);
 }
 
 Outcome<Done> begin_stage(Run& run, const Stage& stage, double start) {

@@ -26,7 +26,7 @@ void activate_tools(Run& run, const Stage& stage, double until) {
   for (std::size_t t = 0; t < run.tools().size(); ++t) {
     const bool acts = !stage.unload && run.model.contact->acts(t, until);
     const bool acted = std::exchange(run.state.forces.acted[t], acts ? 1 : 0) != 0;
-    if (!acts || acted || run.model.contact->lies_on(t) || run.state.increment == 0)
+    if (!acts || acted || contact::lies_on(*run.model.contact, t) || run.state.increment == 0)
       continue; // before the first increment tools touch and an overlap is refused
     const std::optional<geometry::Drive>& force = run.tools()[t].motion.force;
     if (force && !force->blow)

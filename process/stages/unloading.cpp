@@ -22,7 +22,7 @@ bool is_squeezed(const Run& run) {
   for (const contact::ToolLoad& load : run.model.contact->loads())
     force += load.force.norm();
   const mechanics::Material& material = run.scene.material;
-  return force > little * run.model.contact->bearing_area() *
+  return force > little * contact::bearing_area(*run.model.contact) *
                      mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
 }
 
@@ -37,19 +37,19 @@ void put_on_retreating_surface(Run& run, std::size_t tool) {
 void draw_tools_back(Run& run, double until) {
   std::vector<char> stay(run.model.tools.size(), 0);
   if (!is_squeezed(run)) {
-    run.model.contact->enable(std::move(stay));
+    run.model.contact->activity().enable(std::move(stay));
     return;
   }
   for (std::size_t t = 0; t < run.model.tools.size(); ++t) {
-    if (!run.model.contact->lies_on(t) || !run.model.contact->acts(t, run.state.time))
+    if (!contact::lies_on(*run.model.contact, t) || !run.model.contact->acts(t, run.state.time))
       continue;
     put_on_retreating_surface(run, t);
     run.state.leaving.retreating.push_back(t);
     run.model.tools[t].motion.rests_from = run.state.time;
-    run.model.contact->rest(t, true);
+    run.model.contact->activity().rest(t, true);
     stay[t] = 1;
   }
-  run.model.contact->enable(std::move(stay));
+  run.model.contact->activity().enable(std::move(stay));
   run.state.leaving.retreat_begins = run.state.time;
   run.state.leaving.retreat_ends = until;
   run.state.leaving.fading_until = until;
@@ -78,7 +78,7 @@ void put_tools_back(Run& run) {
     tool.surface = run.scene.tools[each.tool].surface;
     tool.motion.rests_from = std::numeric_limits<double>::infinity();
     run.model.contact->retreat(each.tool, 0.0, 0.0);
-    run.model.contact->rest(each.tool, false);
+    run.model.contact->activity().rest(each.tool, false);
   }
   run.model.retreating.clear();
   run.state.leaving.retreating.clear();
@@ -94,7 +94,7 @@ void release_tools(Run& run, double next_time, double gone_time) {
   if (!run.model.contact)
     return;
   for (std::size_t t = 0; t < run.model.tools.size(); ++t) {
-    if (!run.model.contact->leaves(t, next_time))
+    if (!contact::leaves(*run.model.contact, t, next_time))
       continue;
     // Its forces stay as they are and fade: equilibrium without them is reached on the way.
     const double stored = run.model.contact->work().stored;

@@ -22,7 +22,7 @@ struct Attempt {
   bool inside_out = false;          ///< refused: an element turns inside out
   bool hardly_touches = false;      ///< forces count as none in it
   /// Points that kept changing in the last one that had any.
-  std::vector<contact::ContactTerm::ChatteringPoint> chattering;
+  std::vector<contact::ChatteringPoint> chattering;
   long systems_before = 0; ///< linear systems solved before it
 
   /// What a run that is stored between increments goes on with.

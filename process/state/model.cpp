@@ -1,11 +1,15 @@
 #include "process/state/model.h"
 
 #include "geometry/base/error.h"
+#include "process/presses/blows.h"
+#include "process/scene/scene.h"
+#include "process/tools/narrow_tools.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
+#include <memory>
+#include <span>
 #include <variant>
 
 namespace billet::process {
@@ -16,7 +20,7 @@ void clear(Model& model) {
   model.terms.clear();
   model.loads.clear();
   model.fading.clear();
-  model.grounding.reset();
+  model.stabilization.reset();
   model.newton.reset();
   model.narrow.reset();
   model.blows.reset();
@@ -62,7 +66,7 @@ void build_blows(Model& model, const Part& part) {
   model.terms.push_back(&model.blows->term());
 }
 
-void build_grounding(Model& model, const Scene& scene, const Part& part) {
+void build_stabilization(Model& model, const Scene& scene, const Part& part) {
   model.free_motions = free_rigid_motions(part);
   if (model.free_motions == 0)
     return;
@@ -74,9 +78,9 @@ void build_grounding(Model& model, const Scene& scene, const Part& part) {
                 "add a [[support]] that holds them");
   // Spread over all nodes it is a hundred-millionth of the body's own stiffness.
   constexpr double share = 1e-8;
-  model.grounding = std::make_unique<mechanics::Grounding>(
+  model.stabilization = std::make_unique<mechanics::RigidBodyStabilization>(
       share * body_stiffness(scene, part) / part.mesh.n_points(), model.pattern);
-  model.terms.push_back(model.grounding.get());
+  model.terms.push_back(model.stabilization.get());
 }
 
 } // namespace
@@ -95,7 +99,7 @@ void build(Model& model, const Scene& scene, const Part& part, std::span<const d
   build_loads(model, part);
   build_contact(model, scene, part, x);
   build_blows(model, part);
-  build_grounding(model, scene, part);
+  build_stabilization(model, scene, part);
 }
 
 double body_stiffness(const Scene& scene, const Part& part) {

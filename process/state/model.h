@@ -9,8 +9,8 @@
 #include "geometry/base/owned.h"
 #include "geometry/surfaces/retreating_surface.h"
 #include "mechanics/equilibrium/newton.h"
-#include "mechanics/loads/grounding.h"
 #include "mechanics/loads/loads.h"
+#include "mechanics/loads/rigid_body_stabilization.h"
 #include "process/presses/blows.h"
 #include "process/scene/scene.h"
 #include "process/tools/narrow_tools.h"
@@ -37,17 +37,17 @@ struct Model {
   std::vector<Retreating> retreating;
   mechanics::BlockPattern pattern;
   Owned<mechanics::Bulk> bulk;
-  Owned<contact::ContactSurface> surface;               ///< empty: there are no tools
-  Owned<contact::ContactTerm> contact;                  ///< likewise
-  Owned<NarrowTools> narrow;                            ///< likewise
-  Owned<Blows> blows;                                   ///< empty: no press strikes
-  Owned<contact::Wear> wear;                            ///< empty: no tool has a law of wear
-  std::vector<std::unique_ptr<mechanics::Load>> loads;  ///< in the order of the part's
-  std::vector<std::unique_ptr<mechanics::Load>> fading; ///< forces of tools that have left
-  Owned<mechanics::Grounding> grounding;                ///< empty: supports hold all motions
-  std::vector<mechanics::ForceTerm*> terms;             ///< of all these, in the order of assembly
+  Owned<contact::ContactSurface> surface;                 ///< empty: there are no tools
+  Owned<contact::ContactTerm> contact;                    ///< likewise
+  Owned<NarrowTools> narrow;                              ///< likewise
+  Owned<Blows> blows;                                     ///< empty: no press strikes
+  Owned<contact::Wear> wear;                              ///< empty: no tool has a law of wear
+  std::vector<std::unique_ptr<mechanics::Load>> loads;    ///< in the order of the part's
+  std::vector<std::unique_ptr<mechanics::Load>> fading;   ///< forces of tools that have left
+  Owned<mechanics::RigidBodyStabilization> stabilization; ///< empty: supports hold all motions
+  std::vector<mechanics::ForceTerm*> terms; ///< of all these, in the order of assembly
   Owned<mechanics::Newton> newton;
-  int free_motions = 0; ///< rigid motions held by grounding alone
+  int free_motions = 0; ///< rigid motions held by stabilization alone
 };
 
 /// Builds all but wear, in the place of what was there before.

@@ -11,10 +11,10 @@
 #include "contact/term/contact_term.h"
 #include "contact/wear/process_window.h"
 #include "geometry/base/time_function.h"
+#include "process/control/increment_control.h"
 #include "process/reports/energy_balance.h"
 #include "process/reports/run_reports.h"
 #include "process/scene/scene.h"
-#include "process/control/increment_control.h"
 #include "process/tools/flight.h"
 
 #include <cstddef>
@@ -36,16 +36,16 @@ struct Snapshot {
   std::vector<double> last_step;    ///< of x in it; empty: the next one begins from x [mm]
   double last_dt = 0.0;             ///< its length [s]
   std::vector<double> plastic_rate; ///< of the points [1/s]
-  contact::ContactState contact;
+  contact::ContactSnapshot contact;
   double reference_volume = 0.0; ///< the part's without pressure [mm^3]
   double plastic_work = 0.0;     ///< done so far [N mm]
   double support_work = 0.0;     ///< likewise
   double load_work = 0.0;        ///< likewise
-  double grounding = 0.0;        ///< lost so far [N mm]
+  double stabilization = 0.0;    ///< lost so far [N mm]
 
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, x, states, temperatures, velocity, last_step, last_dt, plastic_rate,
-            contact, reference_volume, plastic_work, support_work, load_work, grounding);
+            contact, reference_volume, plastic_work, support_work, load_work, stabilization);
   }
 };
 
@@ -106,8 +106,8 @@ struct ForceRecord {
   }
 };
 
-/// How the grounding of free motions gets lighter.
-struct GroundingRecord {
+/// How the stabilization of free motions gets lighter.
+struct StabilizationRecord {
   int failures = 0; ///< to do with a lighter one, in a row
   int wait = 0;     ///< increments until that is tried again
 
@@ -239,7 +239,7 @@ struct State {
   EnergyBalance energy;
   Works works;
   ForceRecord forces;
-  GroundingRecord grounding;
+  StabilizationRecord stabilization;
   LeavingTools leaving;
   FlightRecord flights;
   MeshRecord mesh;
@@ -253,7 +253,7 @@ struct State {
   /// But for the part: only a new mesh makes another one than the scene's.
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, last_dt, longest, origins, x, last_step, velocity, plastic_rate,
-            reactions, energy, works, forces, grounding, leaving, flights, mesh, snapshots,
+            reactions, energy, works, forces, stabilization, leaving, flights, mesh, snapshots,
             progress, counters, record, springs_back, energy_used_up);
   }
 };

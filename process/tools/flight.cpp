@@ -3,6 +3,7 @@
 #include "geometry/base/box.h"
 #include "geometry/base/limits.h"
 #include "geometry/collision/facet_body.h"
+#include "process/scene/scene.h"
 #include "process/setup/drawing.h"
 #include "process/tools/part_depth.h"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -296,8 +298,8 @@ double pushed_until(const Departure& now, const geometry::Motion& motion) {
 double find_pusher(const Departure& now, double soon, double until, Carrier& carrier) {
   for (std::size_t t = 0; t < now.tools.size(); ++t) {
     const geometry::Motion& motion = now.tools[t].motion;
-    if (!now.contact->acts(t, soon) || !now.contact->lies_on(t) || motion.force || motion.torque ||
-        Relative(now, t, carrier).rests(until))
+    if (!now.contact->acts(t, soon) || !contact::lies_on(*now.contact, t) || motion.force ||
+        motion.torque || Relative(now, t, carrier).rests(until))
       continue;
     carrier.pusher = motion;
     carrier.pushing_tool = t;
@@ -333,7 +335,7 @@ std::optional<Flight> flight_from(const Departure& now, double least) {
       if (!now.contact->acts(t, now.time + least))
         continue;
       const geometry::Motion& motion = now.tools[t].motion;
-      if (motion.force && !motion.force->blow && !now.contact->lies_on(t))
+      if (motion.force && !motion.force->blow && !contact::lies_on(*now.contact, t))
         return std::nullopt; // it comes to touch first
       moves = moves || !Relative(now, t, flight.carrier).rests(until);
       until = std::min(until, approaches.clear_until(t, least, until));

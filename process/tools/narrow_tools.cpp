@@ -2,15 +2,18 @@
 
 #include "geometry/base/limits.h"
 #include "geometry/triangles/box_tree.h"
+#include "process/scene/scene.h"
 #include "process/tools/part_depth.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace billet::process {
 
@@ -149,7 +152,7 @@ DeepTool NarrowTools::deepest(const contact::ContactTerm& contact,
   std::vector<Part> endless;
   const Box box = box_of_nodes(*mesh_, trial.x);
   for (std::size_t t = 0; t < parts_.size(); ++t) {
-    if (!contact.acts(t, trial.time) || contact.draws_back(t))
+    if (!contact.acts(t, trial.time) || contact::draws_back(contact, t))
       continue;
     const geometry::Pose pose = contact.pose(t, trial.time, trial.x);
     for (const Part& narrow : parts(t, pose, box, endless)) {
@@ -282,7 +285,7 @@ std::optional<DeepTool> NarrowTools::met_on_the_way(const contact::ContactTerm& 
     return std::nullopt;
   Way way(*this, contact, trial);
   for (std::size_t t = 0; t < parts_.size(); ++t)
-    if (contact.acts(t, trial.time) && !contact.draws_back(t))
+    if (contact.acts(t, trial.time) && !contact::draws_back(contact, t))
       if (std::optional<DeepTool> found = way.meets(t))
         return found;
   return std::nullopt;

@@ -1,10 +1,13 @@
 #include "process/tools/passage_guard.h"
 
+#include "geometry/base/outcome.h"
 #include "geometry/collision/passage.h"
 #include "geometry/triangles/box_tree.h"
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,7 +17,7 @@ namespace {
 
 using mechanics::Index;
 
-// A point in a tool may go this much deeper, in depths of the element beneath, without being
+// A point in a tool may go this much deeper, in depths of the parent element, without being
 // followed: contact itself is no sharper.
 constexpr double slack_share = 0.02;
 

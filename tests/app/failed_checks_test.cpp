@@ -43,7 +43,7 @@ TEST_F(FailedCheck, AGoodRunHasNone) {
   EXPECT_TRUE(summary()["failed_checks"].empty());
 }
 
-// It ended with "done", a force of 0.0003 N and all of the work in the grounding.
+// It ended with "done", a force of 0.0003 N and all of the work in the stabilization.
 TEST_F(FailedCheck, AForgottenSupportIsNamed) {
   const std::string text = R"(analysis = "plane-strain"
 [workpiece]

@@ -318,7 +318,7 @@ end = 1
 }
 
 TEST_F(HardStarts, AStripIsPushedThroughTheAirToARoll) {
-  // Nothing but its grounding holds it on the way: forces of 1e-7 N, which say nothing.
+  // Nothing but its stabilization holds it on the way: forces of 1e-7 N, which say nothing.
   const Outcome outcome = run(R"(
 analysis = "plane-strain"
 workpiece = { element = "quad8", material = "steel", mesh = { box = [[-10.831347195933173, 0], [-2.831347195933173, 1]], cells = [30, 4] } }

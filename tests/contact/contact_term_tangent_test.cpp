@@ -69,7 +69,7 @@ struct Count {
 
 Count statuses(const ContactTerm& term) {
   Count count;
-  for (const PointResult& point : term.results()) {
+  for (const PointResult& point : point_results(term)) {
     count.stick += point.status == Status::stick ? 1 : 0;
     count.slip += point.status == Status::slip ? 1 : 0;
   }
@@ -149,12 +149,12 @@ TEST_P(WholeTangent, AgreesWithDifferencesOfSofterContact) {
   EXPECT_GT(seen_.stick + seen_.slip, 0);
 }
 
-// Strengths that follow metal whose flow stress depends on rate and temperature.
+// Shear yield stresses that follow metal whose flow stress depends on rate and temperature.
 TEST_P(WholeTangent, AgreesWithDifferencesOverRateDependentMetal) {
   for (const support::NamedMaterial& metal : support::every_material())
     if (mechanics::follows_rate(metal.material.flow))
-      for (const Strength strength : {Strength::yield, Strength::von_mises})
-        check({metal.name, Tresca{0.4, strength}}, {}, 0.05, metal.material);
+      for (const FollowedStress followed : {FollowedStress::yield, FollowedStress::von_mises})
+        check({metal.name, Tresca{0.4, followed}}, {}, 0.05, metal.material);
   const auto [kind, form, curved] = GetParam();
   std::printf("%-20s %-10s %-6s stick %3d slip %3d: largest error %.1e (<= 1e-6)\n",
               body_kinds()[static_cast<std::size_t>(kind)].name().c_str(),

@@ -71,12 +71,12 @@ TEST(ContactObjectivity, KeepsStressesWhenToolAndBodyTurnTogetherInOneStep) {
     for (const double angle : {1.0, 10.0, 45.0, 90.0}) {
       Turning turning(body, angle * degree);
       ContactBench& bench = turning.bench;
-      const auto before = bench.term.results();
+      const auto before = point_results(bench.term);
       const double friction = bench.term.work().friction;
       const geometry::Pose pose =
           geometry::rotation_about(turning.point, turning.axis, angle * degree);
       bench.commit(rotated(bench.x, bench.mesh.dimension(), pose), 1.0);
-      const auto after = bench.term.results();
+      const auto after = point_results(bench.term);
       double gap = 0.0, pressure = 0.0, shear = 0.0, most = 0.0;
       int stuck = 0;
       for (std::size_t k = 0; k < after.size(); ++k) {
@@ -103,14 +103,14 @@ TEST(ContactObjectivity, TurnsStuckShearWithTheToolOverManySteps) {
   // 360 degrees in 24 steps: shear comes back to where it was.
   Turning turning(body_kinds()[5], 360.0 * degree);
   ContactBench& bench = turning.bench;
-  const auto before = bench.term.results();
+  const auto before = point_results(bench.term);
   const std::vector<double> x0 = bench.x;
   for (int step = 1; step <= 24; ++step) {
     const geometry::Pose pose =
         geometry::rotation_about(turning.point, turning.axis, 15.0 * step * degree);
     bench.commit(rotated(x0, 3, pose), step / 24.0);
   }
-  const auto after = bench.term.results();
+  const auto after = point_results(bench.term);
   for (std::size_t k = 0; k < after.size(); ++k) {
     EXPECT_EQ(after[k].status, before[k].status);
     EXPECT_LT((after[k].shear - before[k].shear).norm(), 1e-9 * (1.0 + before[k].pressure));
@@ -137,9 +137,9 @@ TEST(ContactWork, OfATurningRollIsThatOfItsTorqueWhateverTheAngle) {
 
 /// A stiff block walks at random over a floor, pressed at random.
 struct Walk {
-  double least_dissipated = 0.0; ///< in one increment [N mm]
-  double total = 0.0;            ///< friction work [N mm]
-  double error = 0.0;            ///< external work against friction and stored, of the total
+  double min_dissipated = 0.0; ///< in one increment [N mm]
+  double total = 0.0;          ///< friction work [N mm]
+  double error = 0.0;          ///< external work against friction and stored, of the total
 };
 
 Walk random_walk(const Friction& law, double press_noise) {
@@ -163,7 +163,7 @@ Walk random_walk(const Friction& law, double press_noise) {
       x[k + 2] += step[2];
     }
     bench.commit(x, i);
-    walk.least_dissipated = std::min(walk.least_dissipated, bench.term.work().friction - friction);
+    walk.min_dissipated = std::min(walk.min_dissipated, bench.term.work().friction - friction);
   }
   walk.total = bench.term.work().friction;
   const ContactWork& work = bench.term.work();
@@ -314,11 +314,11 @@ TEST(ContactWork, NeverGainsFromFrictionAtConstantPressure) {
   for (const auto& [name, law] : every_law()) {
     const Walk walk = random_walk(law, 0.0);
     std::printf("%-22s friction work %.4e N mm, least in an increment %.2e, balance %.1e\n",
-                name.c_str(), walk.total, walk.least_dissipated, walk.error);
+                name.c_str(), walk.total, walk.min_dissipated, walk.error);
     // Where the limit changes with speed or direction the trapezoids may count a little gain at a
     // turn: see the next test.
     const double dip = law.depends_on_slip() || law.tensor ? 2e-3 * walk.total : 0.0;
-    EXPECT_GE(walk.least_dissipated, -dip - 1e-12 * (1.0 + walk.total)) << name;
+    EXPECT_GE(walk.min_dissipated, -dip - 1e-12 * (1.0 + walk.total)) << name;
     EXPECT_LT(walk.error, 1e-10) << name; // the trapezoidal ledger closes to rounding
   }
 }
@@ -331,8 +331,8 @@ TEST(ContactWork, BalancesAtVaryingPressure) {
   for (const auto& [name, law] : every_law()) {
     const Walk walk = random_walk(law, 0.9);
     std::printf("%-22s friction work %.4e N mm, least in an increment %.2e, balance %.1e\n",
-                name.c_str(), walk.total, walk.least_dissipated, walk.error);
-    EXPECT_GE(walk.least_dissipated, -share * walk.total) << name;
+                name.c_str(), walk.total, walk.min_dissipated, walk.error);
+    EXPECT_GE(walk.min_dissipated, -share * walk.total) << name;
     EXPECT_LT(walk.error, 1e-10) << name;
   }
 }

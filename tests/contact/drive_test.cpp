@@ -86,7 +86,7 @@ TEST(Drive, rows_and_columns_are_those_of_differences) {
     }
 }
 
-// On even faces (C.45) the pressure of a point goes with the gaps of the others, too.
+// On pressure-averaged faces (C.45) the pressure of a point goes with the gaps of the others, too.
 TEST(Drive, rows_and_columns_of_even_faces_are_those_of_differences) {
   using mechanics::ElementKind;
   for (const ElementKind kind : {ElementKind::quad8, ElementKind::hex20}) {

@@ -92,17 +92,17 @@ TEST(FacettedTool, NewtonDoesNotCycleFromAnEdgeOfTheFacets) {
     const geometry::SurfacePtr smooth =
         geometry::make_smooth_triangle_surface(mesh, pi / 6.0).surface;
     const double facet = 2.0 * pi / n;
-    int most = 0, most_raw = 0;
+    int most = 0, max_raw = 0;
     for (const double edge : {0.0, facet, 0.5 * facet, 2.0 * facet}) // one of them a diagonal
       for (const double way : {-1.5, -0.3, 0.0, 1e-9, 0.4, 2.0})
         for (const double depth : {load / penalty, 1e-3}) {
           const Vec3 x = (10.0 - depth) * radial(edge) + Vec3(0, 0, level);
           const Vec3 to = (10.0 - depth) * radial(edge + way * facet) + Vec3(0, 0, level);
           most = std::max(most, iterations(*smooth, x, to, -radial(edge)));
-          most_raw = std::max(most_raw, iterations(*raw, x, to, -radial(edge)));
+          max_raw = std::max(max_raw, iterations(*raw, x, to, -radial(edge)));
         }
-    std::printf("N = %3d: most iterations from an edge: facets %d%s, smoothed %d\n", n, most_raw,
-                most_raw == 100 ? " (cycles)" : "", most);
+    std::printf("N = %3d: most iterations from an edge: facets %d%s, smoothed %d\n", n, max_raw,
+                max_raw == 100 ? " (cycles)" : "", most);
     EXPECT_LE(most, 12);
   }
 }

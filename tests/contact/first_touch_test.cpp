@@ -48,7 +48,7 @@ std::vector<double> all_of(const mechanics::System& system) {
 double shear_of(const ContactBench& bench) {
   double sum = 0.0;
   for (std::size_t k = 0; k < bench.surface.n_points(); ++k)
-    sum += bench.term.tried(0, k).shear.norm();
+    sum += trial_traction(bench.term, 0, k).shear.norm();
   return sum;
 }
 
@@ -94,7 +94,7 @@ TEST(FirstTouch, IsForetoldByTheWayOfADrivenToolUnlessItIsHeld) {
     Tool ram = floor();
     ram.motion.force = geometry::Drive{Vec3::Zero(), Vec3::UnitY(), TimeFunction(1.0)};
     ContactBench bench = above(std::move(ram));
-    bench.term.hold(0, held);
+    bench.term.activity().hold(0, held);
     std::vector<double> x = bench.x;
     x.back() += way;
     bench.term.predict(x);
@@ -152,13 +152,13 @@ TEST(FirstTouch, CountsFromWhereANewMeshHasLeftThePoint) {
     std::vector<PointSource> sources;
     for (std::size_t k = 0; k < anew.surface.n_points(); ++k)
       sources.push_back(PointSource::between(k, k, 0.0));
-    anew.term.go_on_from(old.term.state(), sources, anew.x, 1.0);
+    anew.term.go_on_from(snapshot(old.term.state()), {sources, anew.x, 1.0});
     anew.term.predict(moved(anew, {0.01, -sinks}));
     const std::vector<double> pressed = moved(anew, {0.01, -1e-3});
     anew.assemble(pressed, 2.0);
     for (std::size_t k = 0; k < anew.surface.n_points(); ++k) {
-      EXPECT_GT(anew.term.tried(0, k).pressure, 0.0);
-      EXPECT_EQ(anew.term.tried(0, k).shear.norm() > 0.0, sinks > 0.0);
+      EXPECT_GT(trial_traction(anew.term, 0, k).pressure, 0.0);
+      EXPECT_EQ(trial_traction(anew.term, 0, k).shear.norm() > 0.0, sinks > 0.0);
     }
   }
 }
@@ -181,7 +181,7 @@ TEST(FirstTouch, WearsNothingTwice) {
     go({1e-6, -0.5 * height - 1e-3});
     ASSERT_EQ(bench.term.closed()[0].front().touching > 0.0, predicted);
     ASSERT_EQ(wear.map(0)->volume(), 0.0) << "sticks";
-    const double pressure = bench.term.results()[0].pressure;
+    const double pressure = point_results(bench.term)[0].pressure;
     go({0.5, 0});
     ASSERT_GT(bench.term.closed()[0].front().slip, 0.0);
     const double full = bench.tools[0].wear->tool.depth(pressure) * bench.term.area();

@@ -66,7 +66,7 @@ TEST(PenetrationLimit, HoldsInEveryIncrementOfEveryAnalysisByBothMethods) {
                   "within %.2g of a stiff penalty's; balance %.1e, without %.1e\n",
                   std::string(mechanics::name(kind)).c_str(),
                   method == contact::Method::penalty ? "penalty" : "augmented", deepest(done),
-                  limit, deepest(loose), done.process->view().contact()->stiffening(), off,
+                  limit, deepest(loose), done.process->view().contact()->state().penalty.trial, off,
                   done.process->view().state.energy.error(),
                   loose.process->view().state.energy.error());
       EXPECT_LE(deepest(done), limit);

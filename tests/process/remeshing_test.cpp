@@ -224,7 +224,7 @@ struct OnSurface {
 };
 
 OnSurface on_surface(const Run& process) {
-  const std::vector<contact::PointResult> results = process.contact()->results();
+  const std::vector<contact::PointResult> results = contact::point_results(*process.contact());
   std::vector<double> areas(results.size());
   process.model.surface->areas(process.state.x, areas);
   const std::vector<double> depth = process.model.wear->workpiece_depth();
@@ -299,8 +299,8 @@ TEST(Remeshing, LetsDisplacementsAndEnergiesGoOn) {
     std::array<double, 2> origin{};
     mechanics::interpolate(without.mesh(), locator.locate(Vec3(x[i], x[i + 1], 0.0)),
                            without.state.origins, origin);
-    most = std::max(most,
-                    std::hypot(origin[0] - with.state.origins[i], origin[1] - with.state.origins[i + 1]));
+    most = std::max(
+        most, std::hypot(origin[0] - with.state.origins[i], origin[1] - with.state.origins[i + 1]));
   }
   double external = 0.0, plastic = 0.0;
   for (const Entry& entry : done.recorder.entries) {
@@ -336,7 +336,7 @@ TEST(Remeshing, TellsItsObserversBeforeAndAfter) {
         EXPECT_EQ(p.state.origins.size(), p.positions().size());
         EXPECT_EQ(p.state.velocity.size(), p.positions().size());
         EXPECT_EQ(p.state.plastic_rate.size(), p.model.bulk->states().size());
-        EXPECT_EQ(p.contact()->results().size(), p.model.surface->n_points());
+        EXPECT_EQ(contact::point_results(*p.contact()).size(), p.model.surface->n_points());
       });
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
   EXPECT_GE(done, 3);
@@ -519,7 +519,7 @@ TEST(Remeshing, CarriesTemperaturesOn) {
   EXPECT_NEAR(mean(process.view()) - 20.0, rise, 5e-3 * rise);
 }
 
-TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
+TEST(Remeshing, TakesNothingForStabilizationThatDidNotMove) {
   // Two dies press a billet that no support holds along its axis.
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 4, 0.2, contact::Coulomb{0.1}));
   scene.part.supports.pop_back();
@@ -532,11 +532,11 @@ TEST(Remeshing, TakesNothingForGroundingThatDidNotMove) {
   Process process(std::move(scene));
   ASSERT_EQ(process.view().model.free_motions, 1);
   double before = 0.0;
-  Watcher watcher([&](const auto& p) { before = p.state.energy.grounding; },
+  Watcher watcher([&](const auto& p) { before = p.state.energy.stabilization; },
                   [&](const auto& p, const RemeshReport&) {
                     EXPECT_GT(before, 0.0);
                     // Squares of steps: what is solved again in longer ones has more of it.
-                    EXPECT_LT(p.state.energy.grounding, 1.5 * before);
+                    EXPECT_LT(p.state.energy.stabilization, 1.5 * before);
                   });
   ASSERT_EQ(process.run({&watcher}), RunStatus::done);
   EXPECT_GE(process.view().state.record.remeshings.size(), 3u);

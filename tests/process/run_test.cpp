@@ -86,9 +86,10 @@ TEST(Process, GroundsABodyThatOnlyToolsHold) {
   EXPECT_EQ(done.process->view().model.free_motions, 1);
   const double down = done.last().loads[0].force[1], up_force = done.last().loads[1].force[1];
   EXPECT_GT(down, 1e5);
-  constexpr double share = 1e-6; // of the force: Newton's tolerance and what the grounding carries
+  constexpr double share =
+      1e-6; // of the force: Newton's tolerance and what the stabilization carries
   EXPECT_NEAR(down, -up_force, share * down);
-  EXPECT_LT(done.last().report.energy.grounding, share * done.last().report.energy.external);
+  EXPECT_LT(done.last().report.energy.stabilization, share * done.last().report.energy.external);
 }
 
 TEST(Process, StopsWhenAnObserverAsksForIt) {

@@ -37,7 +37,7 @@ void expect_exact_slope(const Law& law, std::span<const double> pressures, doubl
           << Law::name << " by " << by << " at p = " << p;
     };
     expect(&InterfacePoint::pressure, limit.d_pressure, "pressure");
-    expect(&InterfacePoint::shear_yield, limit.d_shear_yield, "strength");
+    expect(&InterfacePoint::shear_yield, limit.d_shear_yield, "shear yield stress");
     expect(&InterfacePoint::speed, limit.d_speed, "speed");
     expect(&InterfacePoint::factor, limit.d_factor, "factor");
   }
@@ -78,7 +78,7 @@ inline std::vector<NamedLaw> modified_laws() {
           {"coulomb by table", tabled},
           {"coulomb anisotropic", anisotropic},
           {"viscoplastic anisotropic", creeping},
-          {"tresca of von Mises", Tresca{0.3, Strength::von_mises}}};
+          {"tresca of von Mises", Tresca{0.3, FollowedStress::von_mises}}};
 }
 
 /// Every law of the program, with the branches of each, and laws with modifiers.
@@ -88,8 +88,8 @@ inline std::vector<NamedLaw> every_law() {
                              {"coulomb", Coulomb{0.3}},
                              {"coulomb threshold", Coulomb{0.3, 20.0}},
                              {"coulomb capped", Coulomb{0.3, 0.0, 25.0}},
-                             {"coulomb capped at k", Coulomb{0.6, 0.0, Strength::yield}},
-                             {"coulomb quadratic", Coulomb{0.2, 5.0, Strength::yield, 5e-3}},
+                             {"coulomb capped at k", Coulomb{0.6, 0.0, FollowedStress::yield}},
+                             {"coulomb quadratic", Coulomb{0.2, 5.0, FollowedStress::yield, 5e-3}},
                              {"tresca", Tresca{0.5, 80.0}},
                              {"tresca of the material", Tresca{0.2, {}}},
                              {"levanov", Levanov{0.5, {}}},

@@ -25,7 +25,7 @@ struct PointResponse {
 };
 
 inline PointResponse point_of(const mechanics::DeviatoricResponse& batch, int l) {
-  const auto vector = [l](const mechanics::PrincipalLanes& v) {
+  const auto vector = [l](const mechanics::PrincipalPack& v) {
     return Vec3(v[0][l], v[1][l], v[2][l]);
   };
   PointResponse at;
@@ -62,9 +62,9 @@ inline bool update(const mechanics::Material& material,
   constexpr int most = mechanics::points_at_once;
   for (std::size_t first = 0; first < b_pred.size(); first += most) {
     const std::size_t n = std::min<std::size_t>(most, b_pred.size() - first);
-    mechanics::TensorLanes predictors;
+    mechanics::TensorPack predictors;
     for (std::size_t c = 0; c < mechanics::tensor_components.size(); ++c)
-      predictors[c] = mechanics::PointLanes::of([&](int l) {
+      predictors[c] = mechanics::PointPack::of([&](int l) {
         const Mat3& b = b_pred[first + std::min(static_cast<std::size_t>(l), n - 1)];
         return b(static_cast<Eigen::Index>(mechanics::tensor_components[c][0]),
                  static_cast<Eigen::Index>(mechanics::tensor_components[c][1]));

@@ -78,9 +78,9 @@ struct ContactPoints {
 
 ContactPoints contact_points(const Run& process) {
   const contact::ContactSurface& surface = *process.model.surface;
-  ContactPoints points{process.contact()->results(), std::vector<Vec3>(surface.n_points()),
-                       std::vector<double>(surface.n_points()),
-                       static_cast<std::size_t>(surface.points())};
+  ContactPoints points{
+      contact::point_results(*process.contact()), std::vector<Vec3>(surface.n_points()),
+      std::vector<double>(surface.n_points()), static_cast<std::size_t>(surface.points())};
   surface.positions(process.positions(), points.at);
   surface.areas(process.positions(), points.areas);
   return points;

@@ -25,7 +25,7 @@ struct Patch {
   contact::Form form = contact::Form::mixed;
   double tilt = 0.0; ///< of block and plane about z [rad]
   bool facets = false;
-  bool free = false;          ///< no support: the block may slide; grounding holds it
+  bool free = false;          ///< no support: the block may slide; stabilization holds it
   double surface_shift = 0.0; ///< distorts the contact faces in their own plane
   bool depths_differ = false; ///< the layer that touches is distorted as well
 };
@@ -42,7 +42,7 @@ mechanics::Mesh block(const Patch& patch) {
       if (mesh.dimension() == 3)
         p[2] += patch.surface_shift * bump * std::cos(3.0 * x);
     }
-  // The penalty of a face goes with the depth of the element beneath.
+  // The penalty of a face goes with the depth of the parent element.
   distort_inside(mesh, 0.06, 1, patch.depths_differ ? 0.0 : 0.3, 1.0);
   return mesh;
 }
@@ -75,7 +75,7 @@ Scene patch_scene(const Patch& patch) {
       scene.part.supports.push_back(held(scene.part.mesh, 2, 0.0));
   }
   scene.part.contact_faces = faces_on(scene.part.mesh, 1, 0.0);
-  // Raised in the first second and held in the next: at rest the grounding vanishes.
+  // Raised in the first second and held in the next: at rest the stabilization vanishes.
   scene.part.loads.push_back(
       PressureOn{faces_on(scene.part.mesh, 1, 1.0),
                  TimeFunction({{0.0, 0.0}, {1.0, pressure}, {2.0, pressure}})});
@@ -104,7 +104,7 @@ double pressure_error(const Patch& patch, const std::string& name) {
   const FinishedRun done = run(patch_scene(patch));
   EXPECT_EQ(done.status, RunStatus::done) << name;
   double worst = 0.0, shear = 0.0, stress = 0.0;
-  const auto results = done.process->view().contact()->results();
+  const auto results = contact::point_results(*done.process->view().contact());
   for (const auto& point : results) {
     worst = std::max(worst, std::abs(point.pressure / pressure - 1.0));
     shear = std::max(shear, point.shear.norm());
@@ -210,7 +210,7 @@ double lowest_after_pressing(double inside) {
 }
 
 // Fail so far. An iterate at which no point is inside the tool leaves a body that only forces press
-// with no stiffness but the grounding's: the next correction throws it beyond the reach of the
+// with no stiffness but the stabilization's: the next correction throws it beyond the reach of the
 // search. The scenes above start 1e-5 inside and take few steps; that helps them, it is no cure.
 TEST(PressedBlock, IsStoppedByAFloorThatItOnlyTouches) {
   EXPECT_GT(lowest_after_pressing(0.0), -0.1);

@@ -115,7 +115,7 @@ TEST(SlidingBlock, StaysOnASlopeUpToTheAngleOfFriction) {
       EXPECT_EQ(done.status, RunStatus::done);
       EXPECT_NEAR(moved, share * mu * pressure / stick_stiffness, 1e-4);
     } else {
-      // No equilibrium but the grounding's: far away, or none found.
+      // No equilibrium but the stabilization's: far away, or none found.
       EXPECT_TRUE(done.status == RunStatus::not_converged || moved > 1.0);
     }
   }
@@ -127,7 +127,7 @@ public:
   explicit CapWatch(double m) : m_(m) {}
   void started(const Run& process) override { remember(process); }
   void incremented(const Run& process, const IncrementReport&) override {
-    const auto results = process.contact()->results();
+    const auto results = contact::point_results(*process.contact());
     const std::vector<double> old = k_;
     remember(process);
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -149,8 +149,8 @@ private:
       k_.push_back(
           mechanics::yield_stress(
               process.model.bulk->material().flow,
-              {process.model.bulk->states()[process.model.surface->beneath(i)].plastic_strain, 0.0,
-               20.0}) /
+              {process.model.bulk->states()[process.model.surface->bulk_point(i)].plastic_strain,
+               0.0, 20.0}) /
           std::numbers::sqrt3);
   }
   double m_;

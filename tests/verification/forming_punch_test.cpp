@@ -6,7 +6,7 @@
 // (frm07_prandtl_mesh_study.csv, quad8 of 2 x 2 points) and the limit with what they extrapolate
 // to.
 
-#include "contact/faces/uneven_pressure.h"
+#include "contact/faces/pressure_oscillation.h"
 #include "geometry/surfaces/profile.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/figures.h"
@@ -262,13 +262,13 @@ Scene under_ball(ElementKind kind, int n) {
   return scene;
 }
 
-/// Root mean square of what is uneven in the pressure, but at the end of the contact, over that of
+/// Root mean square of the pressure's oscillation, but at the end of the contact, over that of
 /// the pressure. (C.45)
-double unevenness(const contact::ContactTerm& term,
-                  const contact::ContactSurface& surface,
-                  std::span<const double> x) {
+double oscillation_of(const contact::ContactTerm& term,
+                      const contact::ContactSurface& surface,
+                      std::span<const double> x) {
   std::vector<contact::PointHistory> history(surface.n_points());
-  const std::vector<contact::PointResult> results = term.results();
+  const std::vector<contact::PointResult> results = contact::point_results(term);
   std::vector<char> lying(as_size(surface.n_faces()), 0);
   for (std::size_t k = 0; k < results.size(); ++k)
     if (results[k].pressure > 0.0) {
@@ -280,12 +280,13 @@ double unevenness(const contact::ContactTerm& term,
   surface.areas(x, areas);
   std::vector<Vec3> places(history.size());
   surface.positions(x, places);
-  const contact::EvenPressure even = contact::even_pressure(surface, lying, history, places, areas);
-  const std::vector<double> uneven = contact::uneven_pressure(even, history);
+  const contact::SmoothedPressure smoothed =
+      contact::smoothed_pressure(surface, lying, history, places, areas);
+  const std::vector<double> oscillation = contact::pressure_oscillation(smoothed, history);
   double pressed = 0.0, sum = 0.0;
-  for (std::size_t k = 0; k < uneven.size(); ++k) {
-    sum += uneven[k] * uneven[k];
-    pressed += even.mean[k] > 0.0 ? history[k].pressure * history[k].pressure : 0.0;
+  for (std::size_t k = 0; k < oscillation.size(); ++k) {
+    sum += oscillation[k] * oscillation[k];
+    pressed += smoothed.mean[k] > 0.0 ? history[k].pressure * history[k].pressure : 0.0;
   }
   EXPECT_GT(pressed, 0.0);
   return std::sqrt(sum / pressed);
@@ -293,7 +294,7 @@ double unevenness(const contact::ContactTerm& term,
 
 /// How a round tool lies on the body at last.
 struct RoundPunchEnd {
-  double uneven = 0.0;
+  double oscillation = 0.0;
   double area = 0.0;
 };
 
@@ -304,11 +305,11 @@ RoundPunchEnd end_of(Scene scene) {
   EXPECT_EQ(done.status, RunStatus::done);
   const Run& process = *done.process;
   const RoundPunchEnd end{
-      unevenness(*process.contact(), *process.model.surface, process.positions()),
+      oscillation_of(*process.contact(), *process.model.surface, process.positions()),
       process.contact()->area()};
   fmt::print(
-      "{}, {}: uneven by {:.3f}, area {:.4f}, force {:.1f} N, {} increments, {} iterations\n",
-      mechanics::name(kind), form == contact::Form::mixed ? "mixed" : "compatible", end.uneven,
+      "{}, {}: oscillation {:.3f}, area {:.4f}, force {:.1f} N, {} increments, {} iterations\n",
+      mechanics::name(kind), form == contact::Form::mixed ? "mixed" : "compatible", end.oscillation,
       end.area, done.last().loads[0].force[1], process.state.increment,
       process.state.counters.iterations);
   // Under the ball, whose contact grows by whole faces of a coarse mesh, 0.6 % with and without.
@@ -323,17 +324,17 @@ RoundPunchEnd round_punch_end(ElementKind kind, contact::Form form, int n) {
 }
 
 TEST(RoundPunch, PressesAtAllPointsOfQuadraticFaces) {
-  // Without (C.45) the compatible form touches with 80 % of the area, uneven by 0.58.
+  // Without (C.45) the compatible form touches with 80 % of the area, oscillation 0.58.
   for (const ElementKind kind : {ElementKind::quad8, ElementKind::tri6}) {
     const double area = round_punch_end(kind, contact::Form::mixed, 15).area;
     const RoundPunchEnd end = round_punch_end(kind, contact::Form::compatible, 15);
     EXPECT_NEAR(end.area, area, 0.1 * area);
-    EXPECT_LT(end.uneven, 0.5);
+    EXPECT_LT(end.oscillation, 0.5);
   }
 }
 
 TEST(RoundPunchLong, PressesAlikeAtBothPointsOfFineTriangles) {
-  EXPECT_LT(round_punch_end(ElementKind::tri6, contact::Form::mixed, 30).uneven, 0.2);
+  EXPECT_LT(round_punch_end(ElementKind::tri6, contact::Form::mixed, 30).oscillation, 0.2);
 }
 
 TEST(RoundPunchLong, PressesMoreAlikeAtThePointsOfTetrahedra) {
@@ -341,7 +342,7 @@ TEST(RoundPunchLong, PressesMoreAlikeAtThePointsOfTetrahedra) {
   for (const contact::Form form : {contact::Form::mixed, contact::Form::compatible}) {
     Scene scene = under_ball(ElementKind::tet10, 12);
     scene.contact.form = form;
-    EXPECT_LT(end_of(std::move(scene)).uneven, 0.45);
+    EXPECT_LT(end_of(std::move(scene)).oscillation, 0.45);
   }
 }
 

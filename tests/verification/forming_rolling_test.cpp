@@ -72,7 +72,7 @@ Scene rolled_strip(const Pass& pass) {
   scene.part.supports.push_back(held(scene.part.mesh, 1, 0.0));
   contact::Tool roll =
       moving_tool("roll", geometry::make_circle(centre, pass.radius, false), Vec3::Zero(),
-                  contact::Coulomb{pass.mu, 0.0, contact::Strength::yield});
+                  contact::Coulomb{pass.mu, 0.0, contact::FollowedStress::yield});
   roll.motion.rotation =
       geometry::Rotation{centre, Vec3::UnitZ(), TimeFunction(pass.speed / pass.radius)};
   roll.reference = centre;
@@ -143,7 +143,7 @@ private:
 
   [[nodiscard]] std::vector<FaceShear> under_the_roll(const Run& process) const {
     const contact::ContactSurface& surface = *process.model.surface;
-    const std::vector<contact::PointResult> points = process.contact()->results();
+    const std::vector<contact::PointResult> points = contact::point_results(*process.contact());
     std::vector<Vec3> at(surface.n_points());
     surface.positions(process.positions(), at);
     const auto per_face = static_cast<std::size_t>(surface.points());

@@ -55,7 +55,7 @@ mechanics::Mesh box(ElementKind kind, int n, int m, bool distorted) {
 /// (largest - smallest) / largest pressure over the points in contact at the end.
 double pressure_spread(const FinishedRun& done) {
   double least = 1e300, most = 0.0;
-  for (const auto& point : done.process->view().contact()->results())
+  for (const auto& point : contact::point_results(*done.process->view().contact()))
     if (point.pressure > 0.0) {
       least = std::min(least, point.pressure);
       most = std::max(most, point.pressure);

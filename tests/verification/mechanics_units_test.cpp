@@ -20,7 +20,7 @@ struct Units {
   [[nodiscard]] double energy() const { return force() * length; }
 };
 
-/// Between a fixed and a moving die; only friction and grounding hold it along the axis.
+/// Between a fixed and a moving die; only friction and stabilization hold it along the axis.
 Scene billet(const Units& units, mechanics::ElementKind kind, int increments) {
   const double mm = units.length;
   const double MPa = units.stress;
@@ -110,11 +110,11 @@ TEST(Upsetting, the_work_of_the_dies_is_accounted_for) {
     support::show("energy", std::string(mechanics::name(kind)) + " external against the rest",
                   energy.external,
                   energy.elastic + energy.plastic + energy.friction + energy.contact +
-                      energy.grounding);
+                      energy.stabilization);
     EXPECT_LT(energy.error(), tolerance);
     EXPECT_GT(energy.plastic, 0.9 * energy.external);
     EXPECT_GT(energy.friction, 0.0);
-    EXPECT_LT(energy.grounding, 1e-3 * energy.external);
+    EXPECT_LT(energy.stabilization, 1e-3 * energy.external);
   }
 }
 

@@ -48,7 +48,7 @@ struct Statuses {
 
 Statuses statuses(const Run& process) {
   Statuses count;
-  for (const auto& point : process.contact()->results()) {
+  for (const auto& point : contact::point_results(*process.contact())) {
     count.stick += point.status == contact::Status::stick ? 1 : 0;
     count.slip += point.status == contact::Status::slip ? 1 : 0;
   }
@@ -106,12 +106,12 @@ std::vector<LawCase> law_cases() {
   Friction anisotropic = Coulomb{1.0};
   anisotropic.tensor =
       FrictionTensor{(Mat2() << 0.05, 0.02, -0.02, 0.25).finished(), Vec3(1, 1, 0)};
-  const Friction mises = Tresca{0.4, Strength::von_mises};
+  const Friction mises = Tresca{0.4, FollowedStress::von_mises};
   const ElementKind plane = ElementKind::quad4;
   const ElementKind solid = ElementKind::hex8;
   return {{"sticking", plane, Sticking{}},
-          {"coulomb capped at k", plane, Coulomb{0.3, 0.0, Strength::yield}},
-          {"coulomb quadratic", plane, Coulomb{0.1, 50.0, Strength::yield, 1e-4}},
+          {"coulomb capped at k", plane, Coulomb{0.3, 0.0, FollowedStress::yield}},
+          {"coulomb quadratic", plane, Coulomb{0.1, 50.0, FollowedStress::yield, 1e-4}},
           {"tresca of the material", plane, Tresca{0.4, {}}},
           {"tresca of von Mises", plane, mises},
           {"shaw", plane, Shaw{{}, 0.4}},
@@ -152,12 +152,12 @@ TEST(Newton, ConvergesQuadraticallyWithEveryLaw) {
 /// Indents with a flow law under friction that follows it: its tangent must hold the rate as well.
 void check_flow_law(ElementKind kind,
                     const support::NamedMaterial& named,
-                    contact::Strength strength) {
+                    contact::FollowedStress followed) {
   constexpr double order = 1.8;
   // In larger steps the middle order of the plane kinds scatters from 1.7 to 2, and so it does
   // where springs of mixed faces (C.44) begin and end to press, which is no change of a contact
   // point.
-  Scene scene = indentation(kind, 80, contact::Tresca{0.4, strength});
+  Scene scene = indentation(kind, 80, contact::Tresca{0.4, followed});
   scene.contact.form = contact::Form::compatible;
   scene.material = named.material;
   const FinishedRun done = run(std::move(scene));
@@ -168,8 +168,8 @@ void check_flow_law(ElementKind kind,
   const double median = orders[orders.size() / 2];
   std::printf("%-20s k by %-10s order %.2f in the middle of %zu increments (>= 1.8), lowest %.2f; "
               "%.1f iterations an increment, %d cut-backs; plastic strain %.3f\n",
-              name.c_str(), strength == contact::Strength::yield ? "yield" : "von Mises", median,
-              orders.size(), orders.front(),
+              name.c_str(), followed == contact::FollowedStress::yield ? "yield" : "von Mises",
+              median, orders.size(), orders.front(),
               static_cast<double>(done.process->view().state.counters.iterations) /
                   done.process->view().state.increment,
               done.process->view().state.counters.cutbacks, done.last().report.max_plastic_strain);
@@ -177,18 +177,18 @@ void check_flow_law(ElementKind kind,
 }
 
 TEST(Newton, ConvergesQuadraticallyWithEveryFlowLaw) {
-  using contact::Strength;
+  using contact::FollowedStress;
   for (const auto& named : support::every_material())
-    for (const Strength strength : {Strength::yield, Strength::von_mises})
+    for (const FollowedStress followed : {FollowedStress::yield, FollowedStress::von_mises})
       if (support::yields(named.material))
-        check_flow_law(ElementKind::hex8, named, strength);
+        check_flow_law(ElementKind::hex8, named, followed);
 }
 
 TEST(Newton, ConvergesQuadraticallyWithRateLawsInThePlaneKinds) {
   for (const auto& named : support::every_material())
     for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6})
       if (mechanics::follows_rate(named.material.flow))
-        check_flow_law(kind, named, contact::Strength::yield);
+        check_flow_law(kind, named, contact::FollowedStress::yield);
 }
 
 TEST(NewtonLong, ConvergesQuadraticallyWithEveryFlowLawInEveryKind) {
@@ -196,7 +196,7 @@ TEST(NewtonLong, ConvergesQuadraticallyWithEveryFlowLawInEveryKind) {
     for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::tri6,
                                    ElementKind::hex8, ElementKind::hex20, ElementKind::tet10})
       if (support::yields(named.material))
-        check_flow_law(kind, named, contact::Strength::yield);
+        check_flow_law(kind, named, contact::FollowedStress::yield);
 }
 
 TEST(Threads, GiveTheSameBitsHoweverMany) {

@@ -49,7 +49,7 @@ Outcome pressed(ElementKind kind, int n, double factor) {
   EXPECT_EQ(done.status, RunStatus::done);
   EXPECT_EQ(done.process->view().state.increment, 1);
   double least = 1e300, most = 0.0;
-  for (const auto& point : done.process->view().contact()->results()) {
+  for (const auto& point : contact::point_results(*done.process->view().contact())) {
     least = std::min(least, point.pressure);
     most = std::max(most, point.pressure);
   }

@@ -137,7 +137,7 @@ SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elim
 void SingleFactorization::measure_panels() {
   std::size_t triangles = 0;
   std::size_t below = 0;
-  std::size_t most_rows = 0;
+  std::size_t max_rows = 0;
   for (const Front& front : elimination_->fronts()) {
     const std::size_t rows = idx(front.rows + front.columns), columns = idx(front.columns);
     triangle_start_.push_back(triangles);
@@ -145,11 +145,11 @@ void SingleFactorization::measure_panels() {
     triangles += diagonal_triangles(columns);
     below += packed_size(rows, columns);
     panel_size_ = std::max(panel_size_, padded(rows) * columns);
-    most_rows = std::max(most_rows, padded(rows));
+    max_rows = std::max(max_rows, padded(rows));
   }
   triangle_start_.push_back(triangles);
   below_start_.push_back(below);
-  local_.resize(most_rows + front_lanes); // cleared by whole vectors
+  local_.resize(max_rows + front_lanes); // cleared by whole vectors
 }
 
 void SingleFactorization::find_places() {

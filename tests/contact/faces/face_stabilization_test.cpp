@@ -274,7 +274,7 @@ TEST(FaceStabilization, KeepsTheBooksOfEnergyAndLeavesWithItsTool) {
       springs = bench.term.work().stored - down.stored;
     }
     const ContactWork& work = bench.term.work();
-    const double error = bench.entered - entered_down + work.enforcement - down.enforcement -
+    const double error = bench.entered - entered_down + work.penalty_update - down.penalty_update -
                          work.friction - springs;
     std::printf("%-18s stored %.4e more N mm: error %.1e\n", body.name().c_str(), springs, error);
     EXPECT_LT(std::abs(error), 1e-3 * std::abs(springs)) << body.name();
@@ -288,7 +288,7 @@ TEST(FaceStabilization, KeepsTheBooksOfEnergyAndLeavesWithItsTool) {
         Eigen::Map<const VectorXd>(left.data(), static_cast<Eigen::Index>(left.size()));
     EXPECT_LT((before - after).norm(), 1e-9 * before.norm()) << body.name();
     bench.assemble(bench.x, 62.0);
-    bench.term.enable({0});
+    bench.term.activity().enable({0});
     bench.assemble(bench.x, 63.0);
     EXPECT_EQ(bench.force().norm(), 0.0) << body.name();
   }

@@ -36,7 +36,7 @@ TEST(Asperity, FollowsTheMaterialBeneathUnlessGivenAStress) {
   EXPECT_FALSE(follows_material((Asperity{0.6, k, 0.3}).k));
   EXPECT_EQ(follows.slip_limit({400.0, k}).shear,
             (Asperity{0.6, k, 0.3}.slip_limit({400.0, 1.0}).shear));
-  EXPECT_EQ(follows.slip_limit({400.0, 0.0}).shear, 0.0) << "no NaN where there is no strength";
+  EXPECT_EQ(follows.slip_limit({400.0, 0.0}).shear, 0.0) << "no NaN where there is no shear_yield";
 }
 
 TEST(Asperity, GivesItsSlopesExactly) {

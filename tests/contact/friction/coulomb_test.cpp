@@ -45,7 +45,7 @@ TEST(Coulomb, CarriesNothingBelowItsThresholdPressure) {
 TEST(Coulomb, IsCappedByAStressOrByTheShearYieldStress) {
   EXPECT_EQ((Coulomb{0.5, 0.0, 200.0}.slip_limit({1000.0, k}).shear), 200.0);
   EXPECT_EQ((Coulomb{0.5, 0.0, 200.0}.slip_limit({1000.0, k}).d_pressure), 0.0);
-  const Coulomb at_yield{0.5, 0.0, Strength::yield};
+  const Coulomb at_yield{0.5, 0.0, FollowedStress::yield};
   EXPECT_EQ(at_yield.slip_limit({1000.0, k}).shear, k);
   EXPECT_EQ(at_yield.slip_limit({1000.0, 250.0}).shear, 250.0) << "the cap follows the material";
 }
@@ -56,14 +56,14 @@ TEST(Coulomb, GivesItsSlopeExactlyOnEveryBranch) {
   expect_exact_slope(Coulomb{0.3}, pressures, k);
   expect_exact_slope(Coulomb{0.3, 100.0}, pressures, k);
   expect_exact_slope(Coulomb{0.5, 0.0, 200.0}, pressures, k);
-  expect_exact_slope(Coulomb{0.5, 100.0, Strength::yield}, pressures, 60.0);
+  expect_exact_slope(Coulomb{0.5, 100.0, FollowedStress::yield}, pressures, 60.0);
   expect_exact_slope(Coulomb{0.15, 100.0, k, 2e-4}, pressures, k);
 }
 
 TEST(Coulomb, NeverFallsWithThePressure) {
   expect_monotone_limit(Coulomb{0.3}, k);
   expect_monotone_limit(Coulomb{10.0, 50.0, 700.0}, k);
-  expect_monotone_limit(Coulomb{0.5, 100.0, Strength::yield}, k);
+  expect_monotone_limit(Coulomb{0.5, 100.0, FollowedStress::yield}, k);
   expect_monotone_limit(Coulomb{0.15, 100.0, k, 2e-4}, k);
 }
 

@@ -69,15 +69,15 @@ TEST(Friction, HasTheDerivativesOfItsLimit) {
   constexpr double h = 1e-7;
   for (const auto& [name, friction] : every_law()) {
     const LimitAtSlip limit = limit_at(friction, at, slip);
-    const auto near = [&](double p, double strength, double s) {
+    const auto near = [&](double p, double shear_yield, double s) {
       SlipState moved = at;
       moved.pressure += p;
-      moved.strength += strength;
+      moved.shear_yield += shear_yield;
       return limit_at(friction, moved, slip + s).shear;
     };
     const double scale = 1e-6 * (1.0 + limit.shear / slip);
     EXPECT_NEAR(limit.d_pressure, (near(h, 0, 0) - near(-h, 0, 0)) / (2 * h), scale) << name;
-    EXPECT_NEAR(limit.d_strength, (near(0, h, 0) - near(0, -h, 0)) / (2 * h), scale) << name;
+    EXPECT_NEAR(limit.d_shear_yield, (near(0, h, 0) - near(0, -h, 0)) / (2 * h), scale) << name;
     EXPECT_NEAR(limit.d_slip, (near(0, 0, h) - near(0, 0, -h)) / (2 * h), scale) << name;
   }
 }

@@ -36,7 +36,7 @@ TEST(Levanov, GivesItsSlopesExactly) {
   const std::array pressures{1.0, 50.0, 300.0, 1000.0, 5000.0};
   expect_exact_slope(Levanov{0.4, {}}, pressures, k);
   expect_exact_slope(Levanov{0.4, 250.0}, pressures, k);
-  expect_exact_slope(Levanov{1.0, Strength::von_mises, 3.0}, pressures, k);
+  expect_exact_slope(Levanov{1.0, FollowedStress::von_mises, 3.0}, pressures, k);
   expect_monotone_limit(Levanov{0.4, {}}, k);
 }
 
@@ -46,19 +46,19 @@ TEST(Levanov, FollowsTheMaterialBeneathUnlessGivenAStress) {
   EXPECT_GT((Levanov{0.4, {}}.slip_limit({200.0, k}).d_shear_yield), 0.0);
 }
 
-TEST(Levanov, HasItsLimitsWhereThereIsNoStrengthOrNoPressure) {
+TEST(Levanov, HasItsLimitsWithoutShearYieldStressOrPressure) {
   const Levanov law{0.4, {}};
-  for (const double strength : {0.0, std::numeric_limits<double>::denorm_min(), 1e-300}) {
-    const SlipLimit pressed = law.slip_limit({200.0, strength});
-    EXPECT_EQ(pressed.shear, 0.4 * strength) << "the pressure saturates it at once";
+  for (const double shear_yield : {0.0, std::numeric_limits<double>::denorm_min(), 1e-300}) {
+    const SlipLimit pressed = law.slip_limit({200.0, shear_yield});
+    EXPECT_EQ(pressed.shear, 0.4 * shear_yield) << "the pressure saturates it at once";
     EXPECT_EQ(pressed.d_pressure, 0.0);
     EXPECT_DOUBLE_EQ(pressed.d_shear_yield, 0.4);
   }
-  for (const double strength : {0.0, 1e-300, k}) {
-    const SlipLimit open = law.slip_limit({0.0, strength});
+  for (const double shear_yield : {0.0, 1e-300, k}) {
+    const SlipLimit open = law.slip_limit({0.0, shear_yield});
     EXPECT_EQ(open.shear, 0.0);
     EXPECT_EQ(open.d_shear_yield, 0.0);
-    EXPECT_EQ(open.d_pressure, strength > 0.0 ? 0.4 * 1.25 / std::numbers::sqrt3 : 0.0);
+    EXPECT_EQ(open.d_pressure, shear_yield > 0.0 ? 0.4 * 1.25 / std::numbers::sqrt3 : 0.0);
   }
 }
 

@@ -21,9 +21,9 @@ TEST(Shaw, HasTheSpotValuesOfThePaper) {
 
 TEST(Shaw, IsTheGlobalCoefficientOfThePaper) {
   // Eq 2: mu_G = k / H with H = 3 sigma_0 is .19245 for von Mises, whatever k.
-  for (const double strength : {30.0, k, 900.0}) {
+  for (const double shear_yield : {30.0, k, 900.0}) {
     const Shaw law{{}, 0.0, Flattening::bowden_tabor};
-    EXPECT_NEAR(law.slip_limit({100.0, strength}).shear / 100.0, 0.19245009, 1e-8);
+    EXPECT_NEAR(law.slip_limit({100.0, shear_yield}).shear / 100.0, 0.19245009, 1e-8);
   }
 }
 

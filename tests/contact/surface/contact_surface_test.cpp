@@ -52,7 +52,7 @@ TEST(ContactSurface, PlacesItsPointsOnTheFaceInsideIt) {
     }
 }
 
-TEST(ContactSurface, ScalesPenaltiesWithTheStiffnessOfTheElementBeneath) {
+TEST(ContactSurface, ScalesPenaltiesWithTheStiffnessOfTheParentElement) {
   // The elements are 1 high: E / h = 200e3. Around an axis the volume of a triangle goes with the
   // radius of its centre, its face's area with that of its middle.
   for (const BodyKind& body : body_kinds()) {
@@ -69,7 +69,7 @@ TEST(ContactSurface, ScalesPenaltiesWithTheStiffnessOfTheElementBeneath) {
   }
 }
 
-TEST(ContactSurface, FindsTheMaterialPointBeneathEachContactPoint) {
+TEST(ContactSurface, FindsTheClosestBulkPointOfEachContactPoint) {
   // The lower points of the elements, 0.2113 above the face, spread as the contact points are.
   const ContactBench bench =
       bench_of({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain}, {});
@@ -77,7 +77,7 @@ TEST(ContactSurface, FindsTheMaterialPointBeneathEachContactPoint) {
   bench.surface.positions(bench.x, points);
   std::set<std::size_t> found;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::size_t state = bench.surface.beneath(k);
+    const std::size_t state = bench.surface.bulk_point(k);
     const auto xi = mechanics::ElementQuad8::Rule::point(static_cast<int>(state % 4));
     const double centre = state < 4 ? 1.5 : 2.5;
     EXPECT_NEAR(centre + 0.5 * xi[0], points[k][0], rounding);

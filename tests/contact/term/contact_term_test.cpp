@@ -93,7 +93,7 @@ TEST(ContactTerm, LetsAPointTouchTwoToolsInACorner) {
   walls.push_back(still_tool(geometry::make_plane({1, 0, 0}, {1, 0, 0}), Frictionless{}));
   ContactBench bench = bench_on(plane_quad8, std::move(walls), {Form::mixed, 100.0, 10.0});
   bench.commit(moved(bench, {-0.5, -0.3, 0}), 1.0);
-  const auto results = bench.term.results();
+  const auto results = point_results(bench.term);
   std::vector<Vec3> points(results.size());
   bench.surface.positions(bench.x, points);
   const double Kp = bench.surface.penalty().normal;
@@ -218,7 +218,7 @@ TEST(ContactTerm, IgnoresToolsThatDoNotActNow) {
   }
   bench.assemble(x, 2.5);
   EXPECT_GT(bench.force().norm(), 0.0);
-  bench.term.enable({0});
+  bench.term.activity().enable({0});
   bench.assemble(x, 2.5);
   EXPECT_EQ(bench.force().norm(), 0.0);
 }
@@ -228,13 +228,13 @@ TEST(ContactTerm, ShowsWhatIsCommittedWhateverHasBeenTriedSince) {
     ContactBench bench = bench_on(body, one_tool(still_tool(floor_plane(), Coulomb{0.1})), {});
     bench.commit(moved(bench, {0, -1e-3, 0}), 1.0);
     bench.commit(moved(bench, {1e-2, 0, 0}), 2.0);
-    const std::vector<PointResult> before = bench.term.results();
+    const std::vector<PointResult> before = point_results(bench.term);
     EXPECT_TRUE(std::any_of(before.begin(), before.end(), [](const PointResult& p) {
       return p.status == Status::slip;
     })) << body.name();
     for (const Vec3& tried : {Vec3(0, -1.0, 0), Vec3(0, 1.0, 0)}) { // far too deep; off
       bench.assemble(moved(bench, tried), 3.0);
-      const std::vector<PointResult> after = bench.term.results();
+      const std::vector<PointResult> after = point_results(bench.term);
       for (std::size_t k = 0; k < before.size(); ++k) {
         EXPECT_EQ(after[k].pressure, before[k].pressure);
         EXPECT_EQ(after[k].shear, before[k].shear);
@@ -251,20 +251,20 @@ TEST(ContactTerm, HandsOverItsForcesWhenAToolIsReleased) {
     bench.commit(moved(bench, {0, -1e-3, 0}), 1.0);
     bench.commit(moved(bench, {1e-3, 0, 0}), 2.0);
     EXPECT_GT(bench.term.work().stored, 0.0);
-    EXPECT_FALSE(bench.term.leaves(0, 3.0));
-    bench.term.enable({0});
-    EXPECT_TRUE(bench.term.leaves(0, 3.0));
+    EXPECT_FALSE(leaves(bench.term, 0, 3.0));
+    bench.term.activity().enable({0});
+    EXPECT_TRUE(leaves(bench.term, 0, 3.0));
     const Eigen::VectorXd before = bench.force();
     const std::vector<double> forces = bench.term.release(0);
     const Eigen::Map<const Eigen::VectorXd> released(forces.data(), before.size());
     EXPECT_LT((released - before).norm(), rounding * before.norm()) << body.name();
     EXPECT_EQ(bench.term.work().stored, 0.0);
-    EXPECT_FALSE(bench.term.leaves(0, 3.0)) << "it has left";
+    EXPECT_FALSE(leaves(bench.term, 0, 3.0)) << "it has left";
     bench.commit(bench.x, 3.0);
     EXPECT_EQ(bench.force().norm(), 0.0);
     EXPECT_EQ(bench.term.area(), 0.0);
     EXPECT_EQ(bench.term.loads()[0].force, Vec3::Zero());
-    for (const PointResult& point : bench.term.results()) {
+    for (const PointResult& point : point_results(bench.term)) {
       EXPECT_EQ(point.status, Status::open);
       EXPECT_EQ(point.pressure, 0.0);
     }

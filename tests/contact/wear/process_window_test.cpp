@@ -11,7 +11,7 @@ struct Bench {
   std::vector<double> strain{0.1, 0.3};
   std::vector<double> rate{1.0, 3.0};
 
-  [[nodiscard]] Beneath beneath() const { return {point, strain, rate}; }
+  [[nodiscard]] BulkFields bulk_fields() const { return {point, strain, rate}; }
 };
 
 ClosedPoint closed_point(std::size_t point, double pressure_old, double pressure, double area) {
@@ -31,8 +31,8 @@ TEST(ProcessWindow, weighs_with_area_and_time) {
   const std::vector<std::vector<ClosedPoint>> both{
       {closed_point(0, 0.0, 100.0, 1.0), closed_point(1, 200.0, 400.0, 3.0)}};
   const std::vector<std::vector<ClosedPoint>> one{{closed_point(1, 400.0, 600.0, 3.0)}};
-  window.add(both, bench.beneath(), 0.5);
-  window.add(one, bench.beneath(), 2.0);
+  window.add(both, bench.bulk_fields(), 0.5);
+  window.add(one, bench.bulk_fields(), 2.0);
   const Window found = window.tool(0);
   EXPECT_DOUBLE_EQ(found.contact_time, 2.5);
   EXPECT_DOUBLE_EQ(found.mean_area, (4.0 * 0.5 + 3.0 * 2.0) / 2.5);
@@ -56,9 +56,9 @@ TEST(ProcessWindow, keeps_tools_apart_and_sums_them_up) {
   std::vector<std::vector<ClosedPoint>> closed(3);
   closed[0] = {closed_point(0, 100.0, 100.0, 1.0)};
   closed[1] = {closed_point(1, 300.0, 300.0, 1.0)};
-  window.add(closed, bench.beneath(), 1.0);
+  window.add(closed, bench.bulk_fields(), 1.0);
   closed[0].clear();
-  window.add(closed, bench.beneath(), 1.0);
+  window.add(closed, bench.bulk_fields(), 1.0);
   EXPECT_EQ(window.tool(0)[WindowQuantity::pressure].mean, 100.0);
   EXPECT_EQ(window.tool(0).contact_time, 1.0);
   EXPECT_EQ(window.tool(1)[WindowQuantity::pressure].mean, 300.0);
@@ -77,7 +77,7 @@ TEST(ProcessWindow, takes_the_speed_while_a_point_touches) {
   surprised.touching = 0.0;
   surprised.slip = 0.0;
   const std::vector<std::vector<ClosedPoint>> closed{{landed, surprised}};
-  window.add(closed, bench.beneath(), 0.5);
+  window.add(closed, bench.bulk_fields(), 0.5);
   const Window found = window.tool(0);
   const WindowRange& speed = found[WindowQuantity::speed];
   EXPECT_DOUBLE_EQ(speed.highest, 0.2 / (0.2 * 0.5));

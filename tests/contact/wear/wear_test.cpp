@@ -47,7 +47,7 @@ TEST(Wear, is_the_contact_integral_for_every_element) {
     for (const Form form : {Form::mixed, Form::compatible}) {
       WearBench on(body, Frictionless{}, form);
       on.move({0, -1e-3, 0});
-      const double pressure = on.bench.term.results()[0].pressure;
+      const double pressure = point_results(on.bench.term)[0].pressure;
       const double area = on.bench.term.area();
       const double before = on.volume();
       on.move({0, 0, 0});
@@ -73,7 +73,7 @@ TEST(Wear, is_even_beneath_a_body_that_slides_evenly) {
        {body_kinds()[1], body_kinds()[4], body_kinds()[5], body_kinds()[8]}) {
     WearBench on(body, Frictionless{});
     on.move({0, -1e-3, 0});
-    const double pressure = on.bench.term.results()[0].pressure;
+    const double pressure = point_results(on.bench.term)[0].pressure;
     for (int i = 0; i < 30; ++i)
       on.move({0.1, 0, 0});
     const double expected = law.tool.depth(pressure * 2.0);
@@ -99,7 +99,7 @@ TEST(Wear, is_none_while_a_point_sticks) {
     on.move({0, -1e-3, 0});
     on.move({1e-5, 0, 1e-5});
     on.move({-1e-5, 0, 0});
-    ASSERT_EQ(on.bench.term.results()[0].status, Status::stick);
+    ASSERT_EQ(point_results(on.bench.term)[0].status, Status::stick);
     EXPECT_EQ(on.volume(), 0.0);
     EXPECT_EQ(on.wear.workpiece_depth(), std::vector<double>(on.bench.surface.n_points(), 0.0));
   }
@@ -112,7 +112,7 @@ TEST(Wear, counts_half_of_the_increments_at_its_ends_only_for_points_that_slide)
     on.move({0, 1e-2, 0});
     on.move({0.1, -1.1e-2, 0});
     EXPECT_EQ(on.volume(), 0.0) << "not known yet whether it slides";
-    const double pressure = on.bench.term.results()[0].pressure;
+    const double pressure = point_results(on.bench.term)[0].pressure;
     const double full = law.tool.depth(pressure * 0.1) * on.bench.term.area();
     on.move({sticks ? 1e-7 : 0.1, 0, 0});
     EXPECT_NEAR(on.volume(), sticks ? 0.0 : 1.25 * full, 1e-9 * full);
@@ -160,7 +160,7 @@ TEST(Wear, turns_with_the_tool) {
     x[i] -= 0.02;
   bench.commit(x, 0.0);
   double expected = 0.0, pressed = 0.0;
-  const auto results = bench.term.results();
+  const auto results = point_results(bench.term);
   std::vector<double> areas(results.size());
   bench.surface.areas(bench.x, areas);
   for (std::size_t k = 0; k < results.size(); ++k)

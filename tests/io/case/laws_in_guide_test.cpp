@@ -60,7 +60,7 @@ template <class Law> std::string key_of(double Law::*member) {
 
 /// What stands in brackets.
 std::string default_text(double value) { return std::isfinite(value) ? number(value) : "none"; }
-std::string default_text(const std::optional<contact::ShearStrength>& strength) {
+std::string default_text(const std::optional<contact::ShearYieldStress>& strength) {
   return strength ? toml_text(*strength) : "none";
 }
 template <class Value> std::string default_text(const Value& value) {

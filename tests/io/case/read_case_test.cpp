@@ -44,7 +44,7 @@ TEST(ReadCase, reads_tools_and_settings) {
   EXPECT_DOUBLE_EQ(std::get<RotationMotion>(*roll.motion.rotation).speed(0.0), std::numbers::pi);
   EXPECT_EQ(std::get<DisplacementMotion>(*roll.motion.translation).displacement[0](1.0), 0.5);
   const auto& coulomb = std::get<contact::Coulomb>(roll.friction.law);
-  EXPECT_EQ(std::get<contact::Strength>(*coulomb.cap), contact::Strength::yield);
+  EXPECT_EQ(std::get<contact::FollowedStress>(*coulomb.cap), contact::FollowedStress::yield);
   EXPECT_EQ(content.contact.form, ContactForm::compatible);
   EXPECT_EQ(std::get<InSet>(content.contact.surface->kind).name, "skin");
   EXPECT_EQ(content.time.end, 3.0);

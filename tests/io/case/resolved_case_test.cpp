@@ -137,8 +137,8 @@ TEST(ResolvedCase, keeps_every_friction) {
   content.tools[0].friction.law = contact::Shaw{3.0, 0.5, contact::Flattening::wanheim_bay};
   content.tools[0].friction.tensor = {{{1, 0}, {0, 2}}};
   content.tools[0].friction.direction = Vec3(1, 0, 0);
-  content.tools[1].friction.law =
-      contact::Asperity{0.1, contact::Strength::von_mises, 0.0, contact::Flattening::bowden_tabor};
+  content.tools[1].friction.law = contact::Asperity{0.1, contact::FollowedStress::von_mises, 0.0,
+                                                    contact::Flattening::bowden_tabor};
   content.tools[1].friction.evolution = {{0, 1}, {1, 2}};
   content.tools[2].friction.law = contact::ThickFilm{1, 2};
   content.tools[3].friction.law = contact::Viscoplastic{1, 2, 0.5};

@@ -224,19 +224,19 @@ TEST(LinearSolver, a_fair_factorization_in_single_precision_is_iterated_to_the_e
     ASSERT_NEAR(x[i], reference[i], 1e-7 * reference[i]);
 }
 
-TEST(Wear, says_when_another_system_of_the_kind_would_cost_more_than_the_average) {
-  Wear wear;
-  wear.begin(10);
+TEST(ReusePolicy, says_when_another_system_of_the_kind_would_cost_more_than_the_average) {
+  ReusePolicy reuse;
+  reuse.begin(10);
   for (const int solves : {4, 5, 6}) { // 14 / 2, 19 / 3, 25 / 4
-    wear.take(solves);
-    EXPECT_FALSE(wear.worn()) << solves;
+    reuse.take(solves);
+    EXPECT_FALSE(reuse.wants_new()) << solves;
   }
-  wear.take(7); // 32 / 5
-  EXPECT_TRUE(wear.worn());
-  wear.take(6);
-  EXPECT_FALSE(wear.worn()); // 38 / 6
-  wear.begin(10);
-  EXPECT_FALSE(wear.worn());
+  reuse.take(7); // 32 / 5
+  EXPECT_TRUE(reuse.wants_new());
+  reuse.take(6);
+  EXPECT_FALSE(reuse.wants_new()); // 38 / 6
+  reuse.begin(10);
+  EXPECT_FALSE(reuse.wants_new());
 }
 
 TEST(LinearSolver, single_precision_waits_longer_each_time_it_has_failed) {

@@ -1,7 +1,7 @@
 // Loads besides contact: VALIDATION ELT-05, ELT-04 (iv), tangents of follower pressure.
 
-#include "mechanics/loads/grounding.h"
 #include "mechanics/loads/loads.h"
+#include "mechanics/loads/rigid_body_stabilization.h"
 #include "mechanics/mesh/mesh_edges.h"
 #include "mechanics/mesh/mesh_generators.h"
 #include "tests/support/differences.h"
@@ -257,13 +257,13 @@ TEST(Loads, body_forces_sum_to_force_times_volume) {
   }
 }
 
-TEST(Grounding, resists_motion_within_the_increment_only) {
+TEST(RigidBodyStabilization, resists_motion_within_the_increment_only) {
   Bench bench(box_mesh({.kind = ElementKind::hex8}), Analysis::solid);
-  Grounding grounding(8.0, bench.pattern);
-  grounding.set_share(0.25);
+  RigidBodyStabilization stabilization(8.0, bench.pattern);
+  stabilization.set_share(0.25);
   std::vector<double> x = bench.X;
   x[4] += 0.5;
-  ASSERT_TRUE(bench.assemble(grounding, x));
+  ASSERT_TRUE(bench.assemble(stabilization, x));
   std::vector<double> y(x.size());
   std::vector<double> unit(x.size(), 0.0);
   unit[4] = 1.0;
@@ -273,9 +273,9 @@ TEST(Grounding, resists_motion_within_the_increment_only) {
     EXPECT_EQ(y[i], i == 4 ? 2.0 : 0.0);
   }
   const Trial trial{0.0, 1.0, bench.X, x};
-  EXPECT_EQ(grounding.force_in(trial), 1.0);
-  EXPECT_EQ(grounding.work_in(trial), 0.5);
-  ASSERT_TRUE(bench.assemble(grounding, bench.X));
+  EXPECT_EQ(stabilization.force_in(trial), 1.0);
+  EXPECT_EQ(stabilization.work_in(trial), 0.5);
+  ASSERT_TRUE(bench.assemble(stabilization, bench.X));
   EXPECT_EQ(bench.system.residual[4], 0.0);
 }
 

@@ -176,7 +176,7 @@ TEST(J2Hencky, does_not_notice_a_rotation_by_any_angle) {
 
 TEST(J2Hencky, knows_how_far_a_law_has_softened) {
   const auto left = [](const AnyFlowLaw& flow, double strain) {
-    return strength_left(flow, {strain, 1.0, 1150.0});
+    return flow_stress_left(flow, {strain, 1.0, 1150.0});
   };
   EXPECT_EQ(left(Elastic{}, 0.0), 1.0);
   EXPECT_EQ(left(Perfect{300.0}, 5.0), 1.0);
@@ -230,10 +230,10 @@ TEST(J2Hencky, answers_strains_of_any_size_without_a_yield_stress) {
       EXPECT_NEAR(q + 3.0 * steel.shear() * d, q_pred, rounding * q_pred) << n << " " << strain;
       // Where it says that nothing flows it would flow by less than the rounding of the stress.
       const double least = rounding * q_pred / (3.0 * steel.shear());
-      const double strength = yield_stress(material.flow, {d > 0.0 ? d : least, 0.0, 0.0});
-      EXPECT_LE(q, strength * (1.0 + 1e-12)) << n << " " << strain;
+      const double flow_stress = yield_stress(material.flow, {d > 0.0 ? d : least, 0.0, 0.0});
+      EXPECT_LE(q, flow_stress * (1.0 + 1e-12)) << n << " " << strain;
       if (d > 0.0) {
-        EXPECT_NEAR(q, strength, 1e-12 * q) << n << " " << strain;
+        EXPECT_NEAR(q, flow_stress, 1e-12 * q) << n << " " << strain;
       }
       EXPECT_TRUE(at.normal_moduli.allFinite() && at.shear_moduli.allFinite());
     }

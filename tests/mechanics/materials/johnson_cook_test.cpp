@@ -45,7 +45,7 @@ TEST(JohnsonCook, counts_slow_and_cold_as_its_references) {
   EXPECT_EQ(steel.flow_stress({0.3, 0.5, steel.T_room}).rate_slope, 0.0);
 }
 
-TEST(JohnsonCook, is_sound_everywhere_and_keeps_a_millionth_of_its_strength_when_molten) {
+TEST(JohnsonCook, is_sound_everywhere_and_keeps_a_millionth_of_its_flow_stress_when_molten) {
   support::check_everywhere(steel, {-273.0, 20.0, 1519.0, 1520.0, 1e6});
   JohnsonCook plain = steel;
   plain.n = 0.0;

@@ -1,4 +1,4 @@
-// The return map of rate laws over many decades of rate, strength and time: VALIDATION MAT-06.
+// The return map of rate laws over many decades of rate, flow stress and time: VALIDATION MAT-06.
 
 #include "mechanics/materials/j2_hencky.h"
 #include "tests/support/figures.h"
@@ -20,7 +20,7 @@ namespace {
 
 using support::steel;
 
-/// Rate laws whose strength is multiplied by `scale`, with a temperature for each.
+/// Rate laws whose flow stress is multiplied by `scale`, with a temperature for each.
 std::vector<support::NamedMaterial> laws(double scale) {
   HanselSpittel hot = support::hot_steel;
   hot.A *= scale;
@@ -65,7 +65,7 @@ errors(const Material& material, double strain, const PointState& old, double dt
   return {std::abs(q - 3.0 * steel.shear() * d - flow) / q, std::abs(stress - flow) / flow};
 }
 
-TEST(RateReturn, finds_the_flow_over_20_decades_of_time_and_of_strength) {
+TEST(RateReturn, finds_the_flow_over_20_decades_of_time_and_of_flow_stress) {
   constexpr double allowed = 1e-13;
   for (const auto& [name, ignored] : laws(1.0)) {
     double of_equation = 0.0;

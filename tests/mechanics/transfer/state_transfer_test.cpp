@@ -250,9 +250,9 @@ TEST(StateTransfer, no_stress_is_above_the_flow_stress_and_no_strain_below_zero)
         const PointState& state = result.states[i];
         EXPECT_GE(state.plastic_strain, 0.0);
         EXPECT_GE(result.plastic_rate[i], 0.0);
-        const double strength = yield_stress(
+        const double allowed = yield_stress(
             material.flow, {state.plastic_strain, result.plastic_rate[i], result.temperatures[i]});
-        EXPECT_LE(von_mises(state, support::steel), strength + rounding)
+        EXPECT_LE(von_mises(state, support::steel), allowed + rounding)
             << entry.name << " " << element.name();
         EXPECT_EQ(state.b_e, state.b_e.transpose().eval());
         const Mat3 strain = elastic_strain(state);
