@@ -7,6 +7,7 @@
 #include "process/state/mesh_quality.h"
 #include "process/state/model.h"
 #include "process/state/run.h"
+#include "process/tools/passage_guard.h"
 
 #include <fmt/format.h>
 

@@ -61,7 +61,7 @@ Outcome<Done> Blows::bring_to_touch(std::size_t tool,
                                     double time,
                                     std::span<const Vec3> points,
                                     std::vector<double>& x) {
-  if (contact_->lies_on(tool))
+  if (contact::lies_on(*contact_, tool))
     return Done{};
   const auto way =
       geometry::distance_to_contact(*tools_[tool].surface, contact_->pose(tool, time, x),
