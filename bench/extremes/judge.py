@@ -20,7 +20,7 @@ OTHER_INCREMENTS = 0.05            # a run in one increment, or in a hundred tim
 SAME_IN_UNITS = 1e-5               # penalty 1e6 turns rounding into that; of the strip AGREEMENT: see README
 SAME_BITS = 1e-13                  # lengths times a power of two: not even rounding differs
 BALANCE = 0.05                     # energy that may be missing
-HALVED = (1.0, 0.5, 0.25)          # increments of the reference where they decide what metal that lets go does
+SHORTER = (1.0, 0.5, 0.25, 0.125) # increments of the reference where they decide what metal that lets go does
 SOFT = 1.05                        # a soft tool presses no harder than a hard one, to this
 SOFT_LONG = 1.15                   # likewise where a roll takes its whole way in a few increments
 
@@ -134,9 +134,9 @@ def deviation(made, other):
 
 
 def scatter(made, runs):
-    """From the range in which the forces of the reference lie with increments as they are, halved and quartered."""
+    """From the range in which the forces of the reference lie with increments ×1, ×½, ×¼ and ×⅛."""
     reference = made.setting.reference()
-    finer = [run for run in (runs(replace(reference, increments=factor)) for factor in HALVED) if run.done]
+    finer = [run for run in (runs(replace(reference, increments=factor)) for factor in SHORTER) if run.done]
     beyond = [max(min(forces) - own, 0.0, own - max(forces))
               for own, forces in zip(made.force, zip(*(run.force for run in finer)))]
     return norm(beyond) / norm(runs(reference).force)
