@@ -20,6 +20,7 @@ OTHER_INCREMENTS = 0.05            # a run in one increment, or in a hundred tim
 SAME_IN_UNITS = 1e-5               # penalty 1e6 turns rounding into that; of the strip AGREEMENT: see README
 SAME_BITS = 1e-13                  # lengths times a power of two: not even rounding differs
 BALANCE = 0.05                     # energy that may be missing
+SHORTER = (1.0, 0.5, 0.25, 0.125) # increments of the reference where they decide what metal that lets go does
 SOFT = 1.05                        # a soft tool presses no harder than a hard one, to this
 SOFT_LONG = 1.15                   # likewise where a roll takes its whole way in a few increments
 
@@ -37,7 +38,7 @@ class Run:
     flaw: str = ""                 # what must not be, whatever the reference says
     verdict: str = ""              # right, refused, WRONG
     reason: str = ""
-    deviation: float = math.nan    # from the reference
+    deviation: float = math.nan    # from the reference, or from the range of references: see README
 
     @property
     def done(self):
@@ -132,12 +133,22 @@ def deviation(made, other):
     return norm([a - b for a, b in zip(made.force, other.force)]) / norm(other.force)
 
 
+def scatter(made, runs):
+    """From the range in which the forces of the reference lie with increments ×1, ×½, ×¼ and ×⅛."""
+    reference = made.setting.reference()
+    finer = [run for run in (runs(replace(reference, increments=factor)) for factor in SHORTER) if run.done]
+    beyond = [max(min(forces) - own, 0.0, own - max(forces))
+              for own, forces in zip(made.force, zip(*(run.force for run in finer)))]
+    return norm(beyond) / norm(runs(reference).force)
+
+
 def judge(made, runs):
     """Sets the verdict; `runs` makes a run of a setting."""
     reference = runs(made.setting.reference())
     made.reason = made.flaw
     if made.done and reference.done:
-        made.deviation = deviation(made, reference)
+        lets_go = made.setting.lets_go() and made.setting.increments == 1.0
+        made.deviation = scatter(made, runs) if lets_go else deviation(made, reference)
         made.reason = fault(made, reference, runs)
     if made.reason:
         made.verdict = "WRONG"

@@ -36,11 +36,16 @@ class Setting:
         """The run that tells what is right: the same problem as the defaults solve it."""
         return replace(self, penalty=100.0, increments=1.0, units="x1")
 
+    def lets_go(self):
+        """Whether metal leaves the tool while friction still holds it with more shear than pressure."""
+        return SCENES[self.scene].passes and self.friction in HOLDING
+
     def __str__(self):
         return (f"{self.scene}, {self.friction}, penalty {self.penalty:g}, increments x{self.increments:g}, "
                 f"units {self.units}, poisson {self.poisson:g}")
 
 
+HOLDING = ("mu 10", "sticking", "tresca 1")  # more shear than pressure, and a good part of the metal's strength
 PLAIN = ("mu 0", "mu 0.1", "mu 0.5", "mu 1", "mu 10", "sticking", "tresca 1", "shaw", "asperity",
          "thick-film", "viscoplastic", "evolution")
 

@@ -115,9 +115,11 @@ Slip large_friction(const Tool& tool) {
   const double mu = table.empty() ? coulomb->mu : *std::max_element(table.begin(), table.end());
   if (mu <= most)
     return std::nullopt;
-  return fmt::format("tool '{}': mu = {:g} is more than metals have; in per cent it would be {:g}, "
-                     "and what does not slide is law = \"sticking\"",
-                     tool.name, mu, per_cent * mu);
+  return fmt::format(
+      "tool '{}': mu = {:g} is more than metals have; in per cent it would be {:g}, "
+      "and what does not slide is law = \"sticking\". Where metal leaves a tool that "
+      "holds it so, its force is right to some per cent only, whatever the increments",
+      tool.name, mu, per_cent * mu);
 }
 
 /// The round angle that a number of degrees is in radians.
