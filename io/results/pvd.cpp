@@ -21,15 +21,6 @@ namespace billet::io {
 
 namespace {
 
-/// A text as the value of an attribute.
-std::string encoded(const std::string& text) {
-  constexpr int special_entities = 1;
-  std::ostringstream result;
-  vtkXMLUtilities::EncodeString(text.c_str(), VTK_ENCODING_UTF_8, result, VTK_ENCODING_UTF_8,
-                                special_entities);
-  return result.str();
-}
-
 PvdEntry entry_of(vtkXMLDataElement& element, const std::string& place) {
   const auto text = [&](const char* name) {
     const char* const value = element.GetAttribute(name);
@@ -46,6 +37,14 @@ PvdEntry entry_of(vtkXMLDataElement& element, const std::string& place) {
 
 } // namespace
 
+std::string xml_encoded(const std::string& text) {
+  constexpr int special_entities = 1;
+  std::ostringstream result;
+  vtkXMLUtilities::EncodeString(text.c_str(), VTK_ENCODING_UTF_8, result, VTK_ENCODING_UTF_8,
+                                special_entities);
+  return result.str();
+}
+
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries) {
   std::map<std::string, std::size_t> parts;
   std::string text = "<?xml version=\"1.0\"?>\n"
@@ -55,7 +54,7 @@ void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& e
     const std::size_t part = parts.try_emplace(entry.part, parts.size()).first->second;
     text += fmt::format(
         "    <DataSet timestep=\"{}\" group=\"\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n",
-        entry.time, part, encoded(entry.part), encoded(entry.file.generic_string()));
+        entry.time, part, xml_encoded(entry.part), xml_encoded(entry.file.generic_string()));
   }
   text += "  </Collection>\n</VTKFile>\n";
   write_file(path, text);

@@ -1,6 +1,7 @@
 #include "io/results/vtk_writer.h"
 
 #include "io/results/atomic_file.h"
+#include "io/results/pvd.h"
 
 #include <fmt/format.h>
 #include <vtkAbstractArray.h>
@@ -84,7 +85,7 @@ void add_fields(vtkFieldData& data,
   for (const Field& field : fields) {
     assert(field.values.size() == n * idx(field.components));
     const auto array = array_of<vtkDoubleArray>(std::span(field.values), field.components);
-    array->SetName(field.name.c_str());
+    array->SetName(xml_encoded(field.name).c_str());
     vtkIdType number = 0;
     for (const char* name : component_names(field.components))
       array->SetComponentName(number++, name);
@@ -92,10 +93,10 @@ void add_fields(vtkFieldData& data,
   }
 }
 
-/// A text is the name of an array with one number.
+/// A text is the name of an array with one number. VTK writes names as they are.
 void add_note(vtkFieldData& data, std::string_view name, std::string_view value) {
   const vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(fmt::format("{}: {}", name, value).c_str());
+  array->SetName(xml_encoded(fmt::format("{}: {}", name, value)).c_str());
   array->InsertNextValue(1);
   data.AddArray(array);
 }
