@@ -72,7 +72,7 @@ vtkNew<Array> array_of(std::span<const T> values, int components = 1) {
   return array;
 }
 
-vtkNew<vtkPoints> points_of(std::span<const Vec3> points) {
+vtkNew<vtkPoints> vtk_points(std::span<const Vec3> points) {
   const double* const first = points.empty() ? nullptr : points.front().data();
   vtkNew<vtkPoints> result;
   result->SetData(array_of<vtkDoubleArray>(std::span(first, 3 * points.size()), 3));
@@ -190,7 +190,7 @@ void write_vtu(const std::filesystem::path& path, const WorkpieceFrame& frame) {
   for (std::size_t i = 0; i <= n_cells; ++i)
     offsets[i] = static_cast<Index>(i * n_nodes);
   const vtkNew<vtkUnstructuredGrid> grid;
-  grid->SetPoints(points_of(frame.points));
+  grid->SetPoints(vtk_points(frame.points));
   grid->SetCells(vtk_type(frame.kind), cells_of(offsets, frame.cells));
   add_fields(*grid->GetPointData(), frame.point_fields, frame.points.size());
   add_fields(*grid->GetCellData(), frame.cell_fields, n_cells);
@@ -201,7 +201,7 @@ void write_vtu(const std::filesystem::path& path, const WorkpieceFrame& frame) {
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
   const CellLists lines(frame.lines), polygons(frame.polygons);
   const vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points_of(frame.points));
+  surface->SetPoints(vtk_points(frame.points));
   surface->SetLines(cells_of(lines.offsets, lines.nodes));
   surface->SetPolys(cells_of(polygons.offsets, polygons.nodes));
   add_fields(*surface->GetPointData(), frame.point_fields, frame.points.size());
