@@ -4,6 +4,7 @@
 #include "app/no_memory.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
+#include "io/results/vtk_threads.h"
 #include "mechanics/linear/blas.h"
 
 #include <fcntl.h>
@@ -108,6 +109,7 @@ int main(int argc, char** argv) {
   keep_freed_memory();
   billet::mechanics::set_blas_threads(1);
   billet::mechanics::flush_subnormal_numbers();
+  billet::io::keep_vtk_to_one_thread();
   try {
     return after_output(run(std::vector<std::string>(argv + 1, argv + argc)));
   } catch (const Error& error) {

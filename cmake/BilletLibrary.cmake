@@ -6,7 +6,7 @@
 set(files_together 6)
 function(billet_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX /late/) # of libraries of their own
+  list(FILTER sources EXCLUDE REGEX /fcl_) # of a library of its own
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   add_library(billet_${name} STATIC ${sources})
   add_library(billet::${name} ALIAS billet_${name})
@@ -22,16 +22,4 @@ endfunction()
 # includes what it needs: `./dev lint` compiles without.
 function(billet_precompile target)
   target_precompile_headers(${target} PRIVATE <Eigen/Dense> <functional> <string> <vector> ${ARGN})
-endfunction()
-
-# billet_late_library(NAME sources... LIBRARIES libraries...): beside the programs, loaded when one
-# of its functions is first asked for (geometry/base/late_library.h). Nothing but those is seen.
-function(billet_late_library name)
-  cmake_parse_arguments(late "" "" LIBRARIES ${ARGN})
-  add_library(billet_${name} MODULE ${late_UNPARSED_ARGUMENTS})
-  set_target_properties(
-    billet_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-                              LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
-  target_include_directories(billet_${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(billet_${name} PRIVATE ${late_LIBRARIES} billet_warnings)
 endfunction()

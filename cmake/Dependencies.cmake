@@ -8,6 +8,16 @@ find_package(fmt REQUIRED)
 find_package(CGAL REQUIRED)
 find_package(fcl 0.7 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+# Files by all; scenes by billet-render alone, which is left out where these are not found.
+set(vtk_files CommonCore CommonDataModel IOXML IOXMLParser)
+set(vtk_scenes)
+if(BILLET_RENDER)
+  set(vtk_scenes CommonColor FiltersCore FiltersGeometry IOImage InteractionStyle RenderingAnnotation RenderingCore
+                 RenderingFreeType RenderingOpenGL2)
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_files} OPTIONAL_COMPONENTS ${vtk_scenes})
+list(TRANSFORM vtk_files PREPEND VTK::)
+list(TRANSFORM vtk_scenes PREPEND VTK::)
 
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_library(UMFPACK_LIBRARY umfpack REQUIRED)

@@ -35,7 +35,7 @@ public:
 };
 
 /// @param points  shape (n, 3)
-/// @throws Error  (Fault::input_output) where FCL cannot be loaded
+/// @throws std::bad_alloc
 [[nodiscard]] std::unique_ptr<const FacetTree>
 make_facet_tree(std::span<const double> points, std::span<const FacetTree::Triangle> triangles);
 

@@ -22,8 +22,8 @@ namespace {
 using Tetrahedron = SolidStars::Tetrahedron;
 using Facet = PatchedSolid::Facet;
 
-constexpr int most_rounds = 8;    ///< through all poor tetrahedra
-constexpr double worth_it = 1e-3; ///< of quality, that a change must gain
+constexpr int most_rounds_of_contraction = 8; ///< through all poor tetrahedra
+constexpr double worth_it = 1e-3;             ///< of quality, that a change must gain
 constexpr double most_length =
     1.4; ///< of an edge that may come of a contraction, over the size there
 constexpr double least_turn = 0.8;          ///< cosine of the angle by which facets may turn
@@ -55,7 +55,7 @@ public:
 
   void run() {
     bool better = true;
-    for (int round = 0; round < most_rounds && better; ++round) {
+    for (int round = 0; round < most_rounds_of_contraction && better; ++round) {
       better = false;
       for (std::size_t e = 0; e < stars_.size(); ++e)
         if (stars_.is_there(e) && stars_.quality(e) < wanted_)

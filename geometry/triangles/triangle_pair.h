@@ -17,7 +17,7 @@ class TrianglePair {
 public:
   TrianglePair(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
-  /// Exact: the floating-point filter only says no where no rounding could matter.
+  /// Exact: CGAL decides. A triangle without area meets only one with the same corners.
   [[nodiscard]] bool meets() const;
 
   /// How far one would have to move for both to come apart, seen along their normals, in their
@@ -34,11 +34,6 @@ public:
 private:
   // By how much projections of both on a direction overlap [mm], < 0: apart.
   [[nodiscard]] double overlap(const Vec3& direction) const;
-  [[nodiscard]] bool clearly_apart() const;
-  [[nodiscard]] bool parted_by(const Vec3& direction) const;
-  [[nodiscard]] bool parted_at_shared_corner(const Vec3& direction) const;
-  [[nodiscard]] bool clearly_folded() const;
-  [[nodiscard]] bool meet_exactly() const;
 
   std::array<Vec3, 3> a_, b_;
   Vec3 normal_a_, normal_b_;                   ///< of twice the length of the areas

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,23 @@ struct VtuContent {
   std::vector<VtuArray> arrays;
 };
 
-/// Reads a file through VTK, which is loaded when it is first needed.
-/// @throws Error  (Fault::input_output) where VTK cannot be loaded
+/// Collects VTK's messages instead of printing them, as long as it lives.
+class CapturedMessages {
+public:
+  CapturedMessages();
+  ~CapturedMessages();
+  CapturedMessages(const CapturedMessages&) = delete;
+  CapturedMessages& operator=(const CapturedMessages&) = delete;
+
+  /// The essence of the first message; empty if there was none.
+  [[nodiscard]] std::string first() const;
+
+private:
+  struct Windows;
+  std::unique_ptr<Windows> windows_;
+};
+
+/// Reads a file with VTK.
 [[nodiscard]] VtuContent vtu_content(const std::filesystem::path& path);
 
 } // namespace billet::io

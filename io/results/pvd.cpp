@@ -1,34 +1,49 @@
 #include "io/results/pvd.h"
 
 #include "geometry/base/error.h"
+#include "io/mesh/vtu_content.h"
 #include "io/results/atomic_file.h"
-#include "io/results/xml_text.h"
 
 #include <fmt/format.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
 
 #include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string_view>
-#include <utility>
 
 namespace billet::io {
 
 namespace {
 
-/// Value of an attribute of a line; empty if it is not there.
-std::string attribute(const std::string& line, const std::string& name) {
-  const std::string opening = " " + name + "=\"";
-  const std::size_t at = line.find(opening);
-  if (at == std::string::npos)
-    return {};
-  const std::size_t first = at + opening.size();
-  return xml_unescaped(std::string_view(line).substr(first, line.find('"', first) - first));
+PvdEntry entry_of(vtkXMLDataElement& element, const std::string& place) {
+  const auto text = [&](const char* name) {
+    const char* const value = element.GetAttribute(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  PvdEntry entry{.time = 0.0, .part = text("name"), .file = text("file")};
+  const std::string time = text("timestep");
+  const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), entry.time);
+  if (error != std::errc() || end != time.data() + time.size() || entry.file.empty())
+    throw Error(Fault::input_output, place, "an entry has no time or no file",
+                "the list was not written by this program");
+  return entry;
 }
 
 } // namespace
+
+std::string xml_encoded(const std::string& text) {
+  constexpr int special_entities = 1;
+  std::ostringstream result;
+  vtkXMLUtilities::EncodeString(text.c_str(), VTK_ENCODING_UTF_8, result, VTK_ENCODING_UTF_8,
+                                special_entities);
+  return result.str();
+}
 
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries) {
   std::map<std::string, std::size_t> parts;
@@ -39,7 +54,7 @@ void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& e
     const std::size_t part = parts.try_emplace(entry.part, parts.size()).first->second;
     text += fmt::format(
         "    <DataSet timestep=\"{}\" group=\"\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n",
-        entry.time, part, xml_escaped(entry.part), xml_escaped(entry.file.generic_string()));
+        entry.time, part, xml_encoded(entry.part), xml_encoded(entry.file.generic_string()));
   }
   text += "  </Collection>\n</VTKFile>\n";
   write_file(path, text);
@@ -51,20 +66,17 @@ std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {
   if (!stream)
     throw Error(Fault::input_output, path.string(),
                 fmt::format("cannot be read: {}", std::strerror(errno)));
+  const CapturedMessages messages;
+  const auto root =
+      vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromStream(stream));
+  vtkXMLDataElement* const collection =
+      root == nullptr ? nullptr : root->FindNestedElementWithName("Collection");
+  if (collection == nullptr)
+    throw Error(Fault::input_output, path.string(), "is not a list of frames",
+                "the list was not written by this program");
   std::vector<PvdEntry> entries;
-  std::size_t line_number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++line_number;
-    if (line.find("<DataSet ") == std::string::npos)
-      continue;
-    PvdEntry entry{.time = 0.0, .part = attribute(line, "name"), .file = attribute(line, "file")};
-    const std::string time = attribute(line, "timestep");
-    const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), entry.time);
-    if (error != std::errc() || end != time.data() + time.size() || entry.file.empty())
-      throw Error(Fault::input_output, fmt::format("{}:{}", path.string(), line_number),
-                  "the entry has no time or no file", "the list was not written by this program");
-    entries.push_back(std::move(entry));
-  }
+  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
+    entries.push_back(entry_of(*collection->GetNestedElement(i), path.string()));
   return entries;
 }
 

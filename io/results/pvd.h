@@ -21,6 +21,9 @@ struct PvdEntry {
   }
 };
 
+/// A text as the value of an attribute of an XML file.
+[[nodiscard]] std::string xml_encoded(const std::string& text);
+
 /// Rewrites the list, all at once; parts are numbered in the order of their first appearance.
 /// @throws Error  (Fault::input_output)
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries);

@@ -1,8 +1,8 @@
 // Frames of the results as VTK files: the workpiece (.vtu), tools and contact faces (.vtp).
 //
 // Inline base64 with 64-bit headers, compressed where frames are large, float64: read by ParaView,
-// VTK and meshio with every version of expat. Cells keep their true, quadratic type. VTK's own
-// writer takes several times as long for small frames (docs/decisions/0012-cost-of-small-runs.md).
+// VTK and meshio with every version of expat. Cells keep their true, quadratic type.
+// VTK writes them (docs/decisions/0023-results-by-vtk.md).
 // The field data of each file hold `TimeValue` and texts: the `notes` and the units of the fields.
 // A text is the *name* of an array with one number, "configuration: current coordinates" or
 // "unit of von_mises: MPa", because meshio refuses files with string arrays.

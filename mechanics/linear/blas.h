@@ -1,10 +1,4 @@
-// The linear-algebra kernels beneath the factorizations, and two faults of them to be repaired.
-//
-// OpenBLAS 0.3.21 does not know new processors and then silently uses kernels up to several times
-// slower (docs/decisions); and it starts threads, which spin for a tenth of a second, before
-// anybody can tell it that none are wanted. Both are settled when it is loaded, before `main`. It
-// asks the environment for both in a function that this program replaces by one that sets them
-// first: linking against this library is enough.
+// The linear-algebra kernels beneath the factorizations. How they start: app/openblas_start.cpp.
 
 #pragma once
 

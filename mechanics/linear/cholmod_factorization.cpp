@@ -2,6 +2,7 @@
 #include "mechanics/linear/linear_solver.h"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <memory>
 #include <new>
@@ -9,23 +10,23 @@
 #include <utility>
 #include <vector>
 
-/// Runs a parallel region of OpenMP in the calling thread, in place of libgomp's function.
-///
-/// CHOLMOD is the only one that has such regions: several hundred in a factorization, each shared
-/// among four threads whatever the machine has. On small fronts the threads wait for each other
-/// longer than they work, and libgomp ends a region of one thread with a system call as well: a
-/// quarter of the time of a small run (docs/decisions/0012-cost-of-small-runs.md).
-extern "C" void GOMP_parallel( // NOLINT(readability-identifier-naming)
-    void (*region)(void*),
-    void* data,
-    unsigned /*threads*/,
-    unsigned /*flags*/) {
-  region(data);
-}
-
 namespace billet::mechanics {
 
 namespace {
+
+/// CHOLMOD's parallel regions run in the calling thread, as long as this lives. There are several
+/// hundred in a factorization, each shared among four threads whatever the machine has, which on
+/// small fronts wait for each other longer than they work.
+class OneThread {
+public:
+  OneThread() { omp_set_max_active_levels(0); }
+  ~OneThread() { omp_set_max_active_levels(levels_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+private:
+  int levels_ = omp_get_max_active_levels();
+};
 
 /// Supernodal Cholesky factorization with the order given.
 ///
@@ -59,6 +60,7 @@ public:
     for (std::size_t k = 0; k < values_.size(); ++k)
       values_[k] = matrix.values[idx(triangle.entries[k])];
     cholmod_sparse A = triangle.view(values_);
+    const OneThread one;
     const int ok = cholmod_factorize(&A, factor_, &common_);
     if (common_.status == CHOLMOD_OUT_OF_MEMORY)
       throw std::bad_alloc();
@@ -78,6 +80,7 @@ public:
     b.x = ordered_.data();
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
+    const OneThread one;
     if (cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,
                        &common_) == 0)
       throw std::bad_alloc();

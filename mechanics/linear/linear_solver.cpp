@@ -197,8 +197,7 @@ bool LinearSolver::factorize(Factorization& factorization,
   last_ = nullptr;
   release_all_but(factorization);
   const bool share = settings_.threads > 1 && factorization.cost().flops > large;
-  if (share)
-    set_blas_threads(settings_.threads);
+  set_blas_threads(share ? settings_.threads : 1);
   const bool done = factorization.factorize(matrix);
   if (share)
     set_blas_threads(1);

@@ -1,4 +1,4 @@
-// The one file that knows FCL.
+// The one file that knows FCL, in a library of its own (geometry/CMakeLists.txt).
 
 #include "geometry/base/index.h"
 #include "geometry/collision/facet_tree.h"
@@ -74,10 +74,9 @@ private:
 
 } // namespace
 
-} // namespace billet::geometry
-
-extern "C" [[gnu::visibility("default")]] const billet::geometry::FacetTree*
-billet_make_facet_tree(std::span<const double> points,
-                       std::span<const billet::geometry::FacetTree::Triangle> triangles) {
-  return new billet::geometry::FclFacetTree(points, triangles); // its caller owns it
+[[gnu::visibility("default")]] std::unique_ptr<const FacetTree>
+make_facet_tree(std::span<const double> points, std::span<const FacetTree::Triangle> triangles) {
+  return std::make_unique<const FclFacetTree>(points, triangles);
 }
+
+} // namespace billet::geometry

@@ -1,30 +1,14 @@
-#include "geometry/base/error.h"
-#include "geometry/base/late_library.h"
 #include "geometry/collision/facet_tree.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
-namespace billet::geometry::late_library_test {
+namespace billet::geometry::facet_tree_test {
 namespace {
 
-TEST(LateLibrary, says_what_is_missing_and_where_it_belongs) {
-  try {
-    (void)late_symbol("billet_nothing.so", "nothing");
-    FAIL() << "there is no such library";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.fault(), Fault::input_output);
-    const std::string text = error.what();
-    for (const char* piece : {"billet_nothing.so", "cannot be loaded", "belongs beside it"})
-      EXPECT_NE(text.find(piece), std::string::npos) << piece << " is not in: " << text;
-  }
-  EXPECT_THROW((void)late_symbol("billet_fcl.so", "nothing"), Error);
-}
-
-TEST(LateLibrary, makes_trees_that_know_distances_and_cuts) {
+TEST(FacetTree, knows_distances_and_cuts) {
   constexpr std::array<double, 9> points{0, 0, 0, 1, 0, 0, 0, 1, 0};
   constexpr std::array<FacetTree::Triangle, 1> triangles{{{0, 1, 2}}};
   const auto tree = make_facet_tree(points, triangles);
@@ -39,4 +23,4 @@ TEST(LateLibrary, makes_trees_that_know_distances_and_cuts) {
 }
 
 } // namespace
-} // namespace billet::geometry::late_library_test
+} // namespace billet::geometry::facet_tree_test
