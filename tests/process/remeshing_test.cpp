@@ -354,7 +354,7 @@ public:
   void remeshed(const Run& process, const RemeshReport&) override {
     velocity_.resize(process.model.surface->n_points());
     process.model.surface->positions(process.state.velocity, velocity_);
-    history_ = process.contact()->state().history[0];
+    history_ = process.contact()->state().tools[0].committed.history;
   }
   void incremented(const Run& process, const IncrementReport& report) override {
     for (const contact::ClosedPoint& at : process.contact()->closed()[0])
