@@ -48,6 +48,19 @@ std::vector<ChatteringPoint> chattering(const ContactView& contact) {
   return points;
 }
 
+bool friction_limit_bears(const ContactView& contact) {
+  constexpr double rounding = 1e-9;
+  for (const ToolContact& tool : contact.state.tools) {
+    const TrialContact& trial = tool.trial;
+    for (std::size_t k = 0; k < trial.traction.size(); ++k)
+      if (const Traction& at = trial.traction[k]; trial.friction_limited[k] != 0 &&
+                                                  at.status == Status::slip && at.pressure > 0.0 &&
+                                                  at.limit >= (1.0 - rounding) * at.pressure)
+        return true;
+  }
+  return false;
+}
+
 bool closed_on(const ContactView& contact, std::size_t tool, std::size_t point) {
   return contact.state.tools[tool].committed.history[point].closed();
 }

@@ -85,6 +85,17 @@ void on_work_made(const process::Run& run, const UnitSystem& units, Lines& lines
         units.length));
 }
 
+void on_limited_friction(const process::Run& run, Lines& lines) {
+  if (const int increments = run.state.counters.friction_limited; increments > 0)
+    lines.push_back(fmt::format(
+        "warning: in {} of {} increments contact points that kept changing between stick and slip "
+        "were given no more shear than pressure, less than their friction law asks for: nothing "
+        "else was in equilibrium. Where metal sticks and lets go again and again forces are right "
+        "to some per cent only; smaller elements, or a law that ends at the shear yield stress, "
+        "tell by how much",
+        increments, run.state.increment));
+}
+
 void on_fading_forces(const process::Run& run, Lines& lines) {
   constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
   if (const double flow = run.state.leaving.flow_in_fading;
@@ -239,6 +250,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   warn_of_penetration(lines);
   on_work_missing(run, content_->units, {most_missed_, most_missed_at_}, lines);
   on_work_made(run, content_->units, lines);
+  on_limited_friction(run, lines);
   on_fading_forces(run, lines);
   on_resolution(run, *content_, lines);
   on_overlapping_tools(run, content_->units, lines);

@@ -71,6 +71,7 @@ void accept(Run& run, double dt) {
     run.state.record.events.push_back(std::exchange(run.state.record.refusal_event, {}));
   if (!run.state.record.penalty_event.empty())
     run.state.record.events.push_back(std::exchange(run.state.record.penalty_event, {}));
+  run.state.counters.friction_limited += run.attempt.friction_limited ? 1 : 0;
   ++run.state.increment;
   run.state.counters.iterations += run.attempt.iterations;
   if (run.state.increment == run.state.mesh.increment + 1)

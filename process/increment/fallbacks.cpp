@@ -1,6 +1,7 @@
 #include "process/increment/fallbacks.h"
 
 #include "geometry/base/outcome.h"
+#include "contact/term/contact_report.h"
 #include "process/increment/force_floor.h"
 #include "process/increment/held_tool.h"
 #include "process/increment/solve_increment.h"
@@ -49,6 +50,7 @@ std::optional<Outcome<Done>> with_less_friction(Run& run, double dt, Continuatio
   for (int round = 0; round < most_rounds && run.model.contact->restart_friction_limited();
        ++round) {
     solved = solve_increment(run, dt, continuation);
+    run.attempt.friction_limited = *solved && contact::friction_limit_bears(*run.model.contact);
     if (*solved || run.attempt.too_deep || run.attempt.inside_out)
       break;
   }
@@ -87,6 +89,7 @@ constexpr std::array<Fallback, 7> fallbacks{{
 } // namespace
 
 Outcome<Done> solve_by_any_way(Run& run, double dt, const Difficulty& difficulty) {
+  run.attempt.friction_limited = false;
   Outcome<Done> solved = try_increment(run, dt, Continuation::none);
   for (const Fallback& way : fallbacks)
     if (!solved && difficulty.*way.worth_it && unsolved(run))
