@@ -368,6 +368,170 @@ Outcome<Newton::Evaluation> Newton::close_in(std::span<ForceTerm* const> terms,
   }
 }
 
+/// An increment on its way to equilibrium.
+class Newton::Increment {
+public:
+  Increment(Newton& newton,
+            std::span<ForceTerm* const> terms,
+            const Prescribed& prescribed,
+            const Trial& trial,
+            std::vector<double>& x,
+            Continuation continuation)
+      : newton_(newton), terms_(terms), prescribed_(prescribed), time_old_(trial.time_old),
+        time_(trial.time), x_old_(trial.x_old), x_(x), continuation_(continuation),
+        guessed_(continuation != Continuation::from_solution),
+        softening_(first_softening(continuation)) {}
+
+  [[nodiscard]] Outcome<NewtonReport> solve() {
+    if (const Outcome<Done> begun = begin(); !begun)
+      return begun.error();
+    const int max_iterations = iterations_for(continuation_) * newton_.settings_.max_iterations;
+    for (int iteration = 1; iteration <= max_iterations; ++iteration) {
+      if (const Outcome<Done> hardened = harden_if_near(iteration); !hardened)
+        return hardened.error();
+      const double relative = this->relative();
+      const bool well = is_solved_well(iteration, relative);
+      if (!well && newton_.system_.forces_only) // it was not the last one
+        if (const Outcome<Done> evaluated = evaluate(); !evaluated)
+          return evaluated.error();
+      if ((well || (softening_.slip == 1.0 && is_at_rounding(relative))) && missing() == 0.0)
+        return NewtonReport{iteration - 1, relative, norms_.scale};
+      if (hopeless(continuation_, iteration - 1 - hardened_, relative))
+        return Failure{"no convergence"};
+      if (const Outcome<Done> corrected = correct(iteration, relative); !corrected)
+        return corrected.error();
+    }
+    if (softening_.slip == 1.0 && relative() <= newton_.settings_.tolerance && missing() == 0.0)
+      return NewtonReport{newton_.settings_.max_iterations, relative(), norms_.scale};
+    return Failure{"no convergence"};
+  }
+
+private:
+  [[nodiscard]] Trial trial(bool first_guess = false) const {
+    return Trial{time_old_, time_, x_old_, x_, softening_, first_guess};
+  }
+  [[nodiscard]] double relative() const { return norms_.residual / norms_.scale; }
+
+  Outcome<Done> evaluate(bool first_guess = false) {
+    const Outcome<Norms> norms = newton_.evaluate(terms_, trial(first_guess));
+    if (!norms)
+      return norms.error();
+    norms_ = *norms;
+    return Done{};
+  }
+
+  Outcome<Done> begin() {
+    if (guessed_)
+      newton_.records_.clear();
+    newton_.mark(prescribed_);
+    if (!evaluate(guessed_)) {
+      // The extrapolated guess was too bold: start from the committed state.
+      x_.assign(x_old_.begin(), x_old_.end());
+      if (const Outcome<Done> evaluated = evaluate(true); !evaluated)
+        return evaluated.error();
+    }
+    newton_.records_.push_back({0, relative(), 0.0, 0.0, "", newton_.system_.contact_changes});
+    position_ = std::max(largest(x_old_), 0.5 * largest(x_)); // it may come from far
+    before_ = relative();
+    return Done{};
+  }
+
+  /// How far unknowns are from what is prescribed [mm].
+  [[nodiscard]] double missing() const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < prescribed_.unknowns.size(); ++k)
+      most = std::max(most, std::abs(prescribed_.positions[k] - x_[idx(prescribed_.unknowns[k])]));
+    return most;
+  }
+
+  /// Stiff penalties and near incompressibility turn the rounding of coordinates into forces above
+  /// the tolerance; when the correction is no more than that rounding, no better x can be written.
+  /// Nor when the residual is: a slender body turns such forces into corrections of any length.
+  [[nodiscard]] bool is_at_rounding(double relative) const {
+    constexpr double plausible = 1e-2;
+    const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * position_;
+    return relative <= plausible &&
+           (taken_ <= rounding || norms_.residual <= newton_.rounding_of_forces(position_));
+  }
+
+  Outcome<Done> harden_if_near(int iteration) {
+    constexpr double near = 1e-4;
+    if (softening_.slip == 1.0 || relative() > near)
+      return Done{};
+    harden(softening_);
+    if (continuation_ == Continuation::penalty_and_friction)
+      hardened_ = iteration - 1;
+    return evaluate();
+  }
+
+  [[nodiscard]] bool is_solved_well(int iteration, double relative) const {
+    // What the next correction would be, from the way the residual shrank.
+    const double next = before_ > 0.0 ? correction_ * std::min(1.0, relative / before_) : 0.0;
+    constexpr double small_correction = 1e-5;
+    // Of a guess it is not known how long its correction would be: a slender body bends far under
+    // forces that are little beside those within it.
+    constexpr double of_a_guess = 1e-3;
+    const bool is_guess = guessed_ && iteration == 1;
+    const double allowed = (is_guess ? of_a_guess : 1.0) * newton_.settings_.tolerance;
+    return softening_.slip == 1.0 && relative <= allowed && next <= small_correction;
+  }
+
+  Outcome<Done> correct(int iteration, double relative) {
+    constexpr int max_shortened = 8;
+    const double tolerance = newton_.settings_.tolerance;
+    const bool expected_last = newton_.settled_ && softening_.slip == 1.0 && missing() == 0.0 &&
+                               expected_residual(before_, relative) <= tolerance;
+    before_ = relative;
+    // After an event - a contact that opens or closes, a line search - the tangent is another.
+    const auto solved = newton_.correct(
+        prescribed_, x_, SolveOptions{forcing(relative, tolerance), !newton_.settled_});
+    if (!solved)
+      return solved.error();
+    if (iteration > 1 && missing() == 0.0)
+      newton_.limit_correction(x_old_, x_);
+    if (newton_.shorten_correction() && ++shortened_ > max_shortened)
+      return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
+    // While supports still move their work is unknown to the search: it takes the whole step.
+    // So it does where contacts were kept: the residual is not that of the real contacts.
+    const bool whole = missing() > 0.0 || newton_.system_.kept_contacts;
+    const Norms reference = whole ? Norms{HUGE_VAL, norms_.scale} : norms_;
+    double step = 1.0;
+    const auto evaluation = newton_.search(terms_, trial(), x_, reference, expected_last, step);
+    if (!evaluation)
+      return evaluation.error();
+    if (step == 1.0)
+      for (std::size_t k = 0; k < prescribed_.unknowns.size(); ++k)
+        x_[idx(prescribed_.unknowns[k])] = prescribed_.positions[k]; // to the bit
+    norms_ = evaluation->norms;
+    constexpr double shrinks = 0.2;
+    newton_.settled_ = step == 1.0 && norms_.residual < shrinks * relative * norms_.scale;
+    const double moved = largest_difference(x_, x_old_);
+    taken_ = step * largest(newton_.correction_);
+    correction_ = moved > 0.0 ? step * largest(newton_.correction_) / moved : 0.0;
+    newton_.records_.push_back(
+        {iteration, this->relative(), correction_, step, solved->method, newton_.contact_changes_});
+    return Done{};
+  }
+
+  Newton& newton_;
+  std::span<ForceTerm* const> terms_;
+  const Prescribed& prescribed_;
+  double time_old_;
+  double time_;
+  std::span<const double> x_old_;
+  std::vector<double>& x_;
+  Continuation continuation_;
+  bool guessed_;
+  Softening softening_;
+  Norms norms_{0.0, 1.0};
+  double position_ = 0.0;   ///< the largest [mm]
+  double before_ = 0.0;     ///< relative residual of the iteration before
+  double taken_ = HUGE_VAL; ///< length of the last correction [mm]
+  double correction_ = 0.0; ///< likewise, over what has moved [-]
+  int shortened_ = 0;       ///< corrections that were cut
+  int hardened_ = 0;        ///< the iteration that the last softness was left at
+};
+
 Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     const Prescribed& prescribed,
                                     double time_old,
@@ -375,113 +539,8 @@ Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,
                                     std::span<const double> x_old,
                                     std::vector<double>& x,
                                     Continuation continuation) {
-  const bool guessed = continuation != Continuation::from_solution;
-  if (guessed)
-    records_.clear();
-  mark(prescribed);
-  Softening softening = first_softening(continuation);
-  const auto trial = [&](bool first_guess = false) {
-    return Trial{time_old, time, x_old, x, softening, first_guess};
-  };
-  auto norms = evaluate(terms, trial(guessed));
-  if (!norms) {
-    // The extrapolated guess was too bold: start from the committed state.
-    x.assign(x_old.begin(), x_old.end());
-    norms = evaluate(terms, trial(true));
-    if (!norms)
-      return norms.error();
-  }
-  const auto missing = [&] {
-    double most = 0.0;
-    for (std::size_t k = 0; k < prescribed.unknowns.size(); ++k)
-      most = std::max(most, std::abs(prescribed.positions[k] - x[idx(prescribed.unknowns[k])]));
-    return most;
-  };
-  records_.push_back({0, norms->residual / norms->scale, 0.0, 0.0, "", system_.contact_changes});
-  // Stiff penalties and near incompressibility turn the rounding of coordinates into forces above
-  // the tolerance; when the correction is no more than that rounding, no better x can be written.
-  // Nor when the residual is: a slender body turns such forces into corrections of any length.
-  int shortened = 0;
-  constexpr int max_shortened = 8;
-  double taken = HUGE_VAL;
-  const double position = std::max(largest(x_old), 0.5 * largest(x)); // it may come from far
-  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * position;
-  const auto at_rounding = [&](double relative) {
-    constexpr double plausible = 1e-2;
-    return relative <= plausible &&
-           (taken <= rounding || norms->residual <= rounding_of_forces(position));
-  };
-  double before = norms->residual / norms->scale;
-  double correction = 0.0;
-  int hardened = 0; // the iteration that the last softness was left at
-  const int max_iterations = iterations_for(continuation) * settings_.max_iterations;
-  for (int iteration = 1; iteration <= max_iterations; ++iteration) {
-    double relative = norms->residual / norms->scale;
-    constexpr double near = 1e-4;
-    if (softening.slip < 1.0 && relative <= near) {
-      harden(softening);
-      if (continuation == Continuation::penalty_and_friction)
-        hardened = iteration - 1;
-      norms = evaluate(terms, trial());
-      if (!norms)
-        return norms.error();
-      relative = norms->residual / norms->scale;
-    }
-    // What the next correction would be, from the way the residual shrank.
-    const double next = before > 0.0 ? correction * std::min(1.0, relative / before) : 0.0;
-    constexpr double small_correction = 1e-5;
-    // Of a guess it is not known how long its correction would be: a slender body bends far under
-    // forces that are little beside those within it.
-    constexpr double of_a_guess = 1e-3;
-    const bool is_guess = guessed && iteration == 1;
-    const double allowed = (is_guess ? of_a_guess : 1.0) * settings_.tolerance;
-    const bool solved_well =
-        softening.slip == 1.0 && relative <= allowed && next <= small_correction;
-    if (!solved_well && system_.forces_only) { // it was not the last one
-      norms = evaluate(terms, trial());
-      if (!norms)
-        return norms.error();
-    }
-    if ((solved_well || (softening.slip == 1.0 && at_rounding(relative))) && missing() == 0.0)
-      return NewtonReport{iteration - 1, relative, norms->scale};
-    if (hopeless(continuation, iteration - 1 - hardened, relative))
-      return Failure{"no convergence"};
-    const bool expected_last = settled_ && softening.slip == 1.0 && missing() == 0.0 &&
-                               expected_residual(before, relative) <= settings_.tolerance;
-    before = relative;
-    // After an event - a contact that opens or closes, a line search - the tangent is another.
-    const auto solved =
-        correct(prescribed, x, SolveOptions{forcing(relative, settings_.tolerance), !settled_});
-    if (!solved)
-      return solved.error();
-    if (iteration > 1 && missing() == 0.0)
-      limit_correction(x_old, x);
-    if (shorten_correction() && ++shortened > max_shortened)
-      return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
-    // While supports still move their work is unknown to the search: it takes the whole step.
-    // So it does where contacts were kept: the residual is not that of the real contacts.
-    const bool whole = missing() > 0.0 || system_.kept_contacts;
-    const Norms reference = whole ? Norms{HUGE_VAL, norms->scale} : *norms;
-    double step = 1.0;
-    const auto evaluation = search(terms, trial(), x, reference, expected_last, step);
-    if (!evaluation)
-      return evaluation.error();
-    if (step == 1.0)
-      for (std::size_t k = 0; k < prescribed.unknowns.size(); ++k)
-        x[idx(prescribed.unknowns[k])] = prescribed.positions[k]; // to the bit
-    norms = evaluation->norms;
-    constexpr double shrinks = 0.2;
-    settled_ = step == 1.0 && norms->residual < shrinks * relative * norms->scale;
-    const double moved = largest_difference(x, x_old);
-    taken = step * largest(correction_);
-    correction = moved > 0.0 ? step * largest(correction_) / moved : 0.0;
-    records_.push_back({iteration, norms->residual / norms->scale, correction, step, solved->method,
-                        contact_changes_});
-  }
-  if (softening.slip == 1.0 && norms->residual / norms->scale <= settings_.tolerance &&
-      missing() == 0.0)
-    return NewtonReport{settings_.max_iterations, norms->residual / norms->scale, norms->scale};
-  return Failure{"no convergence"};
+  return Increment(*this, terms, prescribed, {time_old, time, x_old, x, {}}, x, continuation)
+      .solve();
 }
 
 void Newton::limit_correction(std::span<const double> x_old, std::span<const double> x) {

@@ -109,6 +109,7 @@ public:
   [[nodiscard]] Index worst_unknown() const;
 
 private:
+  class Increment;
   struct Norms {
     double residual; ///< over the free unknowns [N]
     double scale;    ///< largest internal or contact force [N]
