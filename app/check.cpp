@@ -147,7 +147,7 @@ void print_activity(const process::Scene& scene, const process::Run& run, const 
     fmt::print(
         "  on faces of linear elements contact.form \"mixed\" and \"compatible\" are the same\n");
   if (run.model.free_motions > 0)
-    fmt::print("  {} rigid motion(s) are held by contact alone{}; a vanishing grounding stiffness "
+    fmt::print("  {} rigid motion(s) are held by contact alone{}; a vanishing stiffness "
                "carries them until then; a [[support]] on a plane of symmetry takes them away\n",
                run.model.free_motions, names_of(process::free_motions(scene.part)));
 }

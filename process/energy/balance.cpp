@@ -10,14 +10,9 @@
 
 namespace billet::process {
 
-double work_of_supports(const Run& run, double dt) {
-  double work = 0.0;
-  for (const Index i : prescribed(run, run.state.time + dt).unknowns)
-    work += 0.5 * (run.state.reactions[idx(i)] + run.model.newton->residual()[idx(i)]) *
-            (run.attempt.x[idx(i)] - run.state.x[idx(i)]);
-  return work;
-}
+namespace {
 
+/// The sums of the run with these energies of the metal and this contact.
 EnergyBalance
 balance_of(const Run& run, double elastic, double plastic, const contact::ContactTerm* contact) {
   EnergyBalance energy = run.state.energy;
@@ -36,6 +31,16 @@ balance_of(const Run& run, double elastic, double plastic, const contact::Contac
     energy.contact = contact->work().stored;
   }
   return energy;
+}
+
+} // namespace
+
+double work_of_supports(const Run& run, double dt) {
+  double work = 0.0;
+  for (const Index i : prescribed(run, run.state.time + dt).unknowns)
+    work += 0.5 * (run.state.reactions[idx(i)] + run.model.newton->residual()[idx(i)]) *
+            (run.attempt.x[idx(i)] - run.state.x[idx(i)]);
+  return work;
 }
 
 void update_energy(Run& run) {

@@ -10,10 +10,7 @@ namespace billet::process {
 /// In the increment just tried [N mm].
 [[nodiscard]] double work_of_supports(const Run& run, double dt);
 
-/// The sums of the run with these energies of the metal and this contact.
-[[nodiscard]] EnergyBalance
-balance_of(const Run& run, double elastic, double plastic, const contact::ContactTerm* contact);
-
+/// Sums the balance up anew, as it is at the end of an accepted increment.
 void update_energy(Run& run);
 
 /// What the balance would be with the increment just tried; nothing changes.

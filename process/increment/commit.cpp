@@ -14,6 +14,25 @@
 
 namespace billet::process {
 
+namespace {
+
+/// Takes the increment just accepted into the sums over contact.
+void account_contact(Run& run, double dt) {
+  if (!run.model.contact)
+    return;
+  std::vector<double> strain;
+  strain.reserve(run.model.bulk->states().size());
+  for (const auto& state : run.model.bulk->states())
+    strain.push_back(state.plastic_strain);
+  run.state.record.window.add(run.model.contact->closed(),
+                              {run.model.surface->bulk_points(), strain, run.state.plastic_rate},
+                              dt);
+  if (run.model.wear)
+    run.model.wear->add(*run.model.contact, run.state.x, run.state.time);
+}
+
+} // namespace
+
 void commit(Run& run, double dt) {
   const mechanics::Trial trial = run.trial(dt);
   std::vector<double> strain_old(run.model.bulk->states().size());
@@ -43,20 +62,6 @@ void commit(Run& run, double dt) {
   run.state.x = run.attempt.x;
   run.state.time += dt;
   note_largest_force(run, of_stabilization);
-}
-
-void account_contact(Run& run, double dt) {
-  if (!run.model.contact)
-    return;
-  std::vector<double> strain;
-  strain.reserve(run.model.bulk->states().size());
-  for (const auto& state : run.model.bulk->states())
-    strain.push_back(state.plastic_strain);
-  run.state.record.window.add(run.model.contact->closed(),
-                              {run.model.surface->bulk_points(), strain, run.state.plastic_rate},
-                              dt);
-  if (run.model.wear)
-    run.model.wear->add(*run.model.contact, run.state.x, run.state.time);
 }
 
 void accept(Run& run, double dt) {

@@ -1,7 +1,7 @@
 #include "process/increment/fallbacks.h"
 
-#include "geometry/base/outcome.h"
 #include "contact/term/contact_report.h"
+#include "geometry/base/outcome.h"
 #include "process/increment/force_floor.h"
 #include "process/increment/held_tool.h"
 #include "process/increment/solve_increment.h"

@@ -10,6 +10,8 @@
 
 namespace billet::process {
 
+namespace {
+
 /// Forces that count as none beside the body's own stiffness, or beside those that have acted so
 /// far on a slender body. (N.2)
 double acting_force(const Run& run, double time) {
@@ -18,6 +20,8 @@ double acting_force(const Run& run, double time) {
     acting = std::max(acting, load->norm(time, run.state.x));
   return acting;
 }
+
+} // namespace
 
 double force_floor(const Run& run, double time) {
   constexpr double none = 1e-7, least = 1e-10; // of the stiffness times the size

@@ -9,6 +9,20 @@
 
 namespace billet::process {
 
+namespace {
+
+/// Elastic energy of shape of the points that flow [N mm].
+double flowing_energy(const Run& run) {
+  const std::vector<double> shape = run.model.bulk->shape_energies();
+  double energy = 0.0;
+  for (std::size_t k = 0; k < shape.size(); ++k)
+    if (run.state.plastic_rate[k] > 0.0)
+      energy += shape[k];
+  return energy;
+}
+
+} // namespace
+
 std::vector<double> forces_on_tools(const Run& run) {
   std::vector<double> forces;
   if (run.model.contact)
@@ -51,15 +65,6 @@ Snapshot snapshot(const Run& run) {
     s.load_work += load->work();
   s.stabilization = run.state.energy.stabilization;
   return s;
-}
-
-double flowing_energy(const Run& run) {
-  const std::vector<double> shape = run.model.bulk->shape_energies();
-  double energy = 0.0;
-  for (std::size_t k = 0; k < shape.size(); ++k)
-    if (run.state.plastic_rate[k] > 0.0)
-      energy += shape[k];
-  return energy;
 }
 
 void take_snapshot(Run& run) {

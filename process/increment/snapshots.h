@@ -18,9 +18,6 @@ void note_forces(Run& run);
 /// Where the run is now.
 [[nodiscard]] Snapshot snapshot(const Run& run);
 
-/// Elastic energy of shape of the points that flow [N mm].
-[[nodiscard]] double flowing_energy(const Run& run);
-
 /// Keeps where the run is now, if the metal has flowed far enough since the last time. (P.20)
 void take_snapshot(Run& run);
 

@@ -12,6 +12,9 @@
 
 namespace billet::process {
 
+namespace {
+
+/// Whether the stabilization takes more of the increment just tried than it may.
 bool stabilization_weighs(const Run& run, double dt) {
   constexpr double nothing = 1e-6; // of all work so far
   constexpr double little = 1e-3;  // of the work of the increment
@@ -26,6 +29,8 @@ bool stabilization_weighs(const Run& run, double dt) {
     return false;
   return lost > little * after.largest_since(run.state.energy);
 }
+
+} // namespace
 
 /// A slender part is softer than the stabilization, which would carry the load of its tools: where
 /// it does it is made lighter, as far as the part is held by something else. (M.17)

@@ -7,9 +7,9 @@
 
 namespace billet::process {
 
-/// Whether the stabilization takes more of the increment just tried than it may.
-[[nodiscard]] bool stabilization_weighs(const Run& run, double dt);
-
+/// Solves on with a lighter stabilization while it takes more of the work than it may.
+///
+/// @param solved  what Newton said of the attempt
 [[nodiscard]] Outcome<mechanics::NewtonReport>
 with_light_stabilization(Run& run, double dt, const mechanics::NewtonReport& solved);
 

@@ -31,6 +31,7 @@ struct NodeFlags {
   std::vector<std::vector<char>> sets;
 };
 
+/// What the nodes of a part carry.
 [[nodiscard]] NodeFlags node_flags(const Part& part);
 
 /// Which of the flags all the nodes have.

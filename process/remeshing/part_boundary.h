@@ -76,6 +76,7 @@ struct ContactZone {
   [[nodiscard]] bool too_short() const;
 };
 
+/// Zones of contact of a boundary whose attachments say which tool touches.
 [[nodiscard]] std::vector<ContactZone> contact_zones(const PartBoundary& boundary);
 
 /// How many sides a zone of contact has, in words.

@@ -84,6 +84,22 @@ double most_between_normals(std::span<const geometry::Projection> feet) {
   return std::acos(std::max(least_cosine, -1.0));
 }
 
+/// Of the present mesh since it was made, the largest growth of plastic strain [-].
+double strain_since_mesh(const Run& run) {
+  double grown = 0.0;
+  for (std::size_t k = 0; k < run.state.mesh.strain.size(); ++k)
+    grown = std::max(grown, run.model.bulk->states()[k].plastic_strain - run.state.mesh.strain[k]);
+  return grown;
+}
+
+/// A zone of contact that a new mesh would give more sides.
+std::optional<ContactZone> zone_to_refine(const Run& run) {
+  for (const ContactZone& zone : zones_of_contact(run))
+    if (can_be_refined(run, zone) && !leaves(run, idx(zone.tool)))
+      return zone;
+  return std::nullopt;
+}
+
 } // namespace
 
 void start_remeshing(Run& run) {
@@ -140,13 +156,6 @@ double coarse_contact(const Run& run) {
   return all > 0.0 ? coarse / all : 0.0;
 }
 
-double strain_since_mesh(const Run& run) {
-  double grown = 0.0;
-  for (std::size_t k = 0; k < run.state.mesh.strain.size(); ++k)
-    grown = std::max(grown, run.model.bulk->states()[k].plastic_strain - run.state.mesh.strain[k]);
-  return grown;
-}
-
 CornerLoad most_at_corner(const Run& run) {
   CornerLoad most;
   for (std::size_t t = 0; run.model.contact && t < run.tools().size(); ++t) {
@@ -182,13 +191,6 @@ bool leaves(const Run& run, std::size_t tool) {
   const double force = forces_on_tools(run)[tool];
   return force < falling * run.state.forces.before[tool] ||
          force < gone * run.state.forces.largest_on_tools[tool];
-}
-
-std::optional<ContactZone> zone_to_refine(const Run& run) {
-  for (const ContactZone& zone : zones_of_contact(run))
-    if (can_be_refined(run, zone) && !leaves(run, idx(zone.tool)))
-      return zone;
-  return std::nullopt;
 }
 
 std::string remeshing_due(const Run& run, double left) {

@@ -22,9 +22,6 @@ void start_remeshing(Run& run);
 /// Share of the contact that lies on sides longer than the case wants there [-].
 [[nodiscard]] double coarse_contact(const Run& run);
 
-/// Of the present mesh since it was made, the largest growth of plastic strain [-].
-[[nodiscard]] double strain_since_mesh(const Run& run);
-
 /// The tool of whose pressure corners bear the largest share; none: share 0.
 [[nodiscard]] CornerLoad most_at_corner(const Run& run);
 
@@ -39,9 +36,6 @@ void start_remeshing(Run& run);
 
 /// Whether a tool's force falls: its zones of contact shrink and need no new mesh.
 [[nodiscard]] bool leaves(const Run& run, std::size_t tool);
-
-/// A zone of contact that a new mesh would give more sides.
-[[nodiscard]] std::optional<ContactZone> zone_to_refine(const Run& run);
 
 /// Why the part should be meshed anew now, `left` before the stage ends; empty: it need not.
 [[nodiscard]] std::string remeshing_due(const Run& run, double left);

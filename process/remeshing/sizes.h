@@ -22,6 +22,7 @@ struct UsualSizes {
 /// for that.
 [[nodiscard]] geometry::RemeshSizes remesh_sizes(const Run& run);
 
+/// Likewise in space.
 [[nodiscard]] geometry::SolidSizes solid_sizes(const Run& run);
 
 /// Sizes that follow how the rate of flow changes from place to place. (P.22)

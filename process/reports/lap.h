@@ -18,6 +18,7 @@ struct Lap {
   template <class Archive> void fields(Archive& archive) { archive(place, depth); }
 };
 
+/// What is said of a fold, or of a crease, that has closed.
 [[nodiscard]] Lap lap(const geometry::ClosedFold& fold);
 [[nodiscard]] Lap lap(const geometry::ClosedCrease& crease);
 

@@ -16,29 +16,58 @@
 
 namespace billet::process {
 
+namespace {
+
 /// Where a force takes its tool, in the tool's frame.
 Vec3 towards(const Run& run, std::size_t tool, double load) {
   const Vec3 way = std::copysign(1.0, load) * run.tools()[tool].motion.force->axis;
   return run.model.contact->pose(tool, run.state.time, run.state.x).rotation.transpose() * way;
 }
 
+/// Whether a tool that lies on the part by no more than rounding meets it on a way, once it is
+/// clear of it by a little.
+///
+/// @param aside  where it is taken first, a unit vector; then it goes along `way`
+bool meets_part(const Run& run, std::size_t tool, double time, const Vec3& aside, const Vec3& way) {
+  constexpr double clear = 1e-3; // of the body
+  const double size = body_size(run.mesh());
+  geometry::Pose pose = run.model.contact->pose(tool, time, run.state.x);
+  pose.translation += clear * size * aside;
+  std::vector<Vec3> points(run.model.surface->n_points());
+  run.model.surface->positions(run.state.x, points);
+  const double reach = aside == way ? size : 2.0 * clear * size;
+  return geometry::distance_to_contact(*run.tools()[tool].surface, pose, way, points, reach)
+      .has_value();
+}
+
+/// Where a force takes its tool, in space.
+Vec3 way_of(const Run& run, std::size_t tool, double load) {
+  return std::copysign(1.0, load) * run.tools()[tool].motion.force->axis;
+}
+
 /// Whether the first load on a tool takes it away from the part for good.
 bool is_pulled_off(const Run& run, std::size_t tool) {
-  const geometry::Drive& drive = *run.tools()[tool].motion.force;
-  const double load = first_load(drive.load, 0.0);
+  const double load = first_load(run.tools()[tool].motion.force->load, 0.0);
   if (load == 0.0 || contact_under(run.model.contact->state().tools[tool].committed.history,
                                    towards(run, tool, load)) != DriveState::Contact::pulls_off)
     return false;
   // In a hole, or between two walls, it may come to the other side.
-  constexpr double clear = 1e-3; // of the body
-  const Vec3 way = std::copysign(1.0, load) * drive.axis;
-  const double size = body_size(run.mesh());
-  geometry::Pose pose = run.model.contact->pose(tool, 0.0, run.state.x);
-  pose.translation += clear * size * way;
-  std::vector<Vec3> points(run.model.surface->n_points());
-  run.model.surface->positions(run.state.x, points);
-  return !geometry::distance_to_contact(*run.tools()[tool].surface, pose, way, points, size);
+  const Vec3 way = way_of(run, tool, load);
+  return !meets_part(run, tool, 0.0, way, way);
 }
+
+/// What a load does with the contact of its tool. At the moment at which a load changes its sign it
+/// is left to rounding whether anything touches: what matters is on which side the part lies.
+DriveState::Contact contact_of(const Run& run, std::size_t tool, double load) {
+  const auto& history = run.model.contact->state().tools[tool].committed.history;
+  const DriveState::Contact found = contact_under(history, towards(run, tool, load));
+  if (found != DriveState::Contact::none)
+    return found;
+  const Vec3 way = way_of(run, tool, load);
+  return meets_part(run, tool, run.state.time, way, -way) ? DriveState::Contact::pulls_off : found;
+}
+
+} // namespace
 
 void check_drives(const Run& run) {
   for (std::size_t t = 0; t < run.tools().size(); ++t) {
@@ -80,8 +109,7 @@ std::vector<DriveState> drive_states(const Run& run, double time) {
     DriveState state{tool, turns, load, load + arm * (run.model.newton->residual()[i] - held),
                      DriveState::Contact::presses};
     if (!turns)
-      state.contact =
-          contact_under(contact.tools[tool].committed.history, towards(run, tool, load));
+      state.contact = contact_of(run, tool, load);
     states.push_back(state);
   }
   return states;

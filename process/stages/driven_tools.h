@@ -11,10 +11,8 @@
 
 namespace billet::process {
 
-[[nodiscard]] Vec3 towards(const Run& run, std::size_t tool, double load);
-
-[[nodiscard]] bool is_pulled_off(const Run& run, std::size_t tool);
-
+/// Before the first increment: a tool under a force lies on the part, and is not pulled off it.
+/// @throws Error (Fault::case_file)
 void check_drives(const Run& run);
 
 /// Loads that drive tools at a time, and what answered them in the last try. (P.33)

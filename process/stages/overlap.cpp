@@ -43,36 +43,8 @@ std::string turned(const contact::Tool& tool) {
          (tool.facing.empty() ? "" : ": " + tool.facing);
 }
 
-} // namespace
-
-std::string overlap(const Run& run, std::size_t tool, double time) {
-  std::string where = depth_in(run, tool, time);
-  return where.empty() && lies_within(run, tool, time) ? "the tool lies wholly within it" : where;
-}
-
-bool lies_within(const Run& run, std::size_t tool, double time) {
-  const mechanics::MeshLocator locator(run.mesh(), run.positions());
-  const geometry::Pose pose = run.model.contact->pose(tool, time, run.state.x);
-  bool any = false;
-  for (Index f = 0; f < run.model.surface->n_faces(); ++f)
-    for (const Vec3& x : run.model.surface->samples(run.state.x, f, 1)) {
-      const Vec3 at = pose.to_tool(x);
-      geometry::Projection foot;
-      run.tools()[tool].surface->project(std::span(&at, 1), body_size(run.mesh()),
-                                         std::span(&foot, 1));
-      if (!foot.found())
-        continue;
-      constexpr double clear = 0.02, inside = 1e-6; // of the parent element
-      // A little beneath the tool's surface: one that touches a face has that outside.
-      const double depth = run.model.surface->depth(f);
-      const Vec3 beneath = pose.to_space(foot.foot - clear * depth * foot.normal);
-      if (foot.gap < clear * depth || locator.locate(beneath).distance > inside * depth)
-        return false;
-      any = true;
-    }
-  return any;
-}
-
+/// How deep and where the workpiece's boundary lies inside a tool; empty: no more than chords of
+/// faces do.
 std::string depth_in(const Run& run, std::size_t tool, double time) {
   // A chord of a curved face may lie a little inside a tool that touches its nodes; a sharp tool
   // that was brought to the contact points of a face may lie deeper between them.
@@ -96,6 +68,37 @@ std::string depth_in(const Run& run, std::size_t tool, double time) {
   return deepest > 0.0
              ? fmt::format("{:.6g} deep at ({:.6g}, {:.6g}, {:.6g})", deepest, at[0], at[1], at[2])
              : std::string();
+}
+
+/// Whether all places of a tool that are nearest to the workpiece's faces lie in the workpiece.
+bool lies_within(const Run& run, std::size_t tool, double time) {
+  const mechanics::MeshLocator locator(run.mesh(), run.positions());
+  const geometry::Pose pose = run.model.contact->pose(tool, time, run.state.x);
+  bool any = false;
+  for (Index f = 0; f < run.model.surface->n_faces(); ++f)
+    for (const Vec3& x : run.model.surface->samples(run.state.x, f, 1)) {
+      const Vec3 at = pose.to_tool(x);
+      geometry::Projection foot;
+      run.tools()[tool].surface->project(std::span(&at, 1), body_size(run.mesh()),
+                                         std::span(&foot, 1));
+      if (!foot.found())
+        continue;
+      constexpr double clear = 0.02, inside = 1e-6; // of the parent element
+      // A little beneath the tool's surface: one that touches a face has that outside.
+      const double depth = run.model.surface->depth(f);
+      const Vec3 beneath = pose.to_space(foot.foot - clear * depth * foot.normal);
+      if (foot.gap < clear * depth || locator.locate(beneath).distance > inside * depth)
+        return false;
+      any = true;
+    }
+  return any;
+}
+
+} // namespace
+
+std::string overlap(const Run& run, std::size_t tool, double time) {
+  std::string where = depth_in(run, tool, time);
+  return where.empty() && lies_within(run, tool, time) ? "the tool lies wholly within it" : where;
 }
 
 void check_overlap(const Run& run) {

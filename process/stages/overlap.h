@@ -15,12 +15,8 @@ namespace billet::process {
 /// do.
 [[nodiscard]] std::string overlap(const Run& run, std::size_t tool, double time);
 
-/// Whether all places of a tool that are nearest to the workpiece's faces lie in the workpiece.
-[[nodiscard]] bool lies_within(const Run& run, std::size_t tool, double time);
-
-/// Likewise, of the workpiece's boundary alone.
-[[nodiscard]] std::string depth_in(const Run& run, std::size_t tool, double time);
-
+/// No tool that acts from the start may lie in the workpiece.
+/// @throws Error (Fault::geometry) naming all that do
 void check_overlap(const Run& run);
 
 /// Tools that loads have driven into others, which do not feel it.

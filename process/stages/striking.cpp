@@ -1,8 +1,8 @@
 #include "process/stages/striking.h"
 
 #include "geometry/base/outcome.h"
-#include "process/scene/scene.h"
 #include "process/control/increment_control.h"
+#include "process/scene/scene.h"
 #include "process/state/run.h"
 
 #include <algorithm>

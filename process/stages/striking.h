@@ -3,8 +3,8 @@
 #pragma once
 
 #include "geometry/base/outcome.h"
-#include "process/scene/scene.h"
 #include "process/control/increment_control.h"
+#include "process/scene/scene.h"
 #include "process/state/run.h"
 
 #include <optional>

@@ -19,23 +19,9 @@
 
 namespace billet::process {
 
-void activate_tools(Run& run, const Stage& stage, double until) {
-  if (!run.model.contact)
-    return;
-  run.state.forces.acted.resize(run.tools().size(), 0);
-  for (std::size_t t = 0; t < run.tools().size(); ++t) {
-    const bool acts = !stage.unload && run.model.contact->acts(t, until);
-    const bool acted = std::exchange(run.state.forces.acted[t], acts ? 1 : 0) != 0;
-    if (!acts || acted || contact::lies_on(*run.model.contact, t) || run.state.increment == 0)
-      continue; // before the first increment tools touch and an overlap is refused
-    const std::optional<geometry::Drive>& force = run.tools()[t].motion.force;
-    if (force && !force->blow)
-      come_to_touch(run, t, std::max(run.state.time, run.tools()[t].active_from));
-    else
-      note_initial_penetration(run, t);
-  }
-}
+namespace {
 
+/// Moves a tool under a force to where it touches the part.
 void come_to_touch(Run& run, std::size_t tool, double time) {
   const geometry::Drive& drive = *run.tools()[tool].motion.force;
   const double sense = first_load(drive.load, time) < 0.0 ? -1.0 : 1.0;
@@ -54,6 +40,7 @@ void come_to_touch(Run& run, std::size_t tool, double time) {
   run.state.snapshots.clear(); // states in which the tool is elsewhere
 }
 
+/// Keeps that a tool begins to act where the workpiece is, if it does.
 void note_initial_penetration(Run& run, std::size_t tool) {
   const double from = std::max(run.state.time, run.tools()[tool].active_from);
   std::string where = overlap(run, tool, from);
@@ -70,6 +57,25 @@ void note_initial_penetration(Run& run, std::size_t tool) {
   else
     run.state.record.initial_penetrations.push_back(
         {tool, from, std::move(where), run.state.increment});
+}
+
+} // namespace
+
+void activate_tools(Run& run, const Stage& stage, double until) {
+  if (!run.model.contact)
+    return;
+  run.state.forces.acted.resize(run.tools().size(), 0);
+  for (std::size_t t = 0; t < run.tools().size(); ++t) {
+    const bool acts = !stage.unload && run.model.contact->acts(t, until);
+    const bool acted = std::exchange(run.state.forces.acted[t], acts ? 1 : 0) != 0;
+    if (!acts || acted || contact::lies_on(*run.model.contact, t) || run.state.increment == 0)
+      continue; // before the first increment tools touch and an overlap is refused
+    const std::optional<geometry::Drive>& force = run.tools()[t].motion.force;
+    if (force && !force->blow)
+      come_to_touch(run, t, std::max(run.state.time, run.tools()[t].active_from));
+    else
+      note_initial_penetration(run, t);
+  }
 }
 
 std::string initial_penetrations_now(const Run& run) {

@@ -15,10 +15,6 @@ namespace billet::process {
 /// touch, others that lie in the workpiece are noted.
 void activate_tools(Run& run, const Stage& stage, double until);
 
-void come_to_touch(Run& run, std::size_t tool, double time);
-
-void note_initial_penetration(Run& run, std::size_t tool);
-
 /// Those that the increment that could not be solved would have met, for its post-mortem.
 [[nodiscard]] std::string initial_penetrations_now(const Run& run);
 

@@ -14,6 +14,8 @@
 
 namespace billet::process {
 
+namespace {
+
 /// Whether tools press so that metal could flow under their forces: what they only bend springs
 /// back under forces that fade.
 bool is_squeezed(const Run& run) {
@@ -25,6 +27,8 @@ bool is_squeezed(const Run& run) {
   return force > little * contact::bearing_area(*run.model.contact) *
                      mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
 }
+
+} // namespace
 
 void put_on_retreating_surface(Run& run, std::size_t tool) {
   auto surface = std::make_shared<geometry::RetreatingSurface>(run.scene.tools[tool].surface);

@@ -9,16 +9,20 @@
 
 namespace billet::process {
 
-[[nodiscard]] bool is_squeezed(const Run& run);
-
+/// Puts a tool's surface into one that draws back.
 void put_on_retreating_surface(Run& run, std::size_t tool);
 
+/// Begins to draw back the tools that touch, until a time; what they only bend they let go at once.
+/// (P.5)
 void draw_tools_back(Run& run, double until);
 
+/// Draws back as far as at a time of the attempt.
 void draw_back_to(Run& run, double time);
 
+/// Ends that: tools have their own surfaces again.
 void put_tools_back(Run& run);
 
+/// Forces of a tool that has left, as a load that fades. (P.5a)
 void add_fading(Run& run, const LeavingTools::Forces& forces);
 
 /// Lets the forces of tools that touch now and do not act at `next_time` fade until `gone_time`.

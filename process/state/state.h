@@ -195,7 +195,7 @@ struct StageProgress {
 struct Counters {
   int iterations = 0;
   int cutbacks = 0;
-  int friction_limited = 0; ///< increments with less friction than the law asks for (F.3)
+  int friction_limited = 0;     ///< increments with less friction than the law asks for (F.3)
   int wasted_iterations = 0;    ///< of tries that failed
   int remeshing_iterations = 0; ///< on new meshes before time went on
 

@@ -8,6 +8,7 @@
 
 namespace billet::process {
 
+/// What supports prescribe at a time.
 [[nodiscard]] mechanics::Prescribed prescribed(const Run& run, double time);
 
 /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.
