@@ -48,7 +48,9 @@ public:
   /// @throws RunError
   explicit Run(const std::filesystem::path& case_file, const RunOptions& options = {});
   ~Run();
+  /// A run that has been moved from may only be assigned to or destroyed.
   Run(Run&& other) noexcept;
+  /// Likewise.
   Run& operator=(Run&& other) noexcept;
 
   /// Solves for one increment, or for as many as a new mesh needs.
@@ -56,12 +58,14 @@ public:
   Status advance();
   /// Advances to the end.
   Status finish();
+  /// Whether it can be advanced, and if not, why.
   [[nodiscard]] Status status() const;
   /// Why an increment could not be solved; empty: all could.
   [[nodiscard]] const std::string& reason() const;
 
-  /// Of the last increment [s].
+  /// At the end of the last increment [s].
   [[nodiscard]] double time() const;
+  /// Number of the last increment; 0: there has been none.
   [[nodiscard]] int increment() const;
 
   /// 2: x, y, or radius and axis; 3: x, y, z.
@@ -70,6 +74,7 @@ public:
   [[nodiscard]] std::span<const double> positions() const;
   /// Nodes of the elements, shape (n_elements, nodes_per_element); valid until a new mesh is made.
   [[nodiscard]] std::span<const std::int32_t> elements() const;
+  /// Of all elements, which are of one kind.
   [[nodiscard]] int nodes_per_element() const;
 
   /// Names of the fields at the nodes: "displacement", "von_mises", "plastic_strain", ...

@@ -9,7 +9,7 @@ target_compile_options(
             $<$<NOT:$<BOOL:${BILLET_RELAXED}>>:-Werror>)
 # Contraction to fused multiply-adds may differ between two expressions of one formula; the code
 # relies on neither, but results must not change with the inlining the compiler chooses.
-target_compile_options(billet_warnings INTERFACE -fno-math-errno -ffp-contract=fast)
+target_compile_options(billet_warnings INTERFACE -fno-math-errno $<IF:$<BOOL:${BILLET_CONTRACT}>,-ffp-contract=fast,-ffp-contract=off>)
 if(BILLET_NATIVE)
   # g++ 12 warns of an uninitialized variable in its own AVX-512 intrinsics.
   target_compile_options(billet_warnings INTERFACE -march=native $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)

@@ -163,12 +163,12 @@ void on_laps(const process::Run& run, const Case& content, Lines& lines) {
 void RunWriter::note_unmet_tools(const process::Run& run, const process::IncrementReport& report) {
   if (run.contact() == nullptr)
     return;
-  unmet_.resize(run.tools().size());
-  for (std::size_t t = 0; t < unmet_.size(); ++t) {
-    unmet_[t].acts = unmet_[t].acts || run.contact()->acts(t, report.time);
-    unmet_[t].met = unmet_[t].met || contact::lies_on(*run.contact(), t);
+  record_.unmet.resize(run.tools().size());
+  for (std::size_t t = 0; t < record_.unmet.size(); ++t) {
+    record_.unmet[t].acts = record_.unmet[t].acts || run.contact()->acts(t, report.time);
+    record_.unmet[t].met = record_.unmet[t].met || contact::lies_on(*run.contact(), t);
   }
-  Unmet& deepest = unmet_[report.penetration.tool];
+  UnmetTool& deepest = record_.unmet[report.penetration.tool];
   constexpr double noticed = 2e-3; // of the parent element
   if (report.penetration_share > noticed) {
     if (deepest.depth == 0.0)
@@ -179,16 +179,16 @@ void RunWriter::note_unmet_tools(const process::Run& run, const process::Increme
 
 void RunWriter::warn_of_unmet_tools(const process::Run& run,
                                     std::vector<std::string>& lines) const {
-  for (std::size_t t = 0; t < unmet_.size(); ++t)
-    if (!unmet_[t].met && unmet_[t].depth > 0.0)
+  for (std::size_t t = 0; t < record_.unmet.size(); ++t)
+    if (!record_.unmet[t].met && record_.unmet[t].depth > 0.0)
       lines.push_back(fmt::format(
           "warning: from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} deep, and no "
           "contact point meets it, so it has no force: it is narrower than they are apart, or a "
           "hollow that sides are too long for; take smaller elements there",
-          unmet_[t].time, content_->units.time, run.tools()[t].name, unmet_[t].depth,
+          record_.unmet[t].time, content_->units.time, run.tools()[t].name, record_.unmet[t].depth,
           content_->units.length));
-  for (std::size_t t = 0; t < unmet_.size(); ++t)
-    if (unmet_[t].acts && !unmet_[t].met && unmet_[t].depth == 0.0 &&
+  for (std::size_t t = 0; t < record_.unmet.size(); ++t)
+    if (record_.unmet[t].acts && !record_.unmet[t].met && record_.unmet[t].depth == 0.0 &&
         moves(run.tools()[t].motion) && run.state.time == run.scene.stages.back().end)
       lines.push_back(fmt::format("warning: tool {} has not touched the workpiece: does it move "
                                   "far enough, and the right way?",
@@ -196,20 +196,21 @@ void RunWriter::warn_of_unmet_tools(const process::Run& run,
 }
 
 void RunWriter::warn_of_penetration(std::vector<std::string>& lines) const {
-  if (largest_share_ > tolerated_penetration)
+  if (record_.largest_share > tolerated_penetration)
     lines.push_back(fmt::format(
         "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
         "{:.1f} % of the parent element; a finer mesh there (for quadratic elements also "
         "contact.form = \"compatible\") lessens it",
-        largest_penetration_, content_->units.length, 100.0 * largest_share_));
+        record_.largest_penetration, content_->units.length, 100.0 * record_.largest_share));
 }
 
 void RunWriter::warn_of_elements(const process::Run& run, std::vector<std::string>& lines) const {
-  if (worn_)
+  if (record_.worn)
     lines.push_back(fmt::format(
         "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "
         "what they say with them; {}",
-        worn_->time, content_->units.time, worn_->min_quality, last_->min_quality,
+        record_.worn->time, content_->units.time, record_.worn->min_quality,
+        record_.last->min_quality,
         !content_->remesh ? "a [remesh] section would have replaced the mesh"
         : run.state.record.refusals.empty()
             ? "new meshes were not better for long (remesh.csv: quality_after), sharp "
@@ -218,19 +219,19 @@ void RunWriter::warn_of_elements(const process::Run& run, std::vector<std::strin
 }
 
 void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>& lines) const {
-  if (squeezed_at_) {
-    const Squeeze now = squeeze_of(run, last_->volume);
+  if (record_.squeezed_at) {
+    const Squeeze now = squeeze_of(run, record_.last->volume);
     lines.push_back(fmt::format(
         "warning: from t = {:.6g} {} on the metal is squeezed by more than 2 % of its volume, at "
         "the end by {:.2g} %, under {:.3g} {} on average, {:.2g} times its flow stress: the cavity "
         "is full, or leaves too little way out",
-        *squeezed_at_, content_->units.time, 100.0 * now.volume_lost, now.pressure,
+        *record_.squeezed_at, content_->units.time, 100.0 * now.volume_lost, now.pressure,
         content_->units.stress, now.pressure / now.flow_stress));
   }
-  if (last_) {
+  if (record_.last) {
     const mechanics::Material& material = run.model.bulk->material();
     const double left = mechanics::flow_stress_left(
-        material.flow, {last_->max_plastic_strain, 1.0, material.temperature});
+        material.flow, {record_.last->max_plastic_strain, 1.0, material.temperature});
     constexpr double soft = 0.5;
     if (left < soft)
       lines.push_back(fmt::format(
@@ -239,7 +240,7 @@ void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>&
           "softens so far flows in bands as thin as its elements, and forces depend on "
           "their size; let the law "
           "end where its measured curves do (eps_max of hansel-spittel, a table)",
-          last_->max_plastic_strain, 100.0 * left));
+          record_.last->max_plastic_strain, 100.0 * left));
   }
 }
 
@@ -248,7 +249,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   warn_of_unmet_tools(run, lines);
   on_refused_meshes(run, content_->units, lines);
   warn_of_penetration(lines);
-  on_work_missing(run, content_->units, {most_missed_, most_missed_at_}, lines);
+  on_work_missing(run, content_->units, {record_.most_missed, record_.most_missed_at}, lines);
   on_work_made(run, content_->units, lines);
   on_limited_friction(run, lines);
   on_fading_forces(run, lines);
@@ -258,7 +259,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   on_laps(run, *content_, lines);
   warn_of_elements(run, lines);
   warn_of_metal(run, lines);
-  lines.insert(lines.end(), complaints_.begin(), complaints_.end());
+  lines.insert(lines.end(), record_.complaints.begin(), record_.complaints.end());
   return lines;
 }
 

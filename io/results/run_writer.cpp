@@ -163,42 +163,36 @@ RunWriter::RunWriter(std::filesystem::path folder,
   write_file(folder_ / "case.resolved.toml", resolved_toml(content));
   if (beginning_.checkpoint != nullptr) {
     ArchiveReader stored(beginning_.checkpoint->results);
-    fields(stored);
+    stored(record_);
   }
   // Only now that the folder has proved writable.
   remove_partial_files(folder_);
   if (beginning_.checkpoint != nullptr && beginning_.same_folder) {
-    remove_later(folder_, frames_);
+    remove_later(folder_, record_.frames);
     remove_checkpoints_after(folder_, beginning_.checkpoint->increment);
   } else {
     remove_earlier_run(folder_);
-    entries_.clear();
-    frames_ = 0;
-    history_rows_ = iteration_rows_ = 0;
+    record_.entries.clear();
+    record_.frames = 0;
+    record_.history_rows = record_.iteration_rows = 0;
   }
   synchronize(folder_); // lest a power cut bring an earlier summary back
 }
 
 RunWriter::~RunWriter() {
   try {
-    if (entries_.size() > n_listed_)
+    if (record_.entries.size() > n_listed_)
       write_list();
   } catch (const std::exception&) { // a full disk, say, of which the run has told
   }
 }
 
-template <class Archive> void RunWriter::fields(Archive& archive) {
-  archive(scene_, log_size_, history_rows_, iteration_rows_, entries_, frames_, last_frame_, last_,
-          ledger_, complaints_, largest_forces_, largest_penetration_, largest_share_, unmet_,
-          most_missed_, most_missed_at_, worn_, squeezed_at_);
-}
-
 void RunWriter::started(const process::Run& run) {
   if (beginning_.checkpoint == nullptr)
-    scene_ = scene_fingerprint(run.scene);
+    record_.scene = scene_fingerprint(run.scene);
   if (run.scene.remesh) {
-    ledger_ = ledger_header(run.scene);
-    write_file(folder_ / "remesh.csv", ledger_);
+    record_.ledger = ledger_header(run.scene);
+    write_file(folder_ / "remesh.csv", record_.ledger);
   }
   history_.emplace(folder_ / "history.csv", history_columns(run.scene));
   iterations_.emplace(folder_ / "iterations.csv", iteration_columns());
@@ -212,9 +206,11 @@ void RunWriter::resumed(const process::Run& run) {
     return;
   }
   if (run.scene.remesh)
-    write_file(folder_ / "remesh.csv", ledger_);
-  history_ = CsvWriter::resume(folder_ / "history.csv", history_columns(run.scene), history_rows_);
-  iterations_ = CsvWriter::resume(folder_ / "iterations.csv", iteration_columns(), iteration_rows_);
+    write_file(folder_ / "remesh.csv", record_.ledger);
+  history_ =
+      CsvWriter::resume(folder_ / "history.csv", history_columns(run.scene), record_.history_rows);
+  iterations_ =
+      CsvWriter::resume(folder_ / "iterations.csv", iteration_columns(), record_.iteration_rows);
   write_list();
 }
 
@@ -233,11 +229,11 @@ bool RunWriter::wants_checkpoint(const process::Run& run, process::CheckpointRea
 void RunWriter::checkpoint(const process::Run& run, const std::string& stored) {
   std::error_code error; // there is none where the run is not logged
   const std::uintmax_t size = std::filesystem::file_size(folder_ / "run.log", error);
-  log_size_ = error ? 0 : size;
+  record_.log_size = error ? 0 : size;
   stored_at_ = run.state.time;
   stored_wall_ = seconds_now();
   ArchiveWriter results;
-  fields(results);
+  results(record_);
   const std::time_t now = std::time(nullptr);
   write_checkpoint(folder_, {.version = facts_.version,
                              .title = content_->title,
@@ -247,7 +243,7 @@ void RunWriter::checkpoint(const process::Run& run, const std::string& stored) {
                              .increment = run.state.increment,
                              .stage = run.state.progress.stage,
                              .n_unknowns = run.positions().size(),
-                             .scene = scene_,
+                             .scene = record_.scene,
                              .content = resolved_toml(*content_),
                              .run = stored,
                              .results = results.take()});
@@ -255,12 +251,12 @@ void RunWriter::checkpoint(const process::Run& run, const std::string& stored) {
 
 std::optional<std::uintmax_t> RunWriter::size_of_log() const {
   const bool goes_on = beginning_.checkpoint != nullptr && beginning_.same_folder;
-  return goes_on ? std::optional(log_size_) : std::nullopt;
+  return goes_on ? std::optional(record_.log_size) : std::nullopt;
 }
 
 bool RunWriter::frame_due(double time) const {
   const double slack = rounding_of_time * content_->time.end;
-  if (std::floor((time + slack) / every_) > std::floor((last_frame_ + slack) / every_))
+  if (std::floor((time + slack) / every_) > std::floor((record_.last_frame + slack) / every_))
     return true;
   for (const double at : content_->output.at)
     if (std::abs(at - time) <= slack)
@@ -270,42 +266,44 @@ bool RunWriter::frame_due(double time) const {
 
 void RunWriter::incremented(const process::Run& run, const process::IncrementReport& report) {
   history_->row(history_row(run, report));
-  ++history_rows_;
-  iteration_rows_ += report.records.size();
-  note_largest_forces(run, report.time, largest_forces_);
+  ++record_.history_rows;
+  record_.iteration_rows += report.records.size();
+  note_largest_forces(run, report.time, record_.largest_forces);
   for (const mechanics::IterationRecord& record : report.records)
     iterations_->row(std::array<double, 7>{static_cast<double>(report.increment), report.time,
                                            static_cast<double>(record.iteration), record.residual,
                                            record.correction, record.step,
                                            static_cast<double>(record.contact_changes)});
-  largest_penetration_ = std::max(largest_penetration_, report.max_penetration);
-  largest_share_ = std::max(largest_share_, report.penetration_share);
+  record_.largest_penetration = std::max(record_.largest_penetration, report.max_penetration);
+  record_.largest_share = std::max(record_.largest_share, report.penetration_share);
   note_unmet_tools(run, report);
   constexpr double bad = 0.1; // below it elements hardly deform as they should
-  if (!worn_ && report.min_quality < bad)
-    worn_ = report;
-  if (!squeezed_at_ && report.max_plastic_strain > 0.0 && squeeze_of(run, report.volume).is_full())
-    squeezed_at_ = report.time;
-  const double missed = report.energy.missing() - (last_ ? last_->energy.missing() : 0.0);
-  if (std::abs(missed) > std::abs(most_missed_)) {
-    most_missed_ = missed;
-    most_missed_at_ = report.time;
+  if (!record_.worn && report.min_quality < bad)
+    record_.worn = report;
+  if (!record_.squeezed_at && report.max_plastic_strain > 0.0 &&
+      squeeze_of(run, report.volume).is_full())
+    record_.squeezed_at = report.time;
+  const double missed =
+      report.energy.missing() - (record_.last ? record_.last->energy.missing() : 0.0);
+  if (std::abs(missed) > std::abs(record_.most_missed)) {
+    record_.most_missed = missed;
+    record_.most_missed_at = report.time;
   }
-  last_ = report;
+  record_.last = report;
   if (frame_due(report.time))
     write_frame(run);
 }
 
 void RunWriter::write_frame(const process::Run& run) {
   const std::vector<Vec3> points = points_of(run.positions(), run.mesh().dimension());
-  const std::string number = fmt::format("{:04d}", frames_++);
+  const std::string number = fmt::format("{:04d}", record_.frames++);
   // The list gets a file's name only once the file is there.
   const auto add = [&](const std::string& part, const auto& write, const auto& frame,
                        const std::string& suffix) {
     const std::filesystem::path file =
         std::filesystem::path("frames") / (part + "_" + number + suffix);
     write(folder_ / file, frame);
-    entries_.push_back({run.state.time, part, file});
+    record_.entries.push_back({run.state.time, part, file});
   };
   WorkpieceFrame workpiece = workpiece_frame(run, points, settings_);
   select_fields(workpiece.point_fields, content_->output);
@@ -321,7 +319,7 @@ void RunWriter::write_frame(const process::Run& run) {
     select_fields(tool.cell_fields, content_->output);
     add("tool-" + run.tools()[t].name, write_vtp, tool, ".vtp");
   }
-  last_frame_ = run.state.time;
+  record_.last_frame = run.state.time;
   // A list for every frame would be a quarter of what small frames cost.
   constexpr double often = 0.1; // [s]
   if (const double now = seconds_now(); now - listed_ > often) {
@@ -331,8 +329,8 @@ void RunWriter::write_frame(const process::Run& run) {
 }
 
 void RunWriter::write_list() {
-  write_pvd(folder_ / (name_ + ".pvd"), entries_);
-  n_listed_ = entries_.size();
+  write_pvd(folder_ / (name_ + ".pvd"), record_.entries);
+  n_listed_ = record_.entries.size();
 }
 
 void RunWriter::failed(const process::Run& run, const process::PostMortem& post) {
@@ -365,28 +363,28 @@ std::vector<std::string> RunWriter::advice(const process::Run& run) const {
 }
 
 void RunWriter::remeshing(const process::Run& run) {
-  if (run.state.time > last_frame_)
+  if (run.state.time > record_.last_frame)
     write_frame(run);
 }
 
 void RunWriter::remeshed(const process::Run& run, const process::RemeshReport& report) {
-  if (worn_ && worn_->increment == report.increment)
-    worn_.reset(); // replaced before time went on
-  ledger_ += ledger_row(report);
-  write_file(folder_ / "remesh.csv", ledger_);
+  if (record_.worn && record_.worn->increment == report.increment)
+    record_.worn.reset(); // replaced before time went on
+  record_.ledger += ledger_row(report);
+  write_file(folder_ / "remesh.csv", record_.ledger);
   for (std::string& line : report.complaints())
-    complaints_.push_back(std::move(line));
+    record_.complaints.push_back(std::move(line));
   write_frame(run);
 }
 
 void RunWriter::finished(const process::Run& run) {
-  if (run.state.time > last_frame_)
+  if (run.state.time > record_.last_frame)
     write_frame(run);
 }
 
 /// A power cut may take what is not on the disk: everything but the summary, then its folders.
 void RunWriter::synchronize_results() const {
-  for (const PvdEntry& entry : entries_)
+  for (const PvdEntry& entry : record_.entries)
     synchronize(folder_ / entry.file);
   const std::string list = name_ + ".pvd";
   for (const char* file : {list.c_str(), "history.csv", "iterations.csv", "remesh.csv", "run.log",
@@ -396,15 +394,16 @@ void RunWriter::synchronize_results() const {
 }
 
 void RunWriter::write_summary(const process::Run& run, const RunEnd& end) {
-  if (entries_.size() > n_listed_)
+  if (record_.entries.size() > n_listed_)
     write_list();
   synchronize_results();
   std::vector<std::string> warnings = facts_.warnings;
   for (std::string& line : this->warnings(run))
     warnings.push_back(std::move(line));
-  const std::string text = summary_text(
-      run, {content_->title, content_->units.name, settings_.analysis, facts_, end, last_,
-            largest_penetration_, largest_share_, largest_forces_, std::move(warnings), post_});
+  const std::string text =
+      summary_text(run, {content_->title, content_->units.name, settings_.analysis, facts_, end,
+                         record_.last, record_.largest_penetration, record_.largest_share,
+                         record_.largest_forces, std::move(warnings), post_});
   write_file(folder_ / "summary.json", text, Durable::yes);
 }
 

@@ -14,6 +14,7 @@
 #include "io/results/folder_lock.h"
 #include "io/results/frames.h"
 #include "io/results/pvd.h"
+#include "io/results/run_record.h"
 #include "io/results/summary.h"
 #include "process/loop/process.h"
 
@@ -65,7 +66,9 @@ public:
   [[nodiscard]] std::optional<std::uintmax_t> size_of_log() const;
 
   /// Of each tool, shape (n_tools); empty: there has been no increment.
-  [[nodiscard]] const std::vector<LargestForce>& largest_forces() const { return largest_forces_; }
+  [[nodiscard]] const std::vector<LargestForce>& largest_forces() const {
+    return record_.largest_forces;
+  }
 
   /// What a person should know about the quality of the result; empty: nothing.
   [[nodiscard]] std::vector<std::string> warnings(const process::Run& run) const;
@@ -84,9 +87,6 @@ private:
   void synchronize_results() const;
   [[nodiscard]] bool frame_due(double time) const;
 
-  /// What of it a run goes on with.
-  template <class Archive> void fields(Archive& archive);
-
   std::filesystem::path folder_;
   std::optional<FolderLock> lock_; ///< outlives what writes there
   std::string name_;
@@ -98,39 +98,12 @@ private:
   double stored_at_ = 0.0;   ///< when the run was stored last, time of the process [s]
   double stored_wall_ = 0.0; ///< likewise, of the wall clock [s]
   process::CheckpointReason reason_ = process::CheckpointReason::due;
-  std::string scene_;            ///< its fingerprint at the start
-  std::uintmax_t log_size_ = 0;  ///< of run.log when the run was stored [byte]
-  std::size_t history_rows_ = 0; ///< in history.csv
-  std::size_t iteration_rows_ = 0;
   std::optional<CsvWriter> history_;
   std::optional<CsvWriter> iterations_;
-  std::vector<PvdEntry> entries_;
-  int frames_ = 0;
-  double last_frame_ = 0.0;
   double listed_ = -HUGE_VAL; ///< when the list of frames was written last [s]
   std::size_t n_listed_ = 0;  ///< entries that it had
-  std::optional<process::IncrementReport> last_;
   std::optional<process::PostMortem> post_;
-  std::string ledger_;                  ///< what remesh.csv holds
-  std::vector<std::string> complaints_; ///< about remeshings
-  std::vector<LargestForce> largest_forces_;
-  double largest_penetration_ = 0.0;
-  double largest_share_ = 0.0;
-  /// Of a tool that no contact point has met so far.
-  struct Unmet {
-    bool acts = false; ///< it has, at some time
-    bool met = false;
-    double depth = 0.0; ///< of the deepest point of a face found in it [mm]
-    double time = 0.0;  ///< when one was found first [s]
-
-    template <class Archive> void fields(Archive& archive) { archive(acts, met, depth, time); }
-  };
-  std::vector<Unmet> unmet_;    ///< shape (n_tools)
-  double most_missed_ = 0.0;    ///< by the balance of energy in one increment [N mm]
-  double most_missed_at_ = 0.0; ///< end of that increment [s]
-  std::optional<process::IncrementReport>
-      worn_;                          ///< the first with a bad mesh that nothing replaces
-  std::optional<double> squeezed_at_; ///< time at which the metal had first no way out
+  RunRecord record_;
 };
 
 } // namespace billet::io

@@ -11,10 +11,14 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json energy_json(const process::EnergyBalance& e) {
-  return {{"external_work", e.external},       {"elastic_energy", e.elastic},
-          {"plastic_work", e.plastic},         {"friction_work", e.friction},
-          {"contact_energy", e.contact},       {"grounding_work", e.stabilization},
-          {"enforcement_work", e.penalty_update}, {"lost_in_remeshing", e.remeshing},
+  return {{"external_work", e.external},
+          {"elastic_energy", e.elastic},
+          {"plastic_work", e.plastic},
+          {"friction_work", e.friction},
+          {"contact_energy", e.contact},
+          {"grounding_work", e.stabilization},
+          {"enforcement_work", e.penalty_update},
+          {"lost_in_remeshing", e.remeshing},
           {"relative_error", e.error()}};
 }
 

@@ -150,9 +150,9 @@ LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
 }
 
 void LinearSolver::set_alone(std::span<const char> alone) {
-  if (std::equal(alone.begin(), alone.end(), alone_.begin(), alone_.end()))
+  if (std::equal(alone.begin(), alone.end(), constrained_.begin(), constrained_.end()))
     return;
-  alone_.assign(alone.begin(), alone.end());
+  constrained_.assign(alone.begin(), alone.end());
   // What knows of the fronts.
   if (last_ == single_.get() || last_ == cholmod_.get())
     last_ = nullptr;
@@ -165,8 +165,8 @@ void LinearSolver::forget() {
   last_ = nullptr;
   reuse_ = {};
   factor_of_ = FactorOf::previous;
-  symmetric_backoff_ = {};
-  single_backoff_ = {};
+  backoff_.symmetric = {};
+  backoff_.single = {};
   single_lu_serves_ = true;
   first_.clear();
   correction_ = 0.0;
@@ -360,7 +360,7 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
 const std::shared_ptr<const Elimination>& LinearSolver::elimination() {
   if (!elimination_) {
     const Stopwatch watch(work_.analysis);
-    elimination_ = std::make_shared<const Elimination>(*pattern_, order_, alone_);
+    elimination_ = std::make_shared<const Elimination>(*pattern_, order_, constrained_);
   }
   return elimination_;
 }
@@ -381,7 +381,7 @@ bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<cons
 bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
                                        std::span<const double> rhs,
                                        const SolveOptions& options) {
-  if (settings_.choice != SolverChoice::automatic || !single_backoff_.due())
+  if (settings_.choice != SolverChoice::automatic || !backoff_.single.due())
     return false;
   const auto& fronts = elimination();
   Factorization& single = prepared(single_, [&] { return make_single(fronts); });
@@ -394,7 +394,7 @@ bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
       factorize(single, "ldlt-single", matrix) && (!asks || agrees_with_itself(matrix, rhs));
   if (!serves)
     last_ = nullptr;
-  single_backoff_.take(serves);
+  backoff_.single.take(serves);
   return serves;
 }
 
@@ -436,7 +436,7 @@ Outcome<SolveReport> LinearSolver::solve_with_symmetric_part(const SparseMatrix&
     ++work_.nearly_symmetric;
   else
     free_memory(symmetric_part_.values); // LU needs the memory
-  symmetric_backoff_.take(bool(outcome));
+  backoff_.symmetric.take(bool(outcome));
   return outcome;
 }
 
@@ -469,7 +469,7 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
     if (outcome)
       return outcome;
   }
-  if (!symmetric && fast && symmetric_backoff_.due()) {
+  if (!symmetric && fast && backoff_.symmetric.due()) {
     auto outcome = solve_with_symmetric_part(matrix, rhs, x, options);
     if (outcome)
       return outcome;

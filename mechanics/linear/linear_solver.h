@@ -250,7 +250,7 @@ private:
   const BlockPattern* pattern_;
   SolverSettings settings_;
   std::vector<Index> order_;
-  std::vector<char> alone_; ///< shape (n_dofs) or none
+  std::vector<char> constrained_; ///< shape (n_dofs) or none
   std::shared_ptr<const Elimination> elimination_;
   std::unique_ptr<Factorization> single_;
   std::unique_ptr<Factorization> cholmod_;
@@ -266,8 +266,12 @@ private:
   std::vector<Index> diagonal_; ///< entry of each unknown
   std::vector<double> weights_; ///< of each unknown's residual
   SparseMatrix symmetric_part_;
-  RetryBackoff symmetric_backoff_;         ///< with the symmetric part
-  RetryBackoff single_backoff_;            ///< with L S L^T in single precision
+  /// Of ways that have failed.
+  struct Backoffs {
+    RetryBackoff symmetric; ///< the symmetric part
+    RetryBackoff single;    ///< L S L^T in single precision
+  };
+  Backoffs backoff_;
   bool single_lu_serves_ = true;           ///< whether LU in single precision is worth a try
   std::vector<std::vector<double>> first_; ///< a rough solution and a correction of it, if made
   double correction_ = 0.0;                ///< relative to that solution
