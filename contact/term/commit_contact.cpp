@@ -162,7 +162,7 @@ PointHistory ToolCommit::renew(std::size_t k, const Vec3& position, double slidi
   const bool averaged = averaged_pressure(state_.tools[index_], model_.face_of(k)) != nullptr;
   const double correction = averaged ? gap_correction(state_.tools[index_], k, penalty_.normal)
                                      : decayed(history.gap_correction, gone_);
-  const PointHistory old =
+  PointHistory old =
       std::exchange(history, PointHistory{.position = position,
                                           .sliding = sliding,
                                           .offset = std::max(0.0, decayed(history.offset, gone_)),
