@@ -34,8 +34,15 @@ constexpr double frames_by_default = 25.0;
 constexpr double rounding_of_time = 1e-9;
 
 std::string analysis_name(Analysis analysis) {
-  constexpr std::array<const char*, 3> names{"plane-strain", "axisymmetric", "3d"};
-  return names[static_cast<std::size_t>(analysis)];
+  switch (analysis) {
+  case Analysis::plane_strain:
+    return "plane-strain";
+  case Analysis::axisymmetric:
+    return "axisymmetric";
+  case Analysis::solid:
+    return "3d";
+  }
+  return "";
 }
 
 std::vector<std::string> history_columns(const process::Scene& scene) {
