@@ -50,14 +50,14 @@ std::vector<ChatteringPoint> chattering(const ContactView& contact) {
 
 bool friction_limit_bears(const ContactView& contact) {
   constexpr double rounding = 1e-9;
-  for (const ToolContact& tool : contact.state.tools) {
-    const TrialContact& trial = tool.trial;
-    for (std::size_t k = 0; k < trial.traction.size(); ++k)
-      if (const Traction& at = trial.traction[k]; trial.friction_limited[k] != 0 &&
-                                                  at.status == Status::slip && at.pressure > 0.0 &&
-                                                  at.limit >= (1.0 - rounding) * at.pressure)
+  const auto bears = [](const Traction& at) { // at least as much shear as pressure
+    return at.status == Status::slip && at.pressure > 0.0 &&
+           at.shear.norm() >= (1.0 - rounding) * at.pressure;
+  };
+  for (const ToolContact& tool : contact.state.tools)
+    for (std::size_t k = 0; k < tool.trial.traction.size(); ++k)
+      if (tool.trial.friction_limited[k] != 0 && bears(tool.trial.traction[k]))
         return true;
-  }
   return false;
 }
 

@@ -31,8 +31,8 @@ struct Checkpoint {
   std::size_t n_unknowns = 0; ///< of the nodes
   std::string scene;          ///< fingerprint of mesh and tools at the start
   std::string content;        ///< the resolved case
-  std::string run;            ///< process::Process::stored()
-  std::string results;        ///< RunWriter::stored()
+  std::string run;            ///< of the run: process::stored
+  std::string results;        ///< of what was written of it: RunRecord
 
   template <class Archive> void fields(Archive& archive) {
     archive(version, title, reason, written, time, increment, stage, n_unknowns, scene);

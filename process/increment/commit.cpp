@@ -62,6 +62,8 @@ void commit(Run& run, double dt) {
   run.state.x = run.attempt.x;
   run.state.time += dt;
   note_largest_force(run, of_stabilization);
+  if (std::exchange(run.attempt.friction_limited, false))
+    ++run.state.counters.friction_limited;
 }
 
 void accept(Run& run, double dt) {
@@ -76,7 +78,6 @@ void accept(Run& run, double dt) {
     run.state.record.events.push_back(std::exchange(run.state.record.refusal_event, {}));
   if (!run.state.record.penalty_event.empty())
     run.state.record.events.push_back(std::exchange(run.state.record.penalty_event, {}));
-  run.state.counters.friction_limited += run.attempt.friction_limited ? 1 : 0;
   ++run.state.increment;
   run.state.counters.iterations += run.attempt.iterations;
   if (run.state.increment == run.state.mesh.increment + 1)

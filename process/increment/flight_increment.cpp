@@ -50,6 +50,7 @@ void guess_flight(Run& run, const Vec3& shift, double dt) {
 
 /// Attempts an increment of the flight.
 bool try_flight(Run& run, double dt) {
+  run.attempt.friction_limited = false;
   const Vec3 shift = run.state.flights.now->carrier.shift(run.state.time, run.state.time + dt);
   if (run.model.contact)
     run.model.contact->restart();

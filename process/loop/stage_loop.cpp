@@ -35,7 +35,7 @@ namespace billet::process {
 
 namespace {
 
-constexpr int most_refusals = 3;   ///< for penetration: shorter increments seldom mend it
+constexpr int most_refusals = 3;   ///< for penetration: shorter increments seldom help
 constexpr int most_turned = 3;     ///< tries that end with an element inside out, on one mesh
 constexpr int long_to_wait = 3;    ///< tries of an increment, for a signal
 constexpr int many_failures = 2;   ///< of an increment: then a driven tool is held in places (P.32)

@@ -15,7 +15,7 @@ namespace billet::process {
 /// Where tools touch now; in the plane only.
 [[nodiscard]] std::vector<ContactZone> zones_of_contact(const Run& run);
 
-/// Whether what a tool does in a zone is to indent: pressure near the strength beneath, or an
+/// Whether what a tool does in a zone is to indent: pressure near the flow stress there, or an
 /// indentation that takes part in the work.
 [[nodiscard]] bool indents(const Run& run, const ContactZone& zone);
 

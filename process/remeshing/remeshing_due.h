@@ -15,7 +15,7 @@ namespace billet::process {
 /// Notes what remeshing needs to know of the first mesh.
 void start_remeshing(Run& run);
 
-/// The side in contact that is the most too long for the tool beneath it; excess 0: there is
+/// The side in contact that is the most too long for the tool that it touches; excess 0: there is
 /// none.
 [[nodiscard]] OutgrownSide most_outgrown_side(const Run& run);
 

@@ -84,10 +84,10 @@ bool lies_within(const Run& run, std::size_t tool, double time) {
       if (!foot.found())
         continue;
       constexpr double clear = 0.02, inside = 1e-6; // of the parent element
-      // A little beneath the tool's surface: one that touches a face has that outside.
+      // A little within the tool's surface: one that touches a face has that outside.
       const double depth = run.model.surface->depth(f);
-      const Vec3 beneath = pose.to_space(foot.foot - clear * depth * foot.normal);
-      if (foot.gap < clear * depth || locator.locate(beneath).distance > inside * depth)
+      const Vec3 within = pose.to_space(foot.foot - clear * depth * foot.normal);
+      if (foot.gap < clear * depth || locator.locate(within).distance > inside * depth)
         return false;
       any = true;
     }

@@ -29,7 +29,8 @@ void rebuild(Run& run, Part part, std::vector<double> x) {
   take_times(run); // of what goes with the old mesh
   run.clock.earlier = run.clock.times;
   run.clock.earlier_work = run.solver_work();
-  run.state.part = std::make_shared<const Part>(std::move(part));
+  // The model refers to the old part until it is built anew.
+  const auto old = std::exchange(run.state.part, std::make_shared<const Part>(std::move(part)));
   run.state.x = std::move(x);
   build(run.model, run.scene, run.part(), run.state.x);
   run.clock.analysis_before = run.model.newton->solver_work().analysis;

@@ -1,6 +1,7 @@
 // The state of a run: what it cannot go on without, as plain values.
 //
-// No pointers, no references into scene or model: it can be copied, stored and read. What is built
+// No references into scene or model, and no pointers but to the part, a constant that copies share:
+// it can be copied, stored and read. What is built
 // on the mesh keeps a state of its own (mechanics::Bulk, contact::ContactTerm, ...), which a
 // checkpoint holds next to this one.
 //

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace billet::process::run_test {
+namespace billet::process::process_test {
 namespace {
 
 /// A cylinder of radius 10 and half height 15, few elements.
@@ -199,4 +199,4 @@ TEST(Process, EndsAnImpossibleCaseWithAPostMortem) {
 }
 
 } // namespace
-} // namespace billet::process::run_test
+} // namespace billet::process::process_test

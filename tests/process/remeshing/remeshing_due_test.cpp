@@ -21,7 +21,7 @@
 #include <string>
 #include <utility>
 
-namespace billet::process::remesh_when_test {
+namespace billet::process::remeshing_due_test {
 namespace {
 
 TEST(Remeshing, ComesForWhateverItIsToldTo) {
@@ -497,4 +497,4 @@ TEST(Remeshing, ThatIsNotPossibleLeavesTheRunAsItWas) {
 }
 
 } // namespace
-} // namespace billet::process::remesh_when_test
+} // namespace billet::process::remeshing_due_test
