@@ -1,4 +1,4 @@
-// What contact says of itself: its points, its tools, what would not settle.
+// What contact says of itself: its points, its tools, what did not converge.
 
 #pragma once
 

@@ -83,7 +83,7 @@ private:
   [[nodiscard]] double tolerance(const Piece& piece) const;
   [[nodiscard]] double excess(const Piece& piece) const;
   void sample(const Piece& piece);
-  void settle(const Piece& piece);
+  void decide(const Piece& piece);
   [[nodiscard]] std::vector<Piece> take_worst(std::vector<Piece>& pool);
 
   const RigidSurface& surface_;
@@ -258,14 +258,14 @@ void Search::sample(const Piece& piece) {
   deepest_relative_ = std::max(deepest_relative_, relative);
 }
 
-void Search::settle(const Piece& piece) {
+void Search::decide(const Piece& piece) {
   if (piece.bound == infinity)
     return; // never found: beyond a rim
   result_.bound = std::max(result_.bound, piece.bound);
   result_.relative_bound = std::max(result_.relative_bound, piece.bound / depth(piece));
 }
 
-/// Settles the pieces of the pool that are good enough, and takes out those of the worse half.
+/// Decides the pieces of the pool that are good enough, and takes out those of the worse half.
 std::vector<Piece> Search::take_worst(std::vector<Piece>& pool) {
   double most = 1.0;
   for (const Piece& piece : pool)
@@ -275,7 +275,7 @@ std::vector<Piece> Search::take_worst(std::vector<Piece>& pool) {
   for (const Piece& piece : pool) {
     const double by = excess(piece);
     if (by <= 1.0 || piece.halvings >= most_halvings)
-      settle(piece);
+      decide(piece);
     else
       (by >= 0.5 * most ? worst : rest).push_back(piece);
   }
@@ -310,7 +310,7 @@ PenetrationBound Search::run() {
     pool.insert(pool.end(), halves.begin(), halves.end());
   }
   for (const Piece& piece : pool)
-    settle(piece);
+    decide(piece);
   result_.bound = std::max(result_.bound, result_.deepest.depth);
   result_.relative_bound = std::max(result_.relative_bound, result_.deepest_relative.depth);
   return result_;

@@ -321,7 +321,7 @@ namespace {
 /// Where a search for the foot has led, and whether that is one, inside the triangle or beside it.
 struct Approach {
   Parameters at;
-  bool settled;
+  bool converged;
 };
 
 /// Newton's method for (G.21) until a step is no longer than `shortest`, which it still takes.
@@ -369,10 +369,10 @@ std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) cons
     if (near_foot)
       p = led_to;
   }
-  const auto [at, settled] =
+  const auto [at, converged] =
       approach([this](const Parameters& q) { return this->at(q[0], q[1]); }, x, p, converged);
   const bool inside = std::min({at[0], at[1], 1.0 - at[0] - at[1]}) > -overlap;
-  return settled && inside ? std::optional(at) : std::nullopt;
+  return converged && inside ? std::optional(at) : std::nullopt;
 }
 
 CurvedTriangle curved_triangle(const TriangleMesh& mesh, const EdgeCurves& edges, std::size_t t) {

@@ -9,7 +9,7 @@
 #include "geometry/mesh2d/domain_refinement.h"
 #include "geometry/mesh2d/plane_smoother.h"
 #include "geometry/mesh2d/polygon_widths.h"
-#include "geometry/mesh2d/settled_loops.h"
+#include "geometry/mesh2d/snapped_loops.h"
 #include "geometry/size_field.h"
 
 #include <fmt/format.h>
@@ -122,12 +122,12 @@ public:
   Remesher(std::span<const SideLoop> loops,
            const RemeshSizes& sizes,
            Measure measure,
-           const Settle& settle,
+           const Snap& snap,
            double turn)
-      : sizes_(sizes), measure_(measure), settle_(settle), settled_(loops, settle, sizes.min) {
+      : sizes_(sizes), measure_(measure), snap_(snap), snapped_(loops, snap, sizes.min) {
     for (std::size_t i = 0; i < loops.size(); ++i) {
-      require_sound(settled_.loops()[i]);
-      curves_.emplace_back(settled_.loops()[i], static_cast<std::int32_t>(i), turn);
+      require_sound(snapped_.loops()[i]);
+      curves_.emplace_back(snapped_.loops()[i], static_cast<std::int32_t>(i), turn);
     }
     if (measure == Measure::area) // near the domain, for the sake of rounding
       origin_ = loops.front().corners.front();
@@ -219,8 +219,8 @@ private:
   [[nodiscard]] RemeshedDomain mesh_by(const SizeField& field) const {
     RefinedDomain domain = refined(field);
     for (int round = 0;; ++round) {
-      if (settle_)
-        settle(domain);
+      if (snap_)
+        snap(domain);
       restore_measure(domain, curves_, {measure_, origin_}, old_measure_);
       smooth(domain.mesh);
       const std::vector<char> flags = inverted_sides(domain.mesh);
@@ -234,12 +234,12 @@ private:
     }
   }
 
-  void settle(RefinedDomain& domain) const {
+  void snap(RefinedDomain& domain) const {
     for (std::size_t i = 0; i < domain.sides.size(); ++i) {
       BoundarySide& side = domain.mesh.boundary[i];
       const BoundaryCurve& curve = curves_[idx(domain.sides[i].loop)];
       const auto move = [&](Vec2& x, double s) {
-        x = settle_(side.segment, settled_.original(curve.place(s)), x);
+        x = snap_(side.segment, snapped_.original(curve.place(s)), x);
       };
       move(domain.mesh.points[idx(side.corners[0])], domain.sides[i].from);
       move(domain.mesh.points[idx(side.corners[1])], domain.sides[i].to);
@@ -251,7 +251,7 @@ private:
     RemeshedDomain result;
     for (const CurveSide& side : domain.sides) {
       const auto place = [&](double s) {
-        return settled_.original(curves_[idx(side.loop)].place(s));
+        return snapped_.original(curves_[idx(side.loop)].place(s));
       };
       result.corner_places.push_back(place(side.from));
       result.middle_places.push_back(place(side.middle()));
@@ -264,8 +264,8 @@ private:
 
   const RemeshSizes& sizes_;
   Measure measure_;
-  const Settle& settle_;
-  SettledLoops settled_;
+  const Snap& snap_;
+  SnappedLoops snapped_;
   std::vector<BoundaryCurve> curves_;
   Vec2 origin_ = Vec2::Zero();
   double old_measure_ = 0.0;
@@ -277,20 +277,20 @@ private:
 RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
                              const RemeshSizes& sizes,
                              Measure measure,
-                             const Settle& settle) {
+                             const Snap& snap) {
   if (loops.empty())
     throw Error(Fault::geometry, "", "a domain without a boundary");
   require_sound(sizes);
   for (const SideLoop& loop : loops)
     require_sound(loop);
   try {
-    return Remesher(loops, sizes, measure, settle, corner_turn).run();
+    return Remesher(loops, sizes, measure, snap, corner_turn).run();
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)
       throw;
   }
   // A smooth curve may cut its own corners: at the mouth of a fold that closes, the other lip.
-  return Remesher(loops, sizes, measure, settle, fold_turn).run();
+  return Remesher(loops, sizes, measure, snap, fold_turn).run();
 }
 
 } // namespace billet::geometry

@@ -70,7 +70,7 @@ struct BoundaryPlace {
 /// Called for both corners and the middle of every side: part of the side, place on the old
 /// boundary, position on its curve; returns the new position [mm]. Nodes of sides that are not held
 /// are moved for the measure afterwards.
-using Settle = std::function<Vec2(std::int32_t part, const BoundaryPlace& at, const Vec2& x)>;
+using Snap = std::function<Vec2(std::int32_t part, const BoundaryPlace& at, const Vec2& x)>;
 
 /// The new mesh and where its boundary comes from.
 struct RemeshedDomain {
@@ -87,7 +87,7 @@ struct RemeshedDomain {
 /// than 30 degrees (10 where it would touch itself otherwise) and more than the sides beside it do.
 /// (G.40)
 ///
-/// @param settle  puts nodes of the boundary where they should be; empty: they stay on its curve
+/// @param snap  puts nodes of the boundary where they should be; empty: they stay on its curve
 /// @param loops  one that turns left around each piece of the domain, and one that turns right
 ///               around each of its holes
 /// @throws Error(Fault::geometry), with the place, if loops cross or touch themselves or each
@@ -96,6 +96,6 @@ struct RemeshedDomain {
 [[nodiscard]] RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
                                            const RemeshSizes& sizes,
                                            Measure measure,
-                                           const Settle& settle = {});
+                                           const Snap& snap = {});
 
 } // namespace billet::geometry

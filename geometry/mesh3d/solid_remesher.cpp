@@ -176,7 +176,7 @@ Attempt attempt(const BoundarySurface& surface,
                 const SpaceSizeField& size,
                 double most,
                 double volume,
-                const SettleSolid& settle) {
+                const SnapSolid& snap) {
   Attempt made;
   const SpaceSize size_at = [&](const Vec3& x) { return size(x); };
   const PatchedSurface patches = patched(surface);
@@ -191,8 +191,8 @@ Attempt attempt(const BoundarySurface& surface,
   if (std::abs(shell.volume() - old_volume) > volume_share * old_volume)
     return {std::move(made.shell), -1.0, "a thin place was lost", surface.boundary().mesh.points};
   shell.slide(wanted_quality);
-  if (settle)
-    shell.settle(settle);
+  if (snap)
+    shell.snap(snap);
   shell.restore_volume(volume);
   shell.smooth(wanted_quality);
   for (int round = 0; round < most_straightenings && shell.straighten(); ++round)
@@ -209,7 +209,7 @@ Attempt attempt(const BoundarySurface& surface,
 RemeshedSolid remesh_solid(const SolidBoundary& boundary,
                            const SolidSizes& sizes,
                            double volume,
-                           const SettleSolid& settle) {
+                           const SnapSolid& snap) {
   require_sound(sizes);
   require_sound(boundary);
   const BoundarySurface surface(boundary, sizes.max);
@@ -222,7 +222,7 @@ RemeshedSolid remesh_solid(const SolidBoundary& boundary,
     const SpaceSizeField field(samples, sizes.max, sizes.growth);
     Attempt next;
     try {
-      next = attempt(surface, field, most, volume, settle);
+      next = attempt(surface, field, most, volume, snap);
     } catch (const Error&) {
       if (best.shell == nullptr)
         throw;

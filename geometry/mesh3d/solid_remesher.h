@@ -39,7 +39,7 @@ struct SolidSizes {
 /// Called for the corners and the middles of edges: parts of the faces around it, place on the old
 /// boundary, position on its surface; returns the new position [mm]. Nodes of faces that are not
 /// held are moved for the volume afterwards.
-using SettleSolid =
+using SnapSolid =
     std::function<Vec3(std::span<const std::int32_t> parts, const SurfacePlace& at, const Vec3& x)>;
 
 /// The new mesh and where its boundary comes from.
@@ -79,13 +79,13 @@ struct RemeshedSolid {
 /// than 30 degrees. (G.45)
 ///
 /// @param volume  what the new mesh is to have [mm^3]
-/// @param settle  puts nodes of the boundary where they should be; empty: they stay on its surface
+/// @param snap  puts nodes of the boundary where they should be; empty: they stay on its surface
 /// @throws Error(Fault::geometry), with the place, if the boundary is open, cuts itself or cannot
 ///         be meshed, or not with as many tetrahedra as the sizes let expect, two hundred thousand
 ///         at most
 [[nodiscard]] RemeshedSolid remesh_solid(const SolidBoundary& boundary,
                                          const SolidSizes& sizes,
                                          double volume,
-                                         const SettleSolid& settle = {});
+                                         const SnapSolid& snap = {});
 
 } // namespace billet::geometry

@@ -243,7 +243,7 @@ void SolidShell::smooth(double wanted) {
   improve_nodes(movable, wanted);
 }
 
-void SolidShell::settle(const SettleSolid& settle) {
+void SolidShell::snap(const SnapSolid& snap) {
   std::vector<std::set<std::int32_t>> parts(seats_.size());
   const SolidBoundary& boundary = surface_.boundary();
   for (const PatchedSolid::Facet& facet : solid_.facets)
@@ -255,7 +255,7 @@ void SolidShell::settle(const SettleSolid& settle) {
   for (std::size_t node = 0; node < seats_.size(); ++node)
     if (!parts[node].empty()) {
       const std::vector<std::int32_t> list(parts[node].begin(), parts[node].end());
-      position(node) = settle(list, places_[node], position(node));
+      position(node) = snap(list, places_[node], position(node));
     }
 }
 

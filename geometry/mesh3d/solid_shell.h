@@ -32,7 +32,7 @@ public:
   void slide(double wanted);
   /// The same inside alone.
   void smooth(double wanted);
-  void settle(const SettleSolid& settle);
+  void snap(const SnapSolid& snap);
   /// Shifts free nodes along their normals until the volume is `wanted`; none free: does nothing.
   /// (G.48)
   void restore_volume(double wanted);

@@ -18,7 +18,7 @@ namespace {
 constexpr double opposite = -0.766;
 
 /// A ball that shrinks by less than this has its size.
-constexpr double settled = 1e-3;
+constexpr double converged = 1e-3;
 /// Places nearer to each other than this share of the widest gap are the same.
 constexpr double same = 1e-9;
 constexpr int most_rounds_of_balls = 30;
@@ -38,7 +38,7 @@ ball_at(const RigidSurface& surface, const Vec3& x, const Vec3& n, double most) 
     if (way.dot(n) <= 0.0)
       return std::nullopt; // rounding
     const double smaller = 0.5 * way.squaredNorm() / way.dot(n);
-    if (smaller > (1.0 - settled) * radius)
+    if (smaller > (1.0 - converged) * radius)
       break;
     beyond = foot.foot;
     radius = smaller;

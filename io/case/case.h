@@ -12,6 +12,8 @@
 #include "geometry/base/time_function.h"
 #include "io/case/case_tool.h"
 #include "io/case/case_workpiece.h"
+#include "mechanics/equilibrium/analysis.h"
+#include "mechanics/linear/solver_settings.h"
 
 #include <array>
 #include <map>
@@ -22,7 +24,7 @@
 
 namespace billet::io {
 
-enum class Analysis { plane_strain, axisymmetric, solid };
+using mechanics::Analysis;
 
 /// The system of units of all numbers of a case, and the labels to print beside them.
 struct UnitSystem {
@@ -120,11 +122,10 @@ struct TimeSettings {
   bool operator==(const TimeSettings&) const = default;
 };
 
-enum class LinearSolverChoice { automatic, cholmod, mumps, umfpack };
 enum class Accuracy { draft, standard, fine };
 
 struct SolverSettings {
-  LinearSolverChoice linear = LinearSolverChoice::automatic;
+  mechanics::SolverChoice linear = mechanics::SolverChoice::automatic;
   double tolerance = 1e-6;    ///< relative residual [-]
   std::optional<int> threads; ///< absent: all of the machine
   bool reproducible = false;  ///< the same bits for any number of threads

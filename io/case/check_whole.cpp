@@ -85,7 +85,7 @@ void check_range(const At& at, const mechanics::HanselSpittel& law, double T) {
 }
 
 /// The default hardness of a law that gives an initial yield stress at a temperature.
-void settle_hardness(Case& content) {
+void complete_hardness(Case& content) {
   const auto found = content.materials.find(content.workpiece.material);
   if (found == content.materials.end() || found->second.hardness || !found->second.flow ||
       !content.temperature)
@@ -158,7 +158,7 @@ bool has_foreign_key(const std::optional<At>& time) {
 }
 
 /// The end of the run is given by [time] or by the last stage.
-void settle_end(const At& root, Case& content) {
+void complete_end(const At& root, Case& content) {
   const std::optional<At> time = child(root, "time");
   const std::optional<At> end = child(time, "end");
   if (content.stages.empty()) {
@@ -199,10 +199,10 @@ void check_whole(const At& root, Case& content) {
   refuse_same_names(root, "stage");
   check_material(root, content);
   check_temperature(root, content);
-  settle_hardness(content);
+  complete_hardness(content);
   check_stage_tools(root);
   check_stage_ends(root, content);
-  settle_end(root, content);
+  complete_end(root, content);
   check_increments(root, content);
   check_frame_times(root, content);
 }

@@ -27,10 +27,10 @@ inline constexpr std::array real_contacts{
     Word<contact::Flattening>{"wanheim-bay", contact::Flattening::wanheim_bay},
     Word<contact::Flattening>{"bowden-tabor", contact::Flattening::bowden_tabor}};
 inline constexpr std::array linear_solvers{
-    Word<LinearSolverChoice>{"auto", LinearSolverChoice::automatic},
-    Word<LinearSolverChoice>{"cholmod", LinearSolverChoice::cholmod},
-    Word<LinearSolverChoice>{"mumps", LinearSolverChoice::mumps},
-    Word<LinearSolverChoice>{"umfpack", LinearSolverChoice::umfpack}};
+    Word<mechanics::SolverChoice>{"auto", mechanics::SolverChoice::automatic},
+    Word<mechanics::SolverChoice>{"cholmod", mechanics::SolverChoice::cholmod},
+    Word<mechanics::SolverChoice>{"mumps", mechanics::SolverChoice::mumps},
+    Word<mechanics::SolverChoice>{"umfpack", mechanics::SolverChoice::umfpack}};
 inline constexpr std::array accuracies{Word<Accuracy>{"draft", Accuracy::draft},
                                        Word<Accuracy>{"standard", Accuracy::standard},
                                        Word<Accuracy>{"fine", Accuracy::fine}};

@@ -77,7 +77,7 @@ bool TableReader::is_known(const std::string& key) const {
   return std::find(known_.begin(), known_.end(), key) != known_.end();
 }
 
-bool TableReader::settle_missing(const std::string& key) {
+bool TableReader::resolve_missing(const std::string& key) {
   const auto at = std::find_if(missing_.begin(), missing_.end(),
                                [&](const Missing& missing) { return missing.key == key; });
   if (at == missing_.end())
@@ -92,12 +92,12 @@ std::string TableReader::remedy_for(const std::string& key, std::size_t n_unknow
   for (const Missing& one : missing_)
     missing.push_back(one.key);
   if (const std::optional<Meant> word = meant(key, missing)) {
-    settle_missing(word->word);
+    resolve_missing(word->word);
     return word->text();
   }
   std::string remedy = suggestion(key, known_);
   if (missing.size() == 1 && n_unknown == 1) {
-    settle_missing(missing.front());
+    resolve_missing(missing.front());
     remedy =
         fmt::format("'{}' is missing{}{}", missing.front(), remedy.empty() ? "" : "; ", remedy);
   }

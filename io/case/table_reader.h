@@ -111,7 +111,7 @@ private:
 
   [[nodiscard]] bool is_known(const std::string& key) const;
   /// Withdraws the complaint of a missing key. False: it is not missing.
-  bool settle_missing(const std::string& key);
+  bool resolve_missing(const std::string& key);
   /// What is said of an unknown key.
   [[nodiscard]] std::string remedy_for(const std::string& key, std::size_t n_unknown);
 

@@ -98,7 +98,7 @@ void on_limited_friction(const process::Run& run, Lines& lines) {
 
 void on_fading_forces(const process::Run& run, Lines& lines) {
   constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
-  if (const double flow = run.state.leaving.flow_in_fading;
+  if (const double flow = run.state.leaving.flow_in_decay;
       flow > springback * run.state.energy.plastic)
     lines.push_back(fmt::format(
         "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "

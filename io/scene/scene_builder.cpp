@@ -506,7 +506,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   process::Scene& scene = built.scene;
   scene.title = content.title;
   note_keys_without_effect(content, built.notes);
-  scene.part.analysis = static_cast<mechanics::Analysis>(content.analysis);
+  scene.part.analysis = content.analysis;
   const ElementKind kind = element_kind(content.workpiece.element);
   scene.part.mesh = std::visit(MeshMaker{kind, built.notes, say}, content.workpiece.mesh);
   const geometry::Pose pose = pose_of(content.workpiece.place);
@@ -545,7 +545,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
     scene.remesh = remesh_settings(*content.remesh);
   }
   scene.tolerance = content.solver.tolerance;
-  scene.solver.choice = static_cast<mechanics::SolverChoice>(content.solver.linear);
+  scene.solver.choice = content.solver.linear;
   return built;
 }
 

@@ -136,7 +136,7 @@ template <class Shape> struct NearestPlace {
       xi += step;
       if (!xi.allFinite() || xi.cwiseAbs().maxCoeff() > astray)
         return false;
-      if (step.cwiseAbs().maxCoeff() < settled) {
+      if (step.cwiseAbs().maxCoeff() < converged) {
         distance2 = offset(xi).squaredNorm();
         return inside(xi, slack);
       }
@@ -154,14 +154,14 @@ template <class Shape> struct NearestPlace {
       if (!step.allFinite() || !inside(xi + step, 0.0))
         step = bounded_step<Shape>(J.transpose() * J / J.squaredNorm(),
                                    J.transpose() * d / J.squaredNorm(), xi);
-      if (!step.allFinite() || !advance(step) || step.cwiseAbs().maxCoeff() < settled)
+      if (!step.allFinite() || !advance(step) || step.cwiseAbs().maxCoeff() < converged)
         return;
     }
   }
 
 private:
-  static constexpr double settled = 1e-8; // of natural coordinates; the next step is its square
-  static constexpr double astray = 10.0;  // likewise; such a point lies in another element
+  static constexpr double converged = 1e-8; // of natural coordinates; the next step is its square
+  static constexpr double astray = 10.0;    // likewise; such a point lies in another element
 
   static RefPoint<dim> reference(const Vector& at) {
     RefPoint<dim> place;

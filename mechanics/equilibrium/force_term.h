@@ -10,6 +10,7 @@
 #pragma once
 
 #include "geometry/base/outcome.h"
+#include "mechanics/equilibrium/analysis.h"
 #include "mechanics/linear/sparse_matrix.h"
 
 #include <algorithm>
@@ -17,9 +18,6 @@
 #include <vector>
 
 namespace billet::mechanics {
-
-/// Reduction of the scene to the unknowns it needs.
-enum class Analysis { plane_strain, axisymmetric, solid };
 
 /// What contact is softer by on the way to a solution. (N.10)
 struct Softening {

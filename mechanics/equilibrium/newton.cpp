@@ -128,7 +128,7 @@ void Newton::mark(const Prescribed& prescribed) {
     const auto is_fixed = [this](Index j) { return fixed_[idx(j)] != 0; };
     beside_fixed_[i] = std::any_of(first, last, is_fixed) ? 1 : 0;
   }
-  solver_.set_alone(std::span<const char>(fixed_).first(beside_fixed_.size()));
+  solver_.set_constrained(std::span<const char>(fixed_).first(beside_fixed_.size()));
 }
 
 Outcome<Newton::Norms>

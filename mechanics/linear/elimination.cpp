@@ -42,11 +42,12 @@ Symbolic analyzed(const OrderedTriangle& triangle, cholmod_common& common) {
   return analysis;
 }
 
-std::vector<Index> with_alone_first(std::span<const Index> order, std::span<const char> alone) {
+std::vector<Index> with_constrained_first(std::span<const Index> order,
+                                          std::span<const char> constrained) {
   std::vector<Index> sorted(order.begin(), order.end());
-  if (!alone.empty())
+  if (!constrained.empty())
     std::stable_partition(sorted.begin(), sorted.end(),
-                          [&](Index unknown) { return alone[idx(unknown)] != 0; });
+                          [&](Index unknown) { return constrained[idx(unknown)] != 0; });
   return sorted;
 }
 
@@ -54,7 +55,7 @@ std::vector<Index> with_alone_first(std::span<const Index> order, std::span<cons
 
 OrderedTriangle::OrderedTriangle(const BlockPattern& pattern,
                                  std::span<const Index> order,
-                                 std::span<const char> alone)
+                                 std::span<const char> constrained)
     : start{0} {
   std::vector<Index> place(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -71,7 +72,7 @@ OrderedTriangle::OrderedTriangle(const BlockPattern& pattern,
     return pattern.row_start[idx(std::min(a, b))] + static_cast<Index>(at);
   };
   const auto coupled = [&](Index a, Index b) {
-    return a == b || alone.empty() || (alone[idx(a)] == 0 && alone[idx(b)] == 0);
+    return a == b || constrained.empty() || (constrained[idx(a)] == 0 && constrained[idx(b)] == 0);
   };
   std::vector<std::pair<Index, Index>> column; // row, entry
   for (std::size_t j = 0; j < order.size(); ++j) {
@@ -118,15 +119,16 @@ void keep_order(cholmod_common& common) {
 
 Elimination::Elimination(const BlockPattern& pattern,
                          std::span<const Index> order,
-                         std::span<const char> alone)
-    : dim_(pattern.dim), order_(with_alone_first(order, alone)), triangle_(pattern, order_, alone) {
+                         std::span<const char> constrained)
+    : dim_(pattern.dim), order_(with_constrained_first(order, constrained)),
+      triangle_(pattern, order_, constrained) {
   Session session;
-  follow_elimination(pattern, alone, session.common());
+  follow_elimination(pattern, constrained, session.common());
   find_fronts(session.common());
 }
 
 void Elimination::follow_elimination(const BlockPattern& pattern,
-                                     std::span<const char> alone,
+                                     std::span<const char> constrained,
                                      cholmod_common& common) {
   common.postorder = 1;
   const Symbolic trial = analyzed(triangle_, common);
@@ -136,7 +138,7 @@ void Elimination::follow_elimination(const BlockPattern& pattern,
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = order_[idx(then[i])];
   order_ = std::move(order);
-  triangle_ = OrderedTriangle(pattern, order_, alone);
+  triangle_ = OrderedTriangle(pattern, order_, constrained);
 }
 
 void Elimination::find_fronts(cholmod_common& common) {

@@ -22,10 +22,10 @@ struct OrderedTriangle {
   std::vector<Index> rows;    ///< ascending within a column
   std::vector<Index> entries; ///< of the matrix that the values are taken from
 
-  /// @param alone  by unknown, not 0: it is coupled with no other
+  /// @param constrained  by unknown, not 0: it is coupled with no other
   OrderedTriangle(const BlockPattern& pattern,
                   std::span<const Index> order,
-                  std::span<const char> alone);
+                  std::span<const char> constrained);
   /// As CHOLMOD sees it, which only reads it.
   ///
   /// @param values  of the rows; empty: the structure alone
@@ -46,12 +46,13 @@ struct Front {
 class Elimination {
 public:
   /// @param order  fill-reducing: place i holds unknown order[i]
-  /// @param alone  by unknown, not 0: it is coupled with no other, whatever the pattern says, and
+  /// @param constrained  by unknown, not 0: it is coupled with no other, whatever the pattern says,
+  /// and
   ///               comes first; empty: none
   /// @throws std::bad_alloc
   Elimination(const BlockPattern& pattern,
               std::span<const Index> order,
-              std::span<const char> alone = {});
+              std::span<const char> constrained = {});
 
   [[nodiscard]] int dim() const { return dim_; } ///< unknowns a node
   /// As it was given, but for branches of the elimination tree that now come one after another.
@@ -67,7 +68,7 @@ public:
 
 private:
   void follow_elimination(const BlockPattern& pattern,
-                          std::span<const char> alone,
+                          std::span<const char> constrained,
                           cholmod_common_struct& common);
   void find_fronts(cholmod_common_struct& common);
 

@@ -149,10 +149,10 @@ LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
   order_ = fill_reducing_order(pattern);
 }
 
-void LinearSolver::set_alone(std::span<const char> alone) {
-  if (std::equal(alone.begin(), alone.end(), constrained_.begin(), constrained_.end()))
+void LinearSolver::set_constrained(std::span<const char> constrained) {
+  if (std::equal(constrained.begin(), constrained.end(), constrained_.begin(), constrained_.end()))
     return;
-  constrained_.assign(alone.begin(), alone.end());
+  constrained_.assign(constrained.begin(), constrained.end());
   // What knows of the fronts.
   if (last_ == single_.get() || last_ == cholmod_.get())
     last_ = nullptr;

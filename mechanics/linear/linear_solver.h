@@ -15,6 +15,7 @@
 #include "geometry/base/outcome.h"
 #include "mechanics/linear/elimination.h"
 #include "mechanics/linear/gmres.h"
+#include "mechanics/linear/solver_settings.h"
 #include "mechanics/linear/sparse_matrix.h"
 
 #include <array>
@@ -24,15 +25,6 @@
 #include <vector>
 
 namespace billet::mechanics {
-
-/// Which factorization solves the systems.
-enum class SolverChoice { automatic, cholmod, mumps, umfpack };
-
-/// How systems are solved.
-struct SolverSettings {
-  SolverChoice choice = SolverChoice::automatic;
-  int threads = 1; ///< of large factorizations; the bits of a result depend on them
-};
 
 /// What is asked of a solution.
 struct SolveOptions {
@@ -155,8 +147,8 @@ public:
   /// From now on the entries that couple these unknowns with others are zero in every matrix: what
   /// is prescribed takes no part in factorizations.
   ///
-  /// @param alone  shape (n_dofs), not 0: such an unknown
-  void set_alone(std::span<const char> alone);
+  /// @param constrained  shape (n_dofs), not 0: such an unknown
+  void set_constrained(std::span<const char> constrained);
 
   /// Solves matrix * x = rhs; `symmetric` promises that the matrix is.
   ///

@@ -30,35 +30,36 @@ std::string written(const Vec3& p, int dimension) {
 }
 
 /// A side of a cell; in the plane an edge.
-struct CellSide {
+struct ElementFace {
   Index element;
   std::vector<Index> nodes;   ///< corners in their order, outward, then those in the middle
   std::vector<Index> corners; ///< sorted
 };
 
-std::vector<CellSide> all_sides(const Mesh& mesh) {
+std::vector<ElementFace> all_faces(const Mesh& mesh) {
   const std::size_t n = corners_per_face(mesh.kind);
-  std::vector<CellSide> sides;
+  std::vector<ElementFace> sides;
   for (Index element = 0; element < mesh.n_elements(); ++element)
     for (const std::vector<int>& local : face_nodes(mesh.kind)) {
-      CellSide side{element, {}, {}};
+      ElementFace side{element, {}, {}};
       for (const int node : local)
         side.nodes.push_back(mesh.cell(element)[static_cast<std::size_t>(node)]);
       side.corners.assign(side.nodes.begin(), side.nodes.begin() + static_cast<std::ptrdiff_t>(n));
       std::sort(side.corners.begin(), side.corners.end());
       sides.push_back(std::move(side));
     }
-  std::stable_sort(sides.begin(), sides.end(),
-                   [](const CellSide& a, const CellSide& b) { return a.corners < b.corners; });
+  std::stable_sort(sides.begin(), sides.end(), [](const ElementFace& a, const ElementFace& b) {
+    return a.corners < b.corners;
+  });
   return sides;
 }
 
 /// Calls `visit` with each group of sides that have the same corners.
-template <class Visit> void for_each_group(std::span<const CellSide> sides, Visit&& visit) {
+template <class Visit> void for_each_group(std::span<const ElementFace> sides, Visit&& visit) {
   for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(first, sides.end(),
-                                   [&](const CellSide& s) { return s.corners != first->corners; });
-    visit(std::span<const CellSide>(first, last));
+    const auto last = std::find_if(
+        first, sides.end(), [&](const ElementFace& s) { return s.corners != first->corners; });
+    visit(std::span<const ElementFace>(first, last));
     first = last;
   }
 }
@@ -127,16 +128,16 @@ struct Doubled {
   std::vector<std::array<Index, 2>> beside;        ///< likewise, the other way round
 };
 
-std::vector<CellSide> free_sides(std::span<const CellSide> sides) {
-  std::vector<CellSide> free;
-  for_each_group(sides, [&](std::span<const CellSide> group) {
+std::vector<ElementFace> free_faces(std::span<const ElementFace> sides) {
+  std::vector<ElementFace> free;
+  for_each_group(sides, [&](std::span<const ElementFace> group) {
     if (group.size() == 1)
       free.push_back(group.front());
   });
   return free;
 }
 
-Doubled doubled(const Mesh& mesh, std::span<const CellSide> free, PlaceNumbers& numbers) {
+Doubled doubled(const Mesh& mesh, std::span<const ElementFace> free, PlaceNumbers& numbers) {
   Doubled result;
   const std::size_t n = corners_per_face(mesh.kind);
   std::map<std::vector<Index>, std::pair<Index, std::vector<Index>>> seen; // by sorted places
@@ -182,7 +183,7 @@ Index n_parts(const Mesh& mesh) {
 }
 
 /// Places in the middle of a free side's edges, and of itself, where no corner of another may be.
-std::vector<Vec3> places_between_corners(const Mesh& mesh, const CellSide& side) {
+std::vector<Vec3> places_between_corners(const Mesh& mesh, const ElementFace& side) {
   const std::size_t n = side.corners.size();
   std::vector<Vec3> places;
   for (std::size_t a = 0; a < (n == 2 ? 1 : n); ++a)
@@ -211,7 +212,10 @@ double tolerance(const Mesh& mesh) {
 
 /// Whether two sides with the same corners have nodes in their middle in the same places, but not
 /// the same nodes. Two curved sides may well have the same corners and a hole between them.
-bool middles_coincide(const Mesh& mesh, const CellSide& a, const CellSide& b, double tolerance) {
+bool middles_coincide(const Mesh& mesh,
+                      const ElementFace& a,
+                      const ElementFace& b,
+                      double tolerance) {
   const auto n = static_cast<std::ptrdiff_t>(a.corners.size());
   return std::all_of(a.nodes.begin() + n, a.nodes.end(), [&](Index node) {
     return std::any_of(b.nodes.begin() + n, b.nodes.end(), [&](Index other) {
@@ -225,19 +229,19 @@ bool middles_coincide(const Mesh& mesh, const CellSide& a, const CellSide& b, do
 } // namespace
 
 std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& place) {
-  const std::vector<CellSide> sides = all_sides(mesh);
+  const std::vector<ElementFace> sides = all_faces(mesh);
   const std::size_t n = corners_per_face(mesh.kind);
   const double near = tolerance(mesh);
   std::vector<std::string> crowded, on_each_other, apart;
-  const auto where = [&](const CellSide& side) {
+  const auto where = [&](const ElementFace& side) {
     return written(centre_of(mesh, std::span(side.nodes).first(n)), mesh.dimension());
   };
-  for_each_group(sides, [&](std::span<const CellSide> group) {
-    const CellSide& a = group.front();
+  for_each_group(sides, [&](std::span<const ElementFace> group) {
+    const ElementFace& a = group.front();
     if (group.size() > 2) {
       crowded.push_back(fmt::format("{} elements share the side at {}", group.size(), where(a)));
     } else if (group.size() == 2) {
-      const CellSide& b = group.back();
+      const ElementFace& b = group.back();
       const std::string pair = fmt::format("elements {} and {}", a.element, b.element);
       if (same_sense(std::span(a.nodes).first(n), std::span(b.nodes).first(n)))
         on_each_other.push_back(
@@ -249,7 +253,7 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
                         pair, where(a)));
     }
   });
-  const std::vector<CellSide> free = free_sides(sides);
+  const std::vector<ElementFace> free = free_faces(sides);
   PlaceNumbers numbers(near);
   for (const auto& [i, j] : doubled(mesh, free, numbers).on_each_other)
     on_each_other.push_back(fmt::format(
@@ -274,12 +278,12 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
 std::vector<std::string> loose_connections(const Mesh& mesh) {
   std::vector<std::string> found;
   const std::size_t n = corners_per_face(mesh.kind);
-  const std::vector<CellSide> sides = all_sides(mesh);
-  const std::vector<CellSide> free = free_sides(sides);
+  const std::vector<ElementFace> sides = all_faces(mesh);
+  const std::vector<ElementFace> free = free_faces(sides);
   PlaceNumbers numbers(tolerance(mesh));
   const Doubled pairs = doubled(mesh, free, numbers); // all free corners are numbered now
   if (!pairs.beside.empty()) {
-    const CellSide& first = free[static_cast<std::size_t>(pairs.beside.front()[0])];
+    const ElementFace& first = free[static_cast<std::size_t>(pairs.beside.front()[0])];
     found.push_back(fmt::format(
         "the mesh is not joined along {} pair(s) of sides, the first at {}: they lie on each other "
         "but have nodes of their own, so the part opens there like a crack; merge nodes that lie "
@@ -288,7 +292,7 @@ std::vector<std::string> loose_connections(const Mesh& mesh) {
         written(centre_of(mesh, std::span(first.nodes).first(n)), mesh.dimension())));
   }
   std::vector<Vec3> hanging;
-  for (const CellSide& side : free)
+  for (const ElementFace& side : free)
     for (const Vec3& place : places_between_corners(mesh, side))
       if (numbers.find(place))
         hanging.push_back(place);
@@ -297,8 +301,8 @@ std::vector<std::string> loose_connections(const Mesh& mesh) {
         "corners of elements lie in the middle of {} other elements' sides or edges without being "
         "joined to them, the first at {}: the part opens there; refine without hanging nodes",
         hanging.size(), written(hanging.front(), mesh.dimension())));
-  for_each_group(sides, [&](std::span<const CellSide> group) {
-    const CellSide& a = group.front();
+  for_each_group(sides, [&](std::span<const ElementFace> group) {
+    const ElementFace& a = group.front();
     if (group.size() == 2 &&
         !std::is_permutation(a.nodes.begin(), a.nodes.end(), group.back().nodes.begin()))
       found.push_back(

@@ -20,7 +20,7 @@ balance_of(const Run& run, double elastic, double plastic, const contact::Contac
   energy.plastic = plastic;
   energy.external =
       run.state.works.supports - run.state.works.tools_gone + run.state.works.loads_before;
-  for (const auto* loads : {&run.model.loads, &run.model.fading})
+  for (const auto* loads : {&run.model.loads, &run.model.decaying})
     for (const auto& load : *loads)
       energy.external += load->work();
   if (contact != nullptr) {
@@ -63,7 +63,7 @@ EnergyBalance energy_after(const Run& run, double dt) {
                  run.model.bulk->plastic_work() + run.model.bulk->trial_plastic_work(),
                  contact ? &*contact : nullptr);
   energy.external += work_of_supports(run, dt);
-  for (const auto* loads : {&run.model.loads, &run.model.fading})
+  for (const auto* loads : {&run.model.loads, &run.model.decaying})
     for (const auto& load : *loads)
       energy.external += load->work_in(trial);
   if (run.model.stabilization)

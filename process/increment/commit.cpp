@@ -71,7 +71,7 @@ void accept(Run& run, double dt) {
     take_snapshot(run);
     note_forces(run);
   }
-  const bool fades = run.state.time < run.state.leaving.fading_until;
+  const bool fades = run.state.time < run.state.leaving.decay_until;
   run.attempt.chattering.clear();
   commit(run, dt);
   if (!run.state.record.refusal_event.empty())
@@ -87,7 +87,7 @@ void accept(Run& run, double dt) {
   const double plastic = run.state.energy.plastic;
   update_energy(run);
   if (fades && contact::bearing_area(*run.model.contact) == 0.0)
-    run.state.leaving.flow_in_fading += run.state.energy.plastic - plastic;
+    run.state.leaving.flow_in_decay += run.state.energy.plastic - plastic;
   run.state.springs_back = run.state.energy.external < external;
   account_contact(run, dt);
   run.attempt.none = true;

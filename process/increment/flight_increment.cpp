@@ -101,7 +101,7 @@ bool flies(Run& run, const Stage& stage, double length) {
     return false;
   }();
   if (releases || run.state.time < run.state.flights.none_before || stage.unload ||
-      run.state.time < run.state.leaving.fading_until || !run.model.retreating.empty() ||
+      run.state.time < run.state.leaving.decay_until || !run.model.retreating.empty() ||
       (run.model.blows && run.model.blows->under_way()) || relaxes)
     return false;
   run.state.flights.now =

@@ -61,14 +61,14 @@ Snapshot snapshot(const Run& run) {
   s.load_work = run.state.works.loads_before;
   for (const auto& load : run.model.loads)
     s.load_work += load->work();
-  for (const auto& load : run.model.fading)
+  for (const auto& load : run.model.decaying)
     s.load_work += load->work();
   s.stabilization = run.state.energy.stabilization;
   return s;
 }
 
 void take_snapshot(Run& run) {
-  if (run.state.time < run.state.leaving.fading_until)
+  if (run.state.time < run.state.leaving.decay_until)
     return; // a new mesh does not know the forces of tools that have left
   // What the transfer has left too low is back where it was after that much flow.
   const bool in_space = run.mesh().dimension() == 3;

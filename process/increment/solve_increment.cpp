@@ -108,7 +108,7 @@ Outcome<Done> try_increment(Run& run, double dt, mechanics::Continuation continu
   if (share != 1.0 && solved_with(1.0)) // what held the part so far may have gone
     return solved;
   // Forces that fade keep their directions: a bent sheet between them may be about to turn over.
-  if (run.state.time < run.state.leaving.fading_until && !touched(run))
+  if (run.state.time < run.state.leaving.decay_until && !touched(run))
     for (const double stiffer : {10.0, 100.0, 1e3})
       if (stiffer > share && solved_with(stiffer))
         return solved;

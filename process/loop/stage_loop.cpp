@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -199,9 +200,9 @@ void StageLoop::take(const Step& step) {
   // While forces fade no mesh is made, so one that is due then comes before tools return.
   const bool goes_on =
       run_.state.time < stage_.end || (stage_.unload && &stage_ != &run_.scene.stages.back());
-  if (const std::string cause = remeshing_due(run_, stage_.end - run_.state.time);
-      !cause.empty() && goes_on)
-    remesh_for(cause, {});
+  if (const std::optional<std::string> cause = remeshing_due(run_, stage_.end - run_.state.time);
+      cause && goes_on)
+    remesh_for(*cause, {});
 }
 
 bool StageLoop::goes_on_with_new_mesh(const Step& step) {
@@ -222,7 +223,7 @@ void StageLoop::leave_forces_behind() {
                                     "further they do not hold the part";
   put_tools_back(run_);
   run_.model.contact->activity().enable(std::vector<char>(run_.tools().size(), 0));
-  run_.state.leaving.fading_until = run_.state.time;
+  run_.state.leaving.decay_until = run_.state.time;
   progress_.control = IncrementControl(progress_.limits);
   progress_.failures = progress_.refusals = 0;
 }

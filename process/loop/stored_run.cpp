@@ -62,7 +62,7 @@ std::string stored(const Run& run) {
   archive(*run.model.bulk, static_cast<std::uint64_t>(run.model.loads.size()));
   for (const auto& load : run.model.loads)
     archive(*load);
-  for (const auto& load : run.model.fading)
+  for (const auto& load : run.model.decaying)
     archive(*load);
   archive(has(run.model.stabilization), has(run.model.contact), has(run.model.blows),
           has(run.model.wear));
@@ -96,9 +96,9 @@ void restore_model(Run& run, ArchiveReader& archive) {
     another_scene("loads");
   for (const auto& load : run.model.loads)
     archive(*load);
-  for (const LeavingTools::Forces& forces : run.state.leaving.fading)
-    add_fading(run, forces);
-  for (const auto& load : run.model.fading)
+  for (const LeavingTools::Forces& forces : run.state.leaving.decaying)
+    add_decaying(run, forces);
+  for (const auto& load : run.model.decaying)
     archive(*load);
   bool grounded = false, touches = false, strikes = false, wears = false;
   archive(grounded, touches, strikes, wears);

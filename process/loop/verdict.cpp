@@ -42,9 +42,9 @@ Verdict judge(const Run& run, double dt, double length, double shortest) {
     if (std::optional<std::string> missed = misses_too_much(run, dt, length))
       return with_reason(Verdict::Action::cut_back, std::move(*missed));
   Verdict verdict;
-  if (FirstTouch touch = poor_first_touch(run, dt); !touch.cause.empty()) {
+  if (std::optional<FirstTouch> touch = poor_first_touch(run, dt)) {
     verdict.action = Verdict::Action::new_mesh;
-    verdict.touch = std::move(touch);
+    verdict.touch = std::move(*touch);
   } else if (bend) {
     verdict = with_reason(Verdict::Action::in_parts, bend->why);
     verdict.share = bend->share;

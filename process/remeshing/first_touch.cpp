@@ -64,13 +64,13 @@ bool touches_near(const PartBoundary& boundary,
 
 } // namespace
 
-FirstTouch poor_first_touch(const Run& run, double dt) {
+std::optional<FirstTouch> poor_first_touch(const Run& run, double dt) {
   const bool just_meshed =
       run.state.increment == run.state.mesh.increment && !run.state.record.remeshings.empty();
   if (!run.scene.remesh || !run.model.contact || run.mesh().dimension() != 2 ||
-      run.state.leaving.fading_until > run.state.time || just_meshed ||
+      run.state.leaving.decay_until > run.state.time || just_meshed ||
       run.state.mesh.refused_increment == run.state.increment)
-    return {};
+    return std::nullopt;
   const std::vector<double> ahead = predicted(run, dt);
   const std::span<const double> nodes = std::span(ahead).first(run.n_nodal());
   std::vector<int> touching(run.part().contact_faces.size(), -1);
@@ -99,7 +99,7 @@ FirstTouch poor_first_touch(const Run& run, double dt) {
     }
   }
   const std::vector<int> touched = touching_tools(run);
-  FirstTouch touch;
+  std::optional<FirstTouch> touch;
   for (ContactZone zone : contact_zones(part_boundary(run.part(), nodes, touching, {}))) {
     zone.longest = zone.longest && run.model.contact->closed()[idx(zone.tool)].empty();
     if (touches_near(untouched, touched, run.part().contact_faces, zone) ||
@@ -114,11 +114,12 @@ FirstTouch poor_first_touch(const Run& run, double dt) {
     const double share =
         static_cast<double>(places.size()) / static_cast<double>(zone.n_sides * places_on_side);
     const double size = usual_sizes(run).zones.in(zone, share * zone.length);
-    if (touch.cause.empty())
-      touch.cause =
-          fmt::format("{} comes to touch on {}", run.tools()[idx(zone.tool)].name, sides_of(zone));
+    if (!touch)
+      touch = FirstTouch{
+          fmt::format("{} comes to touch on {}", run.tools()[idx(zone.tool)].name, sides_of(zone)),
+          {}};
     for (const Vec2& x : places)
-      touch.sizes.push_back({x, size});
+      touch->sizes.push_back({x, size});
   }
   return touch;
 }

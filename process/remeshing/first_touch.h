@@ -5,10 +5,12 @@
 #include "process/remeshing/remeshing.h"
 #include "process/state/run.h"
 
+#include <optional>
+
 namespace billet::process {
 
 /// A tool that will touch in the increment just solved, where nothing near touched yet, on sides
-/// too long for what it touches. (P.18)
-[[nodiscard]] FirstTouch poor_first_touch(const Run& run, double dt);
+/// too long for what it touches, if there is one. (P.18)
+[[nodiscard]] std::optional<FirstTouch> poor_first_touch(const Run& run, double dt);
 
 } // namespace billet::process

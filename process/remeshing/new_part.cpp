@@ -48,11 +48,11 @@ struct OtherSizes {
 RemeshedPart remesh_finely_enough(const Part& part,
                                   const PartBoundary& boundary,
                                   geometry::RemeshSizes& sizes,
-                                  const geometry::Settle& settle) {
+                                  const geometry::Snap& snap) {
   const double least = 0.25 * sizes.min;
   while (true) {
     try {
-      return remesh_part(part, boundary, sizes, settle);
+      return remesh_part(part, boundary, sizes, snap);
     } catch (const Error& error) {
       if (error.fault() != Fault::geometry || sizes.min <= least)
         throw;
@@ -94,10 +94,10 @@ NewPart new_plane_part_within(const Run& run,
       boundary, run.part().contact_faces,
       run.model.surface ? run.model.surface->line_coordinates() : std::vector<double>());
   const bool revolved = run.part().analysis == mechanics::Analysis::axisymmetric;
-  geometry::Settle settle;
+  geometry::Snap snap;
   if (run.model.contact)
-    settle = [&run, &boundary, stops, revolved](
-                 std::int32_t part, const geometry::BoundaryPlace& place, const Vec2& x) -> Vec2 {
+    snap = [&run, &boundary, stops, revolved](
+               std::int32_t part, const geometry::BoundaryPlace& place, const Vec2& x) -> Vec2 {
       const Attachment& attached = boundary.attachments[idx(part)];
       if (!attached.contact)
         return x;
@@ -116,13 +116,13 @@ NewPart new_plane_part_within(const Run& run,
   sizes.at.insert(sizes.at.end(), at.begin(), at.end());
   const std::vector<geometry::SizeAt> flow = sizes_for_flow(run);
   sizes.at.insert(sizes.at.end(), flow.begin(), flow.end());
-  RemeshedPart part = remesh_finely_enough(run.part(), boundary, sizes, settle);
+  RemeshedPart part = remesh_finely_enough(run.part(), boundary, sizes, snap);
   const auto with_sizes_times = [&](const OtherSizes& other) -> std::optional<RemeshedPart> {
     geometry::RemeshSizes scaled = sizes;
     scaled.min *= other.shortest;
     scaled.wanted = [&sizes, &other](const Vec2& x) { return other.all * sizes.wanted(x); };
     try {
-      return remesh_part(run.part(), boundary, scaled, settle);
+      return remesh_part(run.part(), boundary, scaled, snap);
     } catch (const Error&) {
       return std::nullopt; // the first one is there
     }
@@ -166,8 +166,8 @@ NewPart new_solid_part_within(const Run& run, const SolidPart& old) {
           x[run.part().supports[s].component] = on[run.part().supports[s].component];
     return x;
   };
-  const auto settle = [&](std::span<const std::int32_t> parts, const geometry::SurfacePlace& place,
-                          const Vec3& x) -> Vec3 {
+  const auto snap = [&](std::span<const std::int32_t> parts, const geometry::SurfacePlace& place,
+                        const Vec3& x) -> Vec3 {
     const auto& [a, b, c] = old.boundary.mesh.triangles[idx(place.triangle)];
     const std::vector<Vec3>& points = old.boundary.mesh.points;
     const Vec3& first = points[idx(a)];
@@ -186,7 +186,7 @@ NewPart new_solid_part_within(const Run& run, const SolidPart& old) {
                          on);
     return result;
   };
-  RemeshedPart part = remesh_part(run.part(), old, solid_sizes(run), settle);
+  RemeshedPart part = remesh_part(run.part(), old, solid_sizes(run), snap);
   return {std::move(part),
           [neighbours](const contact::ContactSurface& surface, std::span<const double> x) {
             std::vector<Vec3> points(surface.n_points());

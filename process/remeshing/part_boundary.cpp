@@ -352,12 +352,12 @@ std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary, const 
 RemeshedPart remesh_part(const Part& old,
                          const PartBoundary& boundary,
                          const geometry::RemeshSizes& sizes,
-                         const geometry::Settle& settle) {
+                         const geometry::Snap& snap) {
   const auto measure = old.analysis == mechanics::Analysis::axisymmetric
                            ? geometry::Measure::revolved
                            : geometry::Measure::area;
   const geometry::RemeshedDomain domain =
-      geometry::remesh_domain(boundary.loops, sizes, measure, settle);
+      geometry::remesh_domain(boundary.loops, sizes, measure, snap);
   RemeshedPart part;
   part.mesh = mechanics::triangle_mesh(domain.mesh);
   part.mesh.node_sets.clear(); // the segments are ours

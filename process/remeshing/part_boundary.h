@@ -115,7 +115,7 @@ struct RemeshedPart {
 [[nodiscard]] RemeshedPart remesh_part(const Part& old,
                                        const PartBoundary& boundary,
                                        const geometry::RemeshSizes& sizes,
-                                       const geometry::Settle& settle);
+                                       const geometry::Snap& snap);
 
 /// The two old contact points on either side of a place on the boundary, and how near the second
 /// is.

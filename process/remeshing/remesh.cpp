@@ -34,7 +34,7 @@ namespace {
 std::vector<contact::PointSource>
 exchange_mesh(Run& run, NewPart anew, const MappedStates& mapped) {
   run.state.snapshots.clear();
-  run.state.leaving.fading.clear();
+  run.state.leaving.decaying.clear();
   run.state.velocity = mapped.now.state.velocity;
   run.state.origins = mapped.origins;
   Part part{run.part().analysis, std::move(anew.part.mesh), std::move(anew.part.supports),

@@ -31,7 +31,7 @@ struct NewPart {
 
 /// A tool that comes to touch on sides too long for what it touches.
 struct FirstTouch {
-  std::string cause;                   ///< empty: there is none
+  std::string cause;                   ///< to say
   std::vector<geometry::SizeAt> sizes; ///< that it needs there
 };
 

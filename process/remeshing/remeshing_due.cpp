@@ -175,7 +175,7 @@ double aspect(const Run& run) {
 }
 
 bool may_remesh(const Run& run) {
-  return run.scene.remesh && run.state.leaving.fading_until <= run.state.time &&
+  return run.scene.remesh && run.state.leaving.decay_until <= run.state.time &&
          run.state.increment > run.state.mesh.increment;
 }
 
@@ -193,9 +193,9 @@ bool leaves(const Run& run, std::size_t tool) {
          force < gone * run.state.forces.largest_on_tools[tool];
 }
 
-std::string remeshing_due(const Run& run, double left) {
+std::optional<std::string> remeshing_due(const Run& run, double left) {
   if (!may_remesh(run))
-    return {};
+    return std::nullopt;
   const RemeshSettings& settings = *run.scene.remesh;
   const double quality = worst_quality(run.mesh(), run.positions());
   const double limit =
@@ -214,7 +214,7 @@ std::string remeshing_due(const Run& run, double left) {
   }
   if (run.state.mesh.refused_increment &&
       run.state.increment <= *run.state.mesh.refused_increment + rest_after_refusal)
-    return {};
+    return std::nullopt;
   const double longest = std::max(most_aspect, most_stretch * run.state.mesh.aspect);
   if (const double now = aspect(run); now > longest && !run.state.springs_back)
     return fmt::format("element aspect {:.3g} > {:.3g}", now, longest);
@@ -245,7 +245,7 @@ std::string remeshing_due(const Run& run, double left) {
                        most_of_wanted * *settings.size_contact);
   if (const std::optional<ContactZone> zone = zone_to_refine(run))
     return fmt::format("{} touches on {}", run.tools()[idx(zone->tool)].name, sides_of(*zone));
-  return {};
+  return std::nullopt;
 }
 
 double least_quality(const RemeshSettings& settings, mechanics::ElementKind kind) {

@@ -37,7 +37,7 @@ void start_remeshing(Run& run);
 /// Whether a tool's force falls: its zones of contact shrink and need no new mesh.
 [[nodiscard]] bool leaves(const Run& run, std::size_t tool);
 
-/// Why the part should be meshed anew now, `left` before the stage ends; empty: it need not.
-[[nodiscard]] std::string remeshing_due(const Run& run, double left);
+/// Why the part should be meshed anew now, `left` before the stage ends; none: it need not.
+[[nodiscard]] std::optional<std::string> remeshing_due(const Run& run, double left);
 
 } // namespace billet::process

@@ -307,9 +307,9 @@ SolidPart solid_part(const Part& part,
 RemeshedPart remesh_part(const Part& old,
                          const SolidPart& part,
                          const geometry::SolidSizes& sizes,
-                         const geometry::SettleSolid& settle) {
+                         const geometry::SnapSolid& snap) {
   const geometry::RemeshedSolid solid =
-      geometry::remesh_solid(part.boundary, sizes, part.volume, settle);
+      geometry::remesh_solid(part.boundary, sizes, part.volume, snap);
   RemeshedPart result;
   result.mesh = mechanics::tetrahedron_mesh(solid);
   result.old_measure = part.volume;

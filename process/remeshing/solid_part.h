@@ -54,7 +54,7 @@ struct SolidPart {
 [[nodiscard]] RemeshedPart remesh_part(const Part& old,
                                        const SolidPart& part,
                                        const geometry::SolidSizes& sizes,
-                                       const geometry::SettleSolid& settle);
+                                       const geometry::SnapSolid& snap);
 
 /// The old contact points that are nearest to a place, on the face that is.
 class ContactNeighbours {

@@ -43,9 +43,9 @@ std::string turned(const contact::Tool& tool) {
          (tool.facing.empty() ? "" : ": " + tool.facing);
 }
 
-/// How deep and where the workpiece's boundary lies inside a tool; empty: no more than chords of
-/// faces do.
-std::string depth_in(const Run& run, std::size_t tool, double time) {
+/// How deep and where the workpiece's boundary lies inside a tool, if by more than chords of faces
+/// do.
+std::optional<std::string> depth_in(const Run& run, std::size_t tool, double time) {
   // A chord of a curved face may lie a little inside a tool that touches its nodes; a sharp tool
   // that was brought to the contact points of a face may lie deeper between them.
   const bool brought = tool < run.scene.touch.size() && run.scene.touch[tool] != 0;
@@ -65,9 +65,9 @@ std::string depth_in(const Run& run, std::size_t tool, double time) {
         at = pose.to_space(points[i]);
       }
   }
-  return deepest > 0.0
-             ? fmt::format("{:.6g} deep at ({:.6g}, {:.6g}, {:.6g})", deepest, at[0], at[1], at[2])
-             : std::string();
+  if (deepest > 0.0)
+    return fmt::format("{:.6g} deep at ({:.6g}, {:.6g}, {:.6g})", deepest, at[0], at[1], at[2]);
+  return std::nullopt;
 }
 
 /// Whether all places of a tool that are nearest to the workpiece's faces lie in the workpiece.
@@ -96,9 +96,12 @@ bool lies_within(const Run& run, std::size_t tool, double time) {
 
 } // namespace
 
-std::string overlap(const Run& run, std::size_t tool, double time) {
-  std::string where = depth_in(run, tool, time);
-  return where.empty() && lies_within(run, tool, time) ? "the tool lies wholly within it" : where;
+std::optional<std::string> overlap(const Run& run, std::size_t tool, double time) {
+  if (std::optional<std::string> where = depth_in(run, tool, time))
+    return where;
+  if (lies_within(run, tool, time))
+    return "the tool lies wholly within it";
+  return std::nullopt;
 }
 
 void check_overlap(const Run& run) {
@@ -107,11 +110,11 @@ void check_overlap(const Run& run) {
   std::vector<Complaint> complaints;
   for (std::size_t t = 0; t < run.tools().size(); ++t)
     if (run.model.contact->acts(t, 0.0))
-      if (const std::string where = overlap(run, t, run.state.time); !where.empty())
+      if (const std::optional<std::string> where = overlap(run, t, run.state.time))
         complaints.push_back(
             {run.tools()[t].said_at,
              fmt::format("the workpiece overlaps tool '{}' before the start: {}",
-                         run.tools()[t].name, where),
+                         run.tools()[t].name, *where),
              has_all_behind(run.tools()[t], run.model.contact->pose(t, run.state.time, run.state.x),
                             *run.model.surface, run.state.x, body_size(run.mesh()))
                  ? turned(run.tools()[t])

@@ -6,14 +6,14 @@
 #include "process/state/run.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace billet::process {
 
-/// How deep and where the workpiece lies inside a tool now; empty: no more than chords of faces
-/// do.
-[[nodiscard]] std::string overlap(const Run& run, std::size_t tool, double time);
+/// How deep and where the workpiece lies inside a tool now, if by more than chords of faces do.
+[[nodiscard]] std::optional<std::string> overlap(const Run& run, std::size_t tool, double time);
 
 /// No tool that acts from the start may lie in the workpiece.
 /// @throws Error (Fault::geometry) naming all that do

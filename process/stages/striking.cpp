@@ -97,7 +97,7 @@ bool stands_still(const Run& run, const Stage& stage, double from, double to) {
 
 bool rests(const Run& run, const Stage& stage) {
   if (!run.model.blows || stage.unload || run.model.blows->under_way() ||
-      run.state.time < run.state.leaving.fading_until)
+      run.state.time < run.state.leaving.decay_until)
     return false;
   bool struck = false;
   for (std::size_t t = 0; t < run.tools().size(); ++t) {

@@ -43,8 +43,8 @@ void come_to_touch(Run& run, std::size_t tool, double time) {
 /// Keeps that a tool begins to act where the workpiece is, if it does.
 void note_initial_penetration(Run& run, std::size_t tool) {
   const double from = std::max(run.state.time, run.tools()[tool].active_from);
-  std::string where = overlap(run, tool, from);
-  if (where.empty())
+  const std::optional<std::string> where = overlap(run, tool, from);
+  if (!where)
     return;
   const auto known = std::find_if(run.state.record.initial_penetrations.begin(),
                                   run.state.record.initial_penetrations.end(),
@@ -55,8 +55,7 @@ void note_initial_penetration(Run& run, std::size_t tool) {
                    .end()) // the increment has become shorter since, and others went before
     known->increment = run.state.increment;
   else
-    run.state.record.initial_penetrations.push_back(
-        {tool, from, std::move(where), run.state.increment});
+    run.state.record.initial_penetrations.push_back({tool, from, *where, run.state.increment});
 }
 
 } // namespace

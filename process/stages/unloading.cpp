@@ -56,7 +56,7 @@ void draw_tools_back(Run& run, double until) {
   run.model.contact->activity().enable(std::move(stay));
   run.state.leaving.retreat_begins = run.state.time;
   run.state.leaving.retreat_ends = until;
-  run.state.leaving.fading_until = until;
+  run.state.leaving.decay_until = until;
 }
 
 /// At first by less than what contact is pressed in by, at last by the size of the body: as the
@@ -88,10 +88,10 @@ void put_tools_back(Run& run) {
   run.state.leaving.retreating.clear();
 }
 
-void add_fading(Run& run, const LeavingTools::Forces& forces) {
-  run.model.fading.push_back(mechanics::make_dead_load(
+void add_decaying(Run& run, const LeavingTools::Forces& forces) {
+  run.model.decaying.push_back(mechanics::make_dead_load(
       forces.nodal, TimeFunction({{forces.from, 1.0}, {forces.until, 0.0}})));
-  run.model.terms.push_back(run.model.fading.back().get());
+  run.model.terms.push_back(run.model.decaying.back().get());
 }
 
 void release_tools(Run& run, double next_time, double gone_time) {
@@ -104,9 +104,9 @@ void release_tools(Run& run, double next_time, double gone_time) {
     const double stored = run.model.contact->work().stored;
     const LeavingTools::Forces forces{run.model.contact->release(t), run.state.time, gone_time};
     run.state.works.tools_gone += stored - run.model.contact->work().stored;
-    add_fading(run, forces);
-    run.state.leaving.fading.push_back(forces);
-    run.state.leaving.fading_until = gone_time;
+    add_decaying(run, forces);
+    run.state.leaving.decaying.push_back(forces);
+    run.state.leaving.decay_until = gone_time;
     run.state.last_step.clear();
     run.state.snapshots.clear();
   }

@@ -23,7 +23,7 @@ void draw_back_to(Run& run, double time);
 void put_tools_back(Run& run);
 
 /// Forces of a tool that has left, as a load that fades. (P.5a)
-void add_fading(Run& run, const LeavingTools::Forces& forces);
+void add_decaying(Run& run, const LeavingTools::Forces& forces);
 
 /// Lets the forces of tools that touch now and do not act at `next_time` fade until `gone_time`.
 void release_tools(Run& run, double next_time, double gone_time);

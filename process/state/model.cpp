@@ -19,7 +19,7 @@ namespace {
 void clear(Model& model) {
   model.terms.clear();
   model.loads.clear();
-  model.fading.clear();
+  model.decaying.clear();
   model.stabilization.reset();
   model.newton.reset();
   model.narrow.reset();

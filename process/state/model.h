@@ -43,7 +43,7 @@ struct Model {
   Owned<Blows> blows;                                     ///< empty: no press strikes
   Owned<contact::Wear> wear;                              ///< empty: no tool has a law of wear
   std::vector<std::unique_ptr<mechanics::Load>> loads;    ///< in the order of the part's
-  std::vector<std::unique_ptr<mechanics::Load>> fading;   ///< forces of tools that have left
+  std::vector<std::unique_ptr<mechanics::Load>> decaying; ///< forces of tools that have left
   Owned<mechanics::RigidBodyStabilization> stabilization; ///< empty: supports hold all motions
   std::vector<mechanics::ForceTerm*> terms; ///< of all these, in the order of assembly
   Owned<mechanics::Newton> newton;

@@ -125,15 +125,15 @@ struct LeavingTools {
 
     template <class Archive> void fields(Archive& archive) { archive(nodal, from, until); }
   };
-  std::vector<Forces> fading;
-  double fading_until = 0.0;           ///< [s]
+  std::vector<Forces> decaying;
+  double decay_until = 0.0;            ///< [s]
   std::vector<std::size_t> retreating; ///< tools whose surfaces draw back
   double retreat_begins = 0.0;         ///< [s]
   double retreat_ends = 0.0;           ///< [s]
-  double flow_in_fading = 0.0;         ///< plastic work while nothing but such forces acted [N mm]
+  double flow_in_decay = 0.0;          ///< plastic work while nothing but such forces acted [N mm]
 
   template <class Archive> void fields(Archive& archive) {
-    archive(fading, fading_until, retreating, retreat_begins, retreat_ends, flow_in_fading);
+    archive(decaying, decay_until, retreating, retreat_begins, retreat_ends, flow_in_decay);
   }
 };
 

@@ -194,11 +194,11 @@ TEST(SolidRemesher, PutsNodesWhereTheCallerWantsThem) {
     boundary.hold[t] = static_cast<char>(above);
   }
   // A plane that the cap is to lie below.
-  const SettleSolid settle = [](std::span<const std::int32_t>, const SurfacePlace&, const Vec3& x) {
+  const SnapSolid snap = [](std::span<const std::int32_t>, const SurfacePlace&, const Vec3& x) {
     return Vec3(x.x(), x.y(), std::min(x.z(), 0.9));
   };
   const double sphere = 4.0 / 3.0 * std::numbers::pi;
-  const RemeshedSolid solid = remesh_solid(boundary, edges_of(0.35), sphere, settle);
+  const RemeshedSolid solid = remesh_solid(boundary, edges_of(0.35), sphere, snap);
   expect_sound(solid);
   EXPECT_NEAR(solid.volume, sphere, sphere * rounding) << "the rest gives way";
   int on_plane = 0;

@@ -51,7 +51,7 @@ TEST(ReadCase, reads_tools_and_settings) {
   EXPECT_EQ(*content.time.increments.first, 0.1);
   EXPECT_EQ(*content.stages[0].tools, (std::vector<std::string>{"punch", "die"}));
   EXPECT_TRUE(content.stages[1].unload);
-  EXPECT_EQ(content.solver.linear, LinearSolverChoice::mumps);
+  EXPECT_EQ(content.solver.linear, mechanics::SolverChoice::mumps);
   EXPECT_EQ(*content.solver.threads, 2);
   EXPECT_EQ(content.output.at, (std::vector{0.25, 1.75}));
 }

@@ -68,13 +68,14 @@ TEST(Elimination, hands_every_front_to_one_that_has_a_place_for_all_its_rows) {
 TEST(Elimination, begins_with_what_stands_alone) {
   for (const Mesh& mesh : meshes()) {
     const BlockPattern pattern = block_pattern(mesh);
-    std::vector<char> alone(idx(pattern.n_dofs()));
-    for (std::size_t i = 0; i < alone.size(); i += 3)
-      alone[i] = 1;
-    const auto n = static_cast<std::size_t>(std::count(alone.begin(), alone.end(), char{1}));
-    const Elimination elimination(pattern, fill_reducing_order(pattern), alone);
-    for (std::size_t i = 0; i < alone.size(); ++i)
-      EXPECT_EQ(alone[idx(elimination.order()[i])] != 0, i < n);
+    std::vector<char> constrained(idx(pattern.n_dofs()));
+    for (std::size_t i = 0; i < constrained.size(); i += 3)
+      constrained[i] = 1;
+    const auto n =
+        static_cast<std::size_t>(std::count(constrained.begin(), constrained.end(), char{1}));
+    const Elimination elimination(pattern, fill_reducing_order(pattern), constrained);
+    for (std::size_t i = 0; i < constrained.size(); ++i)
+      EXPECT_EQ(constrained[idx(elimination.order()[i])] != 0, i < n);
     for (const Front& front : elimination.fronts())
       if (idx(front.first) < n) {
         EXPECT_EQ(front.columns, 1);

@@ -457,18 +457,18 @@ TEST(LinearSolver, comes_back_to_cholmod_after_an_indefinite_matrix) {
 }
 
 /// Takes away what couples every n-th unknown with others.
-std::vector<char> set_every_nth_alone(Problem& problem, Index n) {
-  std::vector<char> alone(idx(problem.pattern.n_dofs()));
+std::vector<char> constrain_every_nth(Problem& problem, Index n) {
+  std::vector<char> constrained(idx(problem.pattern.n_dofs()));
   for (Index i = 0; i < problem.pattern.n_dofs(); i += n)
-    alone[idx(i)] = 1;
+    constrained[idx(i)] = 1;
   for (Index i = 0; i < problem.pattern.n_dofs(); ++i)
     for (Index k = problem.row(i); k < problem.row(i + 1); ++k) {
       const Index j = problem.pattern.columns[idx(k)];
-      if (i != j && (alone[idx(i)] != 0 || alone[idx(j)] != 0))
+      if (i != j && (constrained[idx(i)] != 0 || constrained[idx(j)] != 0))
         problem.matrix.values[idx(k)] = 0.0;
     }
   problem.refresh();
-  return alone;
+  return constrained;
 }
 
 TEST(LinearSolver, leaves_unknowns_that_stand_alone_out_of_its_factorizations) {
@@ -479,13 +479,13 @@ TEST(LinearSolver, leaves_unknowns_that_stand_alone_out_of_its_factorizations) {
     const double flops = solver.work().last_flops;
     for (const Index n : {Index{3}, Index{5}, Index{5}}) {
       Problem problem(Sort::positive);
-      const std::vector<char> alone = set_every_nth_alone(problem, n);
-      solver.set_alone(alone);
+      const std::vector<char> constrained = constrain_every_nth(problem, n);
+      solver.set_constrained(constrained);
       ASSERT_TRUE(solver.solve(problem.matrix, true, problem.rhs, problem.x, {1e-10}));
       EXPECT_LE(problem.error(problem.x), 2e-10);
       EXPECT_LT(solver.work().last_flops, 0.9 * flops);
     }
-    solver.set_alone(std::vector<char>(idx(whole.pattern.n_dofs())));
+    solver.set_constrained(std::vector<char>(idx(whole.pattern.n_dofs())));
     ASSERT_TRUE(solver.solve(whole.matrix, true, whole.rhs, whole.x));
     EXPECT_LE(whole.error(whole.x), 2e-10);
     EXPECT_EQ(solver.work().last_flops, flops);

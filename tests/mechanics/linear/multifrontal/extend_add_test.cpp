@@ -64,10 +64,10 @@ void expect_sums(const Elimination& elimination, std::size_t child, support::Ran
 
 void expect_sums(const Mesh& mesh, Index alone_every) {
   const BlockPattern pattern = block_pattern(mesh);
-  std::vector<char> alone(idx(pattern.n_dofs()), 0);
+  std::vector<char> constrained(idx(pattern.n_dofs()), 0);
   for (Index i = 0; alone_every > 0 && i < pattern.n_dofs(); i += alone_every)
-    alone[idx(i)] = 1;
-  const Elimination elimination(pattern, fill_reducing_order(pattern), alone);
+    constrained[idx(i)] = 1;
+  const Elimination elimination(pattern, fill_reducing_order(pattern), constrained);
   support::Random random(11);
   int children = 0;
   for (std::size_t f = 0; f < elimination.fronts().size(); ++f)

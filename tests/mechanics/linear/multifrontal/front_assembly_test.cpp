@@ -29,10 +29,10 @@ bool coupled(const BlockPattern& pattern, Index a, Index b) {
 void expect_columns_of_matrix(const Mesh& mesh, Index alone_every) {
   support::Random random(7);
   const BlockPattern pattern = block_pattern(mesh);
-  std::vector<char> alone(idx(pattern.n_dofs()), 0);
+  std::vector<char> constrained(idx(pattern.n_dofs()), 0);
   for (Index i = 0; alone_every > 0 && i < pattern.n_dofs(); i += alone_every)
-    alone[idx(i)] = 1;
-  const Elimination elimination(pattern, fill_reducing_order(pattern), alone);
+    constrained[idx(i)] = 1;
+  const Elimination elimination(pattern, fill_reducing_order(pattern), constrained);
   const SparseMatrix A{&pattern, random.list(pattern.n_entries(), 1.0)};
   const FrontAssembly assembly(elimination);
   constexpr double scale = 0.5;
@@ -51,7 +51,7 @@ void expect_columns_of_matrix(const Mesh& mesh, Index alone_every) {
       for (std::size_t i = j; i < step; ++i) {
         float expected = 0.0F;
         if (i < unknowns.size() && coupled(pattern, unknowns[i], unknowns[j]) &&
-            (i == j || (alone[idx(unknowns[i])] == 0 && alone[idx(unknowns[j])] == 0)))
+            (i == j || (constrained[idx(unknowns[i])] == 0 && constrained[idx(unknowns[j])] == 0)))
           expected = static_cast<float>(scale * entry(A, unknowns[i], unknowns[j]));
         ASSERT_EQ(values[j * step + i], expected) << "front " << f << ", " << i << ", " << j;
       }

@@ -1,4 +1,4 @@
-#include "geometry/mesh2d/settled_loops.h"
+#include "geometry/mesh2d/snapped_loops.h"
 
 #include "geometry/base/index.h"
 
@@ -40,18 +40,15 @@ Vec2 place_on(const SideLoop& loop, std::size_t i, double xi) {
 
 } // namespace
 
-SettledLoops::SettledLoops(std::span<const SideLoop> loops, const Settle& settle, double least) {
+SnappedLoops::SnappedLoops(std::span<const SideLoop> loops, const Snap& snap, double least) {
   for (std::size_t l = 0; l < loops.size(); ++l)
-    add(loops[l], static_cast<std::int32_t>(l), settle, least);
+    add(loops[l], static_cast<std::int32_t>(l), snap, least);
 }
 
-void SettledLoops::add(const SideLoop& loop,
-                       std::int32_t number,
-                       const Settle& settle,
-                       double least) {
+void SnappedLoops::add(const SideLoop& loop, std::int32_t number, const Snap& snap, double least) {
   const std::size_t n = loop.corners.size();
-  const auto settled = [&](std::size_t i, double xi, const Vec2& x) {
-    return settle ? settle(loop.part[i], {number, static_cast<std::int32_t>(i), xi}, x) : x;
+  const auto snapped = [&](std::size_t i, double xi, const Vec2& x) {
+    return snap ? snap(loop.part[i], {number, static_cast<std::int32_t>(i), xi}, x) : x;
   };
   SideLoop result;
   std::vector<Piece> pieces;
@@ -59,10 +56,10 @@ void SettledLoops::add(const SideLoop& loop,
     const double chord = (loop.corners[(i + 1) % n] - loop.corners[i]).norm();
     const auto goes_far = [&](double xi) {
       const Vec2 x = place_on(loop, i, xi);
-      return (settled(i, xi, x) - x).norm() > far * chord;
+      return (snapped(i, xi, x) - x).norm() > far * chord;
     };
     const bool divided =
-        settle && std::any_of(sampled_shares.begin(), sampled_shares.end(), goes_far);
+        snap && std::any_of(sampled_shares.begin(), sampled_shares.end(), goes_far);
     const int count =
         divided ? std::clamp(static_cast<int>(std::ceil(chord / least)), 2, most_pieces) : 1;
     for (int k = 0; k < count; ++k) {
@@ -70,9 +67,9 @@ void SettledLoops::add(const SideLoop& loop,
       const double middle = 0.5 * (from + to);
       // A corner belongs to the sides on both its sides.
       const Vec2 corner = place_on(loop, i, from);
-      const Vec2 start = k == 0 ? settled((i + n - 1) % n, 1.0, corner) : corner;
-      result.corners.push_back(settled(i, from, start));
-      result.middles.push_back(settled(i, middle, place_on(loop, i, middle)));
+      const Vec2 start = k == 0 ? snapped((i + n - 1) % n, 1.0, corner) : corner;
+      result.corners.push_back(snapped(i, from, start));
+      result.middles.push_back(snapped(i, middle, place_on(loop, i, middle)));
       result.part.push_back(loop.part[i]);
       result.keep.push_back(static_cast<char>(k == 0 ? loop.keep[i] : 0));
       result.hold.push_back(loop.hold[i]);
@@ -84,7 +81,7 @@ void SettledLoops::add(const SideLoop& loop,
   pieces_.push_back(std::move(pieces));
 }
 
-void SettledLoops::join_short(SideLoop& loop, std::vector<Piece>& pieces, double shortest) {
+void SnappedLoops::join_short(SideLoop& loop, std::vector<Piece>& pieces, double shortest) {
   for (std::size_t i = 0; i < pieces.size();) {
     const std::size_t next = (i + 1) % pieces.size();
     Vec2& middle = loop.middles[i];
@@ -109,7 +106,7 @@ void SettledLoops::join_short(SideLoop& loop, std::vector<Piece>& pieces, double
   }
 }
 
-void SettledLoops::erase(SideLoop& loop, std::vector<Piece>& pieces, std::size_t i) {
+void SnappedLoops::erase(SideLoop& loop, std::vector<Piece>& pieces, std::size_t i) {
   const auto n = static_cast<std::ptrdiff_t>(i);
   loop.corners.erase(loop.corners.begin() + n);
   loop.middles.erase(loop.middles.begin() + n);
@@ -119,7 +116,7 @@ void SettledLoops::erase(SideLoop& loop, std::vector<Piece>& pieces, std::size_t
   pieces.erase(pieces.begin() + n);
 }
 
-BoundaryPlace SettledLoops::original(const BoundaryPlace& place) const {
+BoundaryPlace SnappedLoops::original(const BoundaryPlace& place) const {
   const Piece& piece = pieces_[idx(place.loop)][idx(place.side)];
   const double xi = place.xi == 0.0   ? piece.from
                     : place.xi == 1.0 ? piece.to

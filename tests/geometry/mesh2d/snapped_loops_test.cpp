@@ -1,7 +1,7 @@
 // A boundary that lies inside a tool is divided and laid on it before it is resampled.
 
 #include "geometry/mesh2d/domain_remesher.h"
-#include "geometry/mesh2d/settled_loops.h"
+#include "geometry/mesh2d/snapped_loops.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace billet::geometry::settled_loops_test {
+namespace billet::geometry::snapped_loops_test {
 namespace {
 
 /// Depth of a wedge of 90 degrees pointing down at x = 1 into the square [0, 2] x [-2, 0].
@@ -41,10 +41,10 @@ Vec2 onto_wedge(std::int32_t part, const BoundaryPlace&, const Vec2& x) {
   return part == 1 && x.y() > wedge(x.x()) ? Vec2(x.x(), wedge(x.x())) : x;
 }
 
-TEST(SettledLoops, SidesThatLieDeepAreDivided) {
+TEST(SnappedLoops, SidesThatLieDeepAreDivided) {
   const std::vector<SideLoop> loops{square()};
-  const SettledLoops settled(loops, onto_wedge, 0.1);
-  const SideLoop& loop = settled.loops().front();
+  const SnappedLoops snapped(loops, onto_wedge, 0.1);
+  const SideLoop& loop = snapped.loops().front();
   // The two sides of the top, with the length 1, in ten pieces each.
   EXPECT_EQ(loop.corners.size(), 6U + 2U * 10U);
   for (std::size_t i = 0; i < loop.corners.size(); ++i)
@@ -53,14 +53,14 @@ TEST(SettledLoops, SidesThatLieDeepAreDivided) {
   EXPECT_EQ(std::count(loop.part.begin(), loop.part.end(), 1), 20);
 }
 
-TEST(SettledLoops, PlacesAreThoseOfTheLoopsBefore) {
+TEST(SnappedLoops, PlacesAreThoseOfTheLoopsBefore) {
   const std::vector<SideLoop> loops{square()};
-  const SettledLoops settled(loops, onto_wedge, 0.1);
-  const SideLoop& loop = settled.loops().front();
+  const SnappedLoops snapped(loops, onto_wedge, 0.1);
+  const SideLoop& loop = snapped.loops().front();
   for (std::size_t i = 0; i < loop.corners.size(); ++i) {
     const auto side = static_cast<std::int32_t>(i);
     for (const double xi : {0.0, 0.5, 1.0}) {
-      const BoundaryPlace place = settled.original({0, side, xi});
+      const BoundaryPlace place = snapped.original({0, side, xi});
       const Vec2& x = xi == 0.0   ? loop.corners[i]
                       : xi == 0.5 ? loop.middles[i]
                                   : loop.corners[(i + 1) % loop.corners.size()];
@@ -73,25 +73,25 @@ TEST(SettledLoops, PlacesAreThoseOfTheLoopsBefore) {
   }
 }
 
-TEST(SettledLoops, WithoutAnythingToDoTheyStayToTheBit) {
+TEST(SnappedLoops, WithoutAnythingToDoTheyStayToTheBit) {
   const std::vector<SideLoop> loops{square()};
-  for (const Settle& settle :
-       {Settle{}, Settle([](std::int32_t, const BoundaryPlace&, const Vec2& x) { return x; })}) {
-    const SettledLoops settled(loops, settle, 0.1);
-    EXPECT_EQ(settled.loops().front().corners, loops[0].corners);
-    EXPECT_EQ(settled.loops().front().middles, loops[0].middles);
-    EXPECT_EQ(settled.original({0, 3, 0.25}).xi, 0.25);
+  for (const Snap& snap :
+       {Snap{}, Snap([](std::int32_t, const BoundaryPlace&, const Vec2& x) { return x; })}) {
+    const SnappedLoops snapped(loops, snap, 0.1);
+    EXPECT_EQ(snapped.loops().front().corners, loops[0].corners);
+    EXPECT_EQ(snapped.loops().front().middles, loops[0].middles);
+    EXPECT_EQ(snapped.original({0, 3, 0.25}).xi, 0.25);
   }
 }
 
-TEST(SettledLoops, PiecesWithoutLengthAreJoined) {
+TEST(SnappedLoops, PiecesWithoutLengthAreJoined) {
   const std::vector<SideLoop> loops{square()};
   // All of the top goes to one point but for its ends.
-  const Settle to_a_point = [](std::int32_t part, const BoundaryPlace&, const Vec2& x) {
+  const Snap to_a_point = [](std::int32_t part, const BoundaryPlace&, const Vec2& x) {
     return part == 1 && x.x() > 0.2 && x.x() < 1.8 ? Vec2(1.0, -0.5) : x;
   };
-  const SettledLoops settled(loops, to_a_point, 0.1);
-  const SideLoop& loop = settled.loops().front();
+  const SnappedLoops snapped(loops, to_a_point, 0.1);
+  const SideLoop& loop = snapped.loops().front();
   const std::size_t n = loop.corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 &a = loop.corners[i], &m = loop.middles[i], &b = loop.corners[(i + 1) % n];
@@ -101,7 +101,7 @@ TEST(SettledLoops, PiecesWithoutLengthAreJoined) {
   }
 }
 
-TEST(SettledLoops, ANotchIsMeshedWithSoundSidesAndTheMeasureKept) {
+TEST(SnappedLoops, ANotchIsMeshedWithSoundSidesAndTheMeasureKept) {
   const std::vector<SideLoop> loops{square()};
   const RemeshedDomain domain = remesh_domain(loops, {0.05, 0.5}, Measure::area, onto_wedge);
   EXPECT_NEAR(domain.old_measure, 4.0, 1e-14);
@@ -127,4 +127,4 @@ TEST(SettledLoops, ANotchIsMeshedWithSoundSidesAndTheMeasureKept) {
 }
 
 } // namespace
-} // namespace billet::geometry::settled_loops_test
+} // namespace billet::geometry::snapped_loops_test

@@ -18,15 +18,15 @@
 
 namespace billet::geometry {
 
-class SettledLoops {
+class SnappedLoops {
 public:
-  /// @param settle  where nodes of the boundary should be; empty: the loops stay as they are
+  /// @param snap  where nodes of the boundary should be; empty: the loops stay as they are
   /// @param least   length that sides need not be divided below [mm], > 0
   /// @pre the loops have been found sound
-  SettledLoops(std::span<const SideLoop> loops, const Settle& settle, double least);
+  SnappedLoops(std::span<const SideLoop> loops, const Snap& snap, double least);
 
   [[nodiscard]] const std::vector<SideLoop>& loops() const { return loops_; }
-  /// Where a place on the settled loops is on those that they were made of.
+  /// Where a place on the snapped loops is on those that they were made of.
   [[nodiscard]] BoundaryPlace original(const BoundaryPlace& place) const;
 
 private:
@@ -39,7 +39,7 @@ private:
   /// Joins pieces that have come to have no length with those beside them.
   static void join_short(SideLoop& loop, std::vector<Piece>& pieces, double shortest);
   static void erase(SideLoop& loop, std::vector<Piece>& pieces, std::size_t i);
-  void add(const SideLoop& loop, std::int32_t number, const Settle& settle, double least);
+  void add(const SideLoop& loop, std::int32_t number, const Snap& snap, double least);
 
   std::vector<SideLoop> loops_;
   std::vector<std::vector<Piece>> pieces_; ///< of each side of each loop
