@@ -369,10 +369,10 @@ std::optional<Parameters> CurvedTriangle::foot(const Vec3& x, Parameters p) cons
     if (near_foot)
       p = led_to;
   }
-  const auto [at, converged] =
+  const auto [at, is_foot] =
       approach([this](const Parameters& q) { return this->at(q[0], q[1]); }, x, p, converged);
   const bool inside = std::min({at[0], at[1], 1.0 - at[0] - at[1]}) > -overlap;
-  return converged && inside ? std::optional(at) : std::nullopt;
+  return is_foot && inside ? std::optional(at) : std::nullopt;
 }
 
 CurvedTriangle curved_triangle(const TriangleMesh& mesh, const EdgeCurves& edges, std::size_t t) {
