@@ -1,13 +1,18 @@
 #include "app/render/load_stroke.h"
 
 #include "geometry/base/error.h"
+#include "io/text/csv_table.h"
 #include "io/text/readable.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <fstream>
+#include <optional>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace billet::render {
 
@@ -49,29 +54,36 @@ struct Record {
   Vec3 direction = Vec3::Zero(); ///< of the longest way; zero: it does not travel
 };
 
-std::vector<Record> records_of(const Table& history) {
+/// Vectors whose components are columns next to each other, a row an increment.
+std::vector<Vec3> vectors(const io::CsvTable& history, std::size_t first) {
+  std::vector<Vec3> result(history.rows.size());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::vector<double> column = history.numbers(first + i);
+    for (std::size_t row = 0; row < result.size(); ++row)
+      result[row][static_cast<Eigen::Index>(i)] = column[row];
+  }
+  return result;
+}
+
+std::vector<Record> records_of(const io::CsvTable& history) {
   constexpr std::string_view suffix = ".force_x";
   std::vector<Record> records;
-  const auto column = [&](const std::string& name) {
-    return static_cast<std::size_t>(
-        std::find(history.columns.begin(), history.columns.end(), name) - history.columns.begin());
-  };
-  for (const std::string& heading : history.columns) {
+  for (std::size_t column = 0; column < history.columns.size(); ++column) {
+    const std::string& heading = history.columns[column];
     if (!heading.ends_with(suffix))
       continue;
     Record record{heading.substr(0, heading.size() - suffix.size()), {}, {}};
-    const std::size_t force = column(heading), way = column(record.name + ".displacement_x");
-    if (way + 2 >= history.columns.size())
+    const std::optional<std::size_t> way = history.find(record.name + ".displacement_x");
+    if (!way || *way + 2 >= history.columns.size())
       continue;
+    record.forces = vectors(history, column);
+    record.ways = vectors(history, *way);
     double longest = 0.0;
-    for (const std::vector<double>& row : history.rows) {
-      record.forces.emplace_back(row[force], row[force + 1], row[force + 2]);
-      record.ways.emplace_back(row[way], row[way + 1], row[way + 2]);
-      if (const double length = record.ways.back().norm(); length > longest) {
+    for (const Vec3& along : record.ways)
+      if (const double length = along.norm(); length > longest) {
         longest = length;
-        record.direction = record.ways.back() / length;
+        record.direction = along / length;
       }
-    }
     records.push_back(std::move(record));
   }
   return records;
@@ -85,12 +97,10 @@ Curve over_stroke(const Record& record) {
   return curve;
 }
 
-Curve over_time(const Record& record, const Table& history) {
-  const auto time = static_cast<std::size_t>(
-      std::find(history.columns.begin(), history.columns.end(), "time") - history.columns.begin());
+Curve over_time(const Record& record, std::span<const double> times) {
   Curve curve{record.name, false, {Vec2::Zero()}};
   for (std::size_t i = 0; i < record.forces.size(); ++i)
-    curve.values.emplace_back(history.rows[i].at(time), record.forces[i].norm());
+    curve.values.emplace_back(times[i], record.forces[i].norm());
   return curve;
 }
 
@@ -114,16 +124,18 @@ Chart load_stroke(const std::filesystem::path& results) {
   if (!std::filesystem::exists(file))
     throw Error(Fault::input_output, results.string(), "the folder has no history.csv",
                 "give the folder a run wrote its results to");
-  const Table history = read_table(file);
+  const io::CsvTable history = io::read_csv(file);
   const std::vector<Record> records = records_of(history);
   Chart chart;
   for (const Record& record : records)
     if (!record.direction.isZero(0.0))
       chart.curves.push_back(over_stroke(record));
   const bool travels = !chart.curves.empty();
-  if (!travels)
+  if (!travels && history.find("time")) {
+    const std::vector<double> times = history.numbers(*history.find("time"));
     for (const Record& record : records)
-      chart.curves.push_back(over_time(record, history));
+      chart.curves.push_back(over_time(record, times));
+  }
   if (chart.curves.empty() || history.rows.empty())
     throw Error(Fault::input_output, file.string(), "the table has no forces of tools");
   chart.title = text_of(results / "case.resolved.toml", "title");

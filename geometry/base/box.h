@@ -14,6 +14,8 @@ struct Box {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());   ///< smallest coordinates
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity()); ///< largest coordinates
 
+  bool operator==(const Box&) const = default;
+
   void add(const Vec3& point) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);

@@ -9,11 +9,13 @@
 
 #pragma once
 
+#include "geometry/base/box.h"
 #include "geometry/base/time_function.h"
 #include "io/case/case_tool.h"
 #include "io/case/case_workpiece.h"
 #include "mechanics/equilibrium/analysis.h"
 #include "mechanics/linear/solver_settings.h"
+#include "process/scene/measure.h"
 
 #include <array>
 #include <map>
@@ -169,6 +171,20 @@ struct OutputSettings {
   bool operator==(const OutputSettings&) const = default;
 };
 
+/// A figure of the part's shape, followed as a column of history.csv.
+struct Measure {
+  std::string name;
+  process::Measure::Kind kind = process::Measure::Kind::height;
+  Vec3 point = Vec3::Zero();      ///< on the line of radii; of scenes in space [mm]
+  Vec3 axis = Vec3::UnitY();      ///< of radii, any length
+  Vec3 direction = Vec3::UnitY(); ///< of height and reach, any length
+  std::string tool;               ///< that is touched; empty: the kind asks for none
+  std::optional<double> touching; ///< gap up to which the surface touches [mm]
+  std::optional<Box> within;      ///< what counts, or the cavity's box [mm]
+
+  bool operator==(const Measure&) const = default;
+};
+
 /// Everything a case file says.
 struct Case {
   std::string title;
@@ -185,6 +201,7 @@ struct Case {
   std::vector<Stage> stages; ///< ends increase; empty: one operation until `time.end`
   SolverSettings solver;
   std::optional<Remesh> remesh;
+  std::vector<Measure> measures; ///< names are unique
   OutputSettings output;
 
   bool operator==(const Case&) const = default;

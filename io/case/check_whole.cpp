@@ -1,5 +1,6 @@
 // Checks across the parts of a case: names that refer to other parts, times that must fit.
 
+#include "io/case/history_columns.h"
 #include "io/case/read_parts.h"
 #include "io/case/suggestion.h"
 
@@ -135,6 +136,27 @@ void check_stage_tools(const At& root) {
   }
 }
 
+/// Measures name tools that there are, and no column that history.csv has anyway.
+void check_measures(const At& root) {
+  std::vector<std::string> tools;
+  for (const At& tool : items(child(root, "tool")))
+    if (const std::string* const name = text_of(child(tool, "name")))
+      tools.push_back(*name);
+  for (const At& measure : items(child(root, "measure"))) {
+    const std::optional<At> tool = child(measure, "tool"), name = child(measure, "name");
+    if (const std::string* const text = text_of(tool);
+        text != nullptr && std::find(tools.begin(), tools.end(), *text) == tools.end())
+      tool->complain(fmt::format("found {}, but there is no such tool", shown(tool->node)),
+                     suggestion(*text, tools));
+    if (const std::string* const text = text_of(name);
+        text != nullptr &&
+        std::find(fixed_columns.begin(), fixed_columns.end(), *text) != fixed_columns.end())
+      name->complain(fmt::format("found {}, which is a column of history.csv already, allowed is "
+                                 "another name",
+                                 shown(name->node)));
+  }
+}
+
 /// Ends of stages must increase from one to the next.
 void check_stage_ends(const At& root, const Case& content) {
   const std::vector<At> stages = items(child(root, "stage"));
@@ -197,10 +219,12 @@ void check_frame_times(const At& root, const Case& content) {
 void check_whole(const At& root, Case& content) {
   refuse_same_names(root, "tool");
   refuse_same_names(root, "stage");
+  refuse_same_names(root, "measure");
   check_material(root, content);
   check_temperature(root, content);
   complete_hardness(content);
   check_stage_tools(root);
+  check_measures(root);
   check_stage_ends(root, content);
   complete_end(root, content);
   check_increments(root, content);

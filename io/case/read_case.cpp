@@ -89,6 +89,7 @@ Case read_root(TableReader& root) {
   content.stages = read_items<Stage>(root, "stage", as_stage);
   root.optional("solver", content.solver, as_solver);
   root.optional("remesh", content.remesh, as_remesh);
+  content.measures = read_items<Measure>(root, "measure", as_measure);
   root.optional("output", content.output, as_output);
   root.finish();
   if (!content.contact.form)

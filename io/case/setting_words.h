@@ -34,6 +34,14 @@ inline constexpr std::array linear_solvers{
 inline constexpr std::array accuracies{Word<Accuracy>{"draft", Accuracy::draft},
                                        Word<Accuracy>{"standard", Accuracy::standard},
                                        Word<Accuracy>{"fine", Accuracy::fine}};
+inline constexpr std::array measure_kinds{
+    Word<process::Measure::Kind>{"equator-radius", process::Measure::Kind::equator_radius},
+    Word<process::Measure::Kind>{"contact-radius", process::Measure::Kind::contact_radius},
+    Word<process::Measure::Kind>{"barrelling", process::Measure::Kind::barrelling},
+    Word<process::Measure::Kind>{"bore", process::Measure::Kind::bore},
+    Word<process::Measure::Kind>{"height", process::Measure::Kind::height},
+    Word<process::Measure::Kind>{"reach", process::Measure::Kind::reach},
+    Word<process::Measure::Kind>{"filling", process::Measure::Kind::filling}};
 inline constexpr std::array field_sets{Word<FieldSet>{"default", FieldSet::standard},
                                        Word<FieldSet>{"all", FieldSet::all}};
 

@@ -132,6 +132,25 @@ std::string interval_text(const CheckpointInterval& interval) {
                                in_minutes ? "min" : "s"));
 }
 
+std::string measure_text(const Measure& measure, int size) {
+  using Kind = process::Measure::Kind;
+  TomlTable table;
+  table.add("name", toml_text(std::string_view(measure.name)))
+      .add("kind", word_text(measure.kind, measure_kinds));
+  const bool along = measure.kind == Kind::height || measure.kind == Kind::reach;
+  if (size == 3 && !along && measure.kind != Kind::filling)
+    table.add("point", toml_text(measure.point, size)).add("axis", toml_text(measure.axis, size));
+  if (along)
+    table.add("direction", toml_text(measure.direction, size));
+  if (!measure.tool.empty())
+    table.add("tool", toml_text(std::string_view(measure.tool)));
+  add_if(table, "touching", measure.touching);
+  if (measure.within)
+    table.add("within", toml_list({toml_text(measure.within->low, size),
+                                   toml_text(measure.within->high, size)}));
+  return table.on_lines();
+}
+
 std::string output_text(const OutputSettings& output) {
   TomlTable table;
   add_if(table, "every", output.every);
@@ -174,6 +193,8 @@ std::string resolved_toml(const Case& content) {
   section("[solver]", solver_text(content.solver));
   if (content.remesh)
     section("[remesh]", remesh_text(*content.remesh));
+  for (const Measure& measure : content.measures)
+    section("[[measure]]", measure_text(measure, size));
   section("[output]", output_text(content.output));
   return text;
 }

@@ -3,11 +3,13 @@
 #include "geometry/base/archive.h"
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
+#include "io/case/history_columns.h"
 #include "io/case/read_case.h"
 #include "io/results/advice.h"
 #include "io/results/atomic_file.h"
 #include "io/results/earlier_results.h"
 #include "io/results/full_cavity.h"
+#include "process/measures/shape_measures.h"
 #include "process/remeshing/part_boundary.h"
 
 #include <fmt/chrono.h>
@@ -46,27 +48,13 @@ std::string analysis_name(Analysis analysis) {
 }
 
 std::vector<std::string> history_columns(const process::Scene& scene) {
-  std::vector<std::string> columns{"increment",
-                                   "time",
-                                   "dt",
-                                   "iterations",
-                                   "residual",
-                                   "cutbacks",
-                                   "volume",
-                                   "max_penetration",
-                                   "contact_area",
-                                   "plastic_work",
-                                   "external_work",
-                                   "friction_work",
-                                   "elastic_energy",
-                                   "max_plastic_strain",
-                                   "min_quality",
-                                   "remeshings",
-                                   "wall_time"};
+  std::vector<std::string> columns(fixed_columns.begin(), fixed_columns.end());
   for (const contact::Tool& tool : scene.tools)
     for (const char* what : {"force", "torque", "displacement"})
       for (const char* axis : {"_x", "_y", "_z"})
         columns.push_back(tool.name + "." + what + axis);
+  for (const process::Measure& measure : scene.measures)
+    columns.push_back(measure.name);
   return columns;
 }
 
@@ -94,6 +82,8 @@ std::vector<double> history_row(const process::Run& run, const process::Incremen
     for (const Vec3& v : {load.force, load.torque, way})
       row.insert(row.end(), v.data(), v.data() + 3);
   }
+  const std::vector<double> measures = process::measured(run);
+  row.insert(row.end(), measures.begin(), measures.end());
   return row;
 }
 

@@ -1,6 +1,8 @@
 #include "io/results/summary.h"
 
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
+#include <sys/time.h>
 
 #include <algorithm>
 
@@ -157,6 +159,18 @@ ordered_json solver_json(const mechanics::SolverWork& work) {
             {"megabytes", work.last_factor_bytes / mega}}}};
 }
 
+/// What the program as a whole has taken so far.
+ordered_json resources_json() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  constexpr double kilobyte = 1024.0;
+  return {{"processor_seconds", seconds(used.ru_utime) + seconds(used.ru_stime)},
+          {"peak_memory_bytes", kilobyte * static_cast<double>(used.ru_maxrss)}};
+}
+
 } // namespace
 
 std::string summary_text(const process::Run& run, const SummaryFacts& about) {
@@ -212,6 +226,7 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
   if (about.post)
     summary["failure"] = {{"time", about.post->time}, {"reason", about.post->reason}};
   summary["seconds"] = timings_json(run.clock.times);
+  summary["resources"] = resources_json();
   summary["linear_solver"] = solver_json(run.solver_work());
   return summary.dump(2) + "\n";
 }

@@ -282,6 +282,23 @@ void add_tools(const Case& content, BuiltScene& built) {
   }
 }
 
+std::vector<process::Measure> measures_of(const Case& content) {
+  std::vector<process::Measure> measures;
+  for (const Measure& measure : content.measures) {
+    const auto tool = std::find_if(content.tools.begin(), content.tools.end(),
+                                   [&](const Tool& each) { return each.name == measure.tool; });
+    measures.push_back({.name = measure.name,
+                        .kind = measure.kind,
+                        .point = measure.point,
+                        .axis = measure.axis.normalized(),
+                        .direction = measure.direction.normalized(),
+                        .tool = static_cast<std::size_t>(tool - content.tools.begin()),
+                        .touching = measure.touching,
+                        .within = measure.within});
+  }
+  return measures;
+}
+
 void add_stages(const Case& content, process::Scene& scene) {
   const std::size_t n = content.tools.size();
   if (content.stages.empty()) {
@@ -536,6 +553,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
                                                                       : contact::Method::penalty,
                    content.contact.max_penetration,
                    scheme_of(content.contact)};
+  scene.measures = measures_of(content);
   add_stages(content, scene);
   scene.increments = {content.time.increments.first, content.time.increments.min,
                       content.time.increments.max};

@@ -10,6 +10,7 @@
 #include "mechanics/bulk/bulk.h"
 #include "mechanics/linear/linear_solver.h"
 #include "mechanics/mesh/mesh.h"
+#include "process/scene/measure.h"
 
 #include <array>
 #include <optional>
@@ -113,6 +114,7 @@ struct Scene {
   std::vector<Stage> stages; ///< at least one
   IncrementLimits increments;
   std::vector<double> landing_times;    ///< times an increment must end at, sorted [s]
+  std::vector<Measure> measures;        ///< columns of history.csv
   std::optional<RemeshSettings> remesh; ///< none: the mesh of the start serves to the end
   double tolerance = 1e-6;
   mechanics::SolverSettings solver;

@@ -1,0 +1,232 @@
+#include "process/measures/shape_measures.h"
+
+#include "mechanics/elements/mesh_locator.h"
+#include "mechanics/equilibrium/faces.h"
+#include "process/scene/measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace billet::process {
+
+namespace {
+
+using mechanics::Face;
+
+/// Points of the surface and which of them are next to each other on a face.
+struct SurfaceSamples {
+  std::vector<Vec3> points; ///< [mm]
+  std::vector<std::array<std::size_t, 2>> neighbours;
+};
+
+/// Steps along a side of a face: a curved one is followed to a hundredth of its height.
+constexpr int steps_in_plane = 8, steps_in_space = 4;
+
+template <class Shape> void add_face(const Run& run, const Face& face, SurfaceSamples& samples) {
+  constexpr int dim = Shape::dim + 1;
+  constexpr bool in_space = Shape::dim == 2;
+  constexpr bool triangle = contact::is_triangle<Shape>;
+  constexpr int steps = in_space ? steps_in_space : steps_in_plane;
+  std::array<double, std::size_t{Shape::nodes} * dim> local{};
+  mechanics::gather(run.positions(), face.nodes, dim, local.data());
+  const auto coordinate = [](int i) {
+    const double share = static_cast<double>(i) / steps;
+    return triangle ? share : 2.0 * share - 1.0;
+  };
+  const auto in_row = [](int j) { return triangle ? steps - j : steps; };
+  for (int j = 0; j <= (in_space ? steps : 0); ++j)
+    for (int i = 0; i <= in_row(j); ++i) {
+      mechanics::RefPoint<Shape::dim> xi{};
+      xi[0] = coordinate(i);
+      if constexpr (in_space)
+        xi[1] = coordinate(j);
+      const std::size_t at = samples.points.size();
+      samples.points.push_back(
+          mechanics::FacePoint<Shape>(run.part().analysis, local.data(), xi, 1.0).position);
+      if (i > 0)
+        samples.neighbours.push_back({at - 1, at});
+      if (j > 0) // below, in a row that is as long or one longer
+        samples.neighbours.push_back({at - static_cast<std::size_t>(in_row(j - 1) + 1), at});
+    }
+}
+
+bool lies_on_axis(const Run& run, const Face& face) {
+  const int dim = run.mesh().dimension();
+  return std::all_of(face.nodes.begin(), face.nodes.end(), [&](mechanics::Index node) {
+    return mechanics::node_position(run.positions(), dim, node)[0] == 0.0;
+  });
+}
+
+SurfaceSamples surface_of(const Run& run) {
+  SurfaceSamples samples;
+  const bool has_axis = run.part().analysis == mechanics::Analysis::axisymmetric;
+  for (const Face& face : mechanics::boundary_faces(run.mesh()))
+    if (!has_axis || !lies_on_axis(run, face))
+      mechanics::visit_face(run.mesh().kind,
+                            [&](auto shape) { add_face<decltype(shape)>(run, face, samples); });
+  return samples;
+}
+
+bool counts(const Measure& measure, const Vec3& point) {
+  return !measure.within || ((point.array() >= measure.within->low.array()).all() &&
+                             (point.array() <= measure.within->high.array()).all());
+}
+
+/// Smallest and largest of a figure of the surface's points; nothing counts: both not a number.
+template <class Figure>
+std::pair<double, double>
+range(const SurfaceSamples& surface, const Measure& measure, const Figure& figure) {
+  double low = std::numeric_limits<double>::quiet_NaN(), high = low;
+  for (const Vec3& point : surface.points)
+    if (counts(measure, point)) {
+      low = std::fmin(low, figure(point));
+      high = std::fmax(high, figure(point));
+    }
+  return {low, high};
+}
+
+double radius(const Measure& measure, const Vec3& point) {
+  const Vec3 from = point - measure.point;
+  return (from - from.dot(measure.axis) * measure.axis).norm();
+}
+
+/// Gaps of points to a tool as it stands now, shape (n_points); infinite: there is no tool [mm].
+std::vector<double> gaps_to(const Run& run, std::size_t tool, std::span<const Vec3> points) {
+  const geometry::Pose pose = run.model.contact->pose(tool, run.state.time, run.state.x);
+  std::vector<Vec3> local(points.size());
+  std::transform(points.begin(), points.end(), local.begin(),
+                 [&](const Vec3& x) { return pose.to_tool(x); });
+  std::vector<geometry::Projection> feet(points.size());
+  run.tools()[tool].surface->project(local, box_of(points).size(), feet);
+  std::vector<double> gaps(points.size());
+  std::transform(feet.begin(), feet.end(), gaps.begin(),
+                 [](const geometry::Projection& foot) { return foot.gap; });
+  return gaps;
+}
+
+/// Touching ends between two points of a face where the gap, linear between them, is as large as
+/// touching allows.
+double contact_radius(const Run& run, const Measure& measure, const SurfaceSamples& surface) {
+  if (run.contact() == nullptr)
+    return 0.0;
+  constexpr double share_of_body = 1e-3;
+  const double touching = measure.touching.value_or(share_of_body * body_size(run.scene.part.mesh));
+  const std::vector<double> gaps = gaps_to(run, measure.tool, surface.points);
+  double largest = 0.0;
+  const auto note = [&](const Vec3& point) {
+    if (counts(measure, point))
+      largest = std::max(largest, radius(measure, point));
+  };
+  for (auto [in, out] : surface.neighbours) {
+    if (gaps[in] > gaps[out])
+      std::swap(in, out);
+    if (gaps[in] > touching)
+      continue;
+    note(surface.points[in]);
+    const bool parts = gaps[out] > touching;
+    if (!parts || std::isfinite(gaps[out])) {
+      const double share = parts ? (touching - gaps[in]) / (gaps[out] - gaps[in]) : 1.0;
+      note(surface.points[in] + share * (surface.points[out] - surface.points[in]));
+    }
+  }
+  return largest;
+}
+
+/// Middles of equal cells of a box.
+std::vector<Vec3> middles(const Box& box, int dim) {
+  constexpr double cells_in_plane = 1e4, cells_in_space = 4e4;
+  const Vec3 sides = box.high - box.low;
+  double volume = 1.0;
+  for (int i = 0; i < dim; ++i)
+    volume *= sides[i];
+  const double side = std::pow(volume / (dim == 2 ? cells_in_plane : cells_in_space), 1.0 / dim);
+  std::array<int, 3> counts{1, 1, 1};
+  for (int i = 0; i < dim; ++i)
+    counts[idx(i)] = std::max(1, static_cast<int>(std::lround(sides[i] / side)));
+  std::vector<Vec3> points;
+  for (int k = 0; k < counts[2]; ++k)
+    for (int j = 0; j < counts[1]; ++j)
+      for (int i = 0; i < counts[0]; ++i) {
+        const Vec3 share((i + 0.5) / counts[0], (j + 0.5) / counts[1],
+                         dim == 3 ? (k + 0.5) / counts[2] : 0.0);
+        points.push_back(box.low +
+                         share.cwiseProduct(dim == 3 ? sides : Vec3(sides[0], sides[1], 0)));
+        if (dim == 2)
+          points.back()[2] = 0.0;
+      }
+  return points;
+}
+
+double filling(const Run& run, const Measure& measure) {
+  std::vector<Vec3> points = middles(*measure.within, run.mesh().dimension());
+  for (std::size_t tool = 0; run.contact() != nullptr && tool < run.tools().size(); ++tool) {
+    const std::vector<double> gaps = gaps_to(run, tool, points);
+    std::vector<Vec3> free;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (gaps[i] >= 0.0)
+        free.push_back(points[i]);
+    points = std::move(free);
+  }
+  const bool revolved = run.part().analysis == mechanics::Analysis::axisymmetric;
+  const auto weight = [&](const Vec3& point) { return revolved ? point[0] : 1.0; };
+  const std::vector<mechanics::MeshLocation> at =
+      mechanics::MeshLocator(run.mesh(), run.positions()).locate(points);
+  const double inside = 1e-9 * measure.within->size();
+  double cavity = 0.0, metal = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    cavity += weight(points[i]);
+    metal += at[i].distance <= inside ? weight(points[i]) : 0.0;
+  }
+  return cavity > 0.0 ? metal / cavity : 1.0;
+}
+
+double measured(const Run& run, const Measure& measure, const SurfaceSamples& surface) {
+  const auto radii = [&] {
+    return range(surface, measure, [&](const Vec3& x) { return radius(measure, x); });
+  };
+  const auto places = [&] {
+    return range(surface, measure, [&](const Vec3& x) { return x.dot(measure.direction); });
+  };
+  switch (measure.kind) {
+  case Measure::Kind::equator_radius:
+    return radii().second;
+  case Measure::Kind::contact_radius:
+    return contact_radius(run, measure, surface);
+  case Measure::Kind::barrelling: {
+    const double contact = contact_radius(run, measure, surface);
+    return contact > 0.0 ? radii().second / contact : 1.0;
+  }
+  case Measure::Kind::bore:
+    return radii().first;
+  case Measure::Kind::height: {
+    const auto [low, high] = places();
+    return high - low;
+  }
+  case Measure::Kind::reach:
+    return places().second;
+  case Measure::Kind::filling:
+    return filling(run, measure);
+  }
+  return 0.0;
+}
+
+} // namespace
+
+std::vector<double> measured(const Run& run) {
+  std::vector<double> values;
+  if (run.scene.measures.empty())
+    return values;
+  const SurfaceSamples surface = surface_of(run);
+  for (const Measure& measure : run.scene.measures)
+    values.push_back(measured(run, measure, surface));
+  return values;
+}
+
+} // namespace billet::process
