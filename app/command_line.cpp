@@ -57,6 +57,16 @@ constexpr Option run_options[] = {
      "goes on from another run's checkpoint (of time T or before) into DIR"},
 };
 
+/// Of `study`.
+constexpr Option study_options[] = {
+    {"--set", "KEY=VALUE", "overrides a key of the study, e.g. run.engine=slurm"},
+    {"-o", "DIR", "results go to DIR (default: results/<study name>)", "--output"},
+    {"--processes", "N", "runs at once (default: as many as the machine has cores for)"},
+    {"--threads", "N", "threads of each run (default: 1)"},
+    {"--again", "", "makes runs that failed again"},
+    {"--quiet", "", "no progress on standard error"},
+};
+
 int positive_number(const std::string& text, std::string_view option) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -75,6 +85,10 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.overrides.push_back(value);
   else if (option == "--threads")
     arguments.threads = positive_number(value, option);
+  else if (option == "--processes")
+    arguments.processes = positive_number(value, option);
+  else if (option == "--again")
+    arguments.again = true;
   else if (option == "--resume")
     arguments.resume = true;
   else if (option == "--from")
@@ -105,6 +119,8 @@ const Option& find_option(const std::string& word, const Command& command) {
   };
   if (command.name == "info") {
     look_in(info_options);
+  } else if (command.name == "study") {
+    look_in(study_options);
   } else {
     look_in(case_options);
     look_in(run_options);
@@ -125,6 +141,9 @@ const std::vector<Command>& commands() {
        "what an STL, mesh or result contains, and what is wrong with it", &show_info},
       {"render", "RESULTS [--field F] [--time T] [--curve] [-o FILE.png]",
        "a picture of a run, or of its forces, without a display", &render_results},
+      {"study", "STUDY.toml [options]",
+       "run a case with a matrix of settings: what they cost and how far off they are",
+       &conduct_study},
   };
   return all;
 }
@@ -203,6 +222,8 @@ std::string help(const Command& command) {
     add(info_options);
   } else if (command.name == "render") {
     add(render_options);
+  } else if (command.name == "study") {
+    add(study_options);
   } else {
     add(case_options);
     if (command.name == "run")

@@ -22,6 +22,8 @@ struct Arguments {
   bool profile = false;                        ///< --profile
   bool allow_outside = false;                  ///< --allow-outside
   std::optional<std::string> unit;             ///< --unit, of an STL
+  std::optional<int> processes;                ///< --processes
+  bool again = false;                          ///< --again
   std::vector<std::string> rest;               ///< of render: all, passed on
 };
 
@@ -37,6 +39,7 @@ int run_case(const Arguments& arguments);
 int check_case(const Arguments& arguments);
 int show_info(const Arguments& arguments);
 int render_results(const Arguments& arguments);
+int conduct_study(const Arguments& arguments);
 
 /// Every command that works in this version.
 [[nodiscard]] const std::vector<Command>& commands();

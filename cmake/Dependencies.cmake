@@ -8,6 +8,7 @@ find_package(fmt REQUIRED)
 find_package(CGAL REQUIRED)
 find_package(fcl 0.7 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(muparser REQUIRED)
 # Files by all; scenes by billet-render alone, which is left out where these are not found.
 set(vtk_files CommonCore CommonDataModel IOXML IOXMLParser)
 set(vtk_scenes)

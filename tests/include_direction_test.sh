@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Holds the architecture: includes follow base <- geometry <- mechanics <- contact <- process <- io
-# <- billet <- app, within a folder the order of its sub-folders, our headers show no third party but Eigen, and every law has its test.
+# <- study <- billet <- app, within a folder the order of its sub-folders, our headers show no third party but Eigen, and every law has its test.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 export LC_ALL=C
 
-readonly folders=(geometry mechanics contact process io billet app)
+readonly folders=(geometry mechanics contact process io study billet app)
 
 includes() { # FILE-PATTERN...: "file:line: <header>" or "file:line: "header"" of each #include
   find "${folders[@]}" -type f \( "$@" \) -exec grep -HnoE '^ *# *include *[<"][^>"]+[>"]' {} + |
@@ -15,7 +15,7 @@ includes() { # FILE-PATTERN...: "file:line: <header>" or "file:line: "header"" o
 against_the_arrow() {
   includes -name '*.h' -o -name '*.cpp' | awk '
     function room(path) { return path ~ /^geometry\/base\// ? "base" : substr(path, 1, index(path, "/") - 1) }
-    BEGIN { split("base geometry mechanics contact process io billet app", rooms)
+    BEGIN { split("base geometry mechanics contact process io study billet app", rooms)
             for (i in rooms) rank[rooms[i]] = i + 0 }
     $2 ~ /^"/ {
       split($1, place, ":"); from = room(place[1])

@@ -1,0 +1,62 @@
+// billet study: runs a case with a matrix of settings and says what they make of it.
+
+#include "app/command_line.h"
+#include "app/render.h"
+#include "app/stop_signals.h"
+#include "geometry/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "study/conduct.h"
+#include "study/pictures.h"
+
+namespace billet::app {
+
+namespace {
+
+/// The folder's name for a file called study.toml, the file's own otherwise.
+std::string study_name(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+  const std::string folder = whole.parent_path().filename().string();
+  return stem == "study" && !folder.empty() ? folder : stem;
+}
+
+} // namespace
+
+int conduct_study(const Arguments& arguments) {
+  study::Study study = study::read_study(arguments.file, arguments.overrides);
+  if (arguments.processes)
+    study.engine.processes = arguments.processes;
+  if (arguments.threads)
+    study.engine.threads = *arguments.threads;
+  const std::filesystem::path folder =
+      arguments.output.value_or(std::filesystem::path("results") / study_name(arguments.file));
+  notice_stop_signals();
+  const study::Conduct how{.program = {own_file(), BILLET_VERSION},
+                           .folder = folder,
+                           .again = arguments.again,
+                           .stopped = [] { return stop_signal() != 0; },
+                           .say =
+                               [&](const std::string& line) {
+                                 if (!arguments.quiet)
+                                   fmt::print(stderr, "{}\n", line);
+                               }};
+  const study::Conducted result = study::conduct(study, how);
+  const auto n_failed =
+      std::count_if(result.rows.begin(), result.rows.end(),
+                    [](const study::OutcomeRow& row) { return row.end && !row.good(); });
+  fmt::print("{}", study::in_words(study, result.findings));
+  fmt::print("{} rows, {} of them failed{}\n", result.rows.size(), n_failed,
+             result.n_left > 0 ? fmt::format(", {} are left to be run", result.n_left) : "");
+  if (result.n_left == 0)
+    for (const study::Picture& picture : study::pictures_of(study, result, folder))
+      draw_curves(picture.arguments, how.say);
+  fmt::print("results: {}\n", folder.string());
+  return stop_signal() != 0 ? 128 + stop_signal() : 0;
+}
+
+} // namespace billet::app

@@ -1,0 +1,46 @@
+// What the runs of a study gave: a row a run.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/plan.h"
+#include "study/runs.h"
+
+namespace billet::study {
+
+/// What a run took.
+struct RunCost {
+  double processor_time = 0.0; ///< [s]
+  double iterations = 0.0;     ///< those of failed tries and of new meshes included
+  double memory = 0.0;         ///< largest resident [byte]
+};
+
+/// A row, its run and what was read off it.
+struct OutcomeRow {
+  Row row;
+  std::string folder;          ///< of the run; empty: it could not be run
+  std::optional<EndedRun> end; ///< none: it has not been run
+  std::vector<double> values;  ///< of the quantities; empty: the run did not reach its end
+  RunCost cost;
+
+  [[nodiscard]] bool good() const { return !values.empty(); }
+};
+
+/// Reads quantities and costs of a run that has ended. A quantity that cannot be read off is the
+/// row's reason.
+[[nodiscard]] OutcomeRow outcome_of(const Study& study, const Row& row, const PlannedRun& run);
+
+/// study.csv: rows, what was varied, how the run ended, quantities, costs, and further columns.
+struct FurtherColumn {
+  std::string name;
+  std::vector<double> values; ///< shape (n_rows); not a number: an empty cell
+};
+[[nodiscard]] std::string csv_text(const Study& study,
+                                   const std::vector<OutcomeRow>& rows,
+                                   const std::vector<FurtherColumn>& further);
+
+} // namespace billet::study
