@@ -19,13 +19,13 @@ struct Quantity {
   /// Of the values that `of` takes over the run.
   enum class Take { end, at, largest, smallest, mean };
 
-  std::string name;
-  std::string of;            ///< an expression of columns of history.csv and of summary.json
+  std::string name = {};
+  std::string of = {};       ///< an expression of columns of history.csv and of summary.json
   std::string over = "time"; ///< likewise: what `at`, `from` and `to` are values of
   Take take = Take::end;
   std::optional<double> at = {};            ///< of `over`
   std::optional<double> from = {}, to = {}; ///< of `over`; none: the whole run
-  std::string expression;                   ///< of quantities before, in place of `of`; or empty
+  std::string expression = {};              ///< of quantities before, in place of `of`; or empty
 };
 
 /// Results of a run as quantities see them.

@@ -16,22 +16,22 @@ namespace billet::study {
 
 /// A key of the case and the TOML text of its value, as `billet run --set KEY=VALUE` takes it.
 struct Assignment {
-  std::string key;
-  std::string value;
+  std::string key = {};
+  std::string value = {};
 
   bool operator==(const Assignment&) const = default;
 };
 
 /// One of the settings along an axis.
 struct Level {
-  std::string label;
+  std::string label = {};
   std::vector<Assignment> set;
   std::optional<double> size = std::nullopt; ///< of what is refined, relative to the others [-]
 };
 
 /// Values that a sample may take between two, of one key.
 struct Range {
-  std::string key;
+  std::string key = {};
   double low = 0.0;
   double high = 0.0;
   bool logarithmic = false;
@@ -39,7 +39,7 @@ struct Range {
 
 /// What is varied.
 struct Axis {
-  std::string name;
+  std::string name = {};
   std::vector<Level> levels;                 ///< of a range without a sample its steps
   std::optional<Range> range = std::nullopt; ///< what a sample draws from, in place of levels
 
@@ -61,31 +61,31 @@ struct Engine {
   Kind kind = Kind::local;
   std::optional<int> processes = std::nullopt; ///< at once; none: as many as the machine has cores
   int threads = 1;                             ///< of a run
-  std::vector<std::string> options;            ///< of sbatch
+  std::vector<std::string> options = {};       ///< of sbatch
   bool frames = false;                         ///< write those in between as well
 };
 
 /// What error and cost are measured by.
 struct TradeSettings {
   enum class Cost { processor_time, iterations, memory };
-  std::vector<std::string> quantities; ///< empty: all
+  std::vector<std::string> quantities = {}; ///< empty: all
   /// Labels of the reference's levels by axis; an axis that is not named is what the trade is for:
   /// each of its levels has a reference of its own.
-  std::map<std::string, std::string> reference;
+  std::map<std::string, std::string> reference = {};
   Cost cost = Cost::processor_time;
   double within = 0.01; ///< error that a recommended setting may have [-]
 };
 
 /// Over which axes a quantity is extrapolated.
 struct ConvergenceSettings {
-  std::vector<std::string> axes;       ///< each has sizes
-  std::vector<std::string> quantities; ///< empty: all
+  std::vector<std::string> axes = {};       ///< each has sizes
+  std::vector<std::string> quantities = {}; ///< empty: all
 };
 
 struct Study {
-  std::string title;
+  std::string title = {};
   std::filesystem::path case_file;
-  std::vector<std::string> overrides; ///< of every run, "key=value"
+  std::vector<std::string> overrides = {}; ///< of every run, "key=value"
   std::vector<Axis> axes;
   std::optional<Sample> sample;
   std::vector<Quantity> quantities;

@@ -10,7 +10,7 @@ namespace billet::io {
 
 namespace {
 
-using Kind = process::Measure::Kind;
+using MeasureKind = process::Measure::Kind;
 
 constexpr Number any_place{quantity::length, any_value};
 
@@ -32,12 +32,14 @@ std::optional<Box> as_box(const At& at) {
   return Box{*low, *high};
 }
 
-bool is_radius(Kind kind) {
-  return kind == Kind::equator_radius || kind == Kind::contact_radius || kind == Kind::barrelling ||
-         kind == Kind::bore;
+bool is_radius(MeasureKind kind) {
+  return kind == MeasureKind::equator_radius || kind == MeasureKind::contact_radius ||
+         kind == MeasureKind::barrelling || kind == MeasureKind::bore;
 }
 
-bool needs_tool(Kind kind) { return kind == Kind::contact_radius || kind == Kind::barrelling; }
+bool needs_tool(MeasureKind kind) {
+  return kind == MeasureKind::contact_radius || kind == MeasureKind::barrelling;
+}
 
 /// The line of radii: in axisymmetry the axis, in space given.
 void read_axis(TableReader& table, Measure& measure) {
@@ -54,8 +56,8 @@ void read_axis(TableReader& table, Measure& measure) {
 void read_of_kind(TableReader& table, Measure& measure) {
   if (is_radius(measure.kind))
     read_axis(table, measure);
-  if (measure.kind == Kind::height || measure.kind == Kind::reach) {
-    if (table.context().in_space() || measure.kind == Kind::reach)
+  if (measure.kind == MeasureKind::height || measure.kind == MeasureKind::reach) {
+    if (table.context().in_space() || measure.kind == MeasureKind::reach)
       table.required("direction", measure.direction, as_direction);
     else
       table.optional("direction", measure.direction, as_direction);
@@ -64,7 +66,7 @@ void read_of_kind(TableReader& table, Measure& measure) {
     table.required("tool", measure.tool, as_name);
     table.optional("touching", measure.touching, as_number, positive_length);
   }
-  if (measure.kind == Kind::filling)
+  if (measure.kind == MeasureKind::filling)
     table.required("within", measure.within, as_box);
   else
     table.optional("within", measure.within, as_box);

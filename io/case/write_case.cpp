@@ -133,12 +133,12 @@ std::string interval_text(const CheckpointInterval& interval) {
 }
 
 std::string measure_text(const Measure& measure, int size) {
-  using Kind = process::Measure::Kind;
+  using MeasureKind = process::Measure::Kind;
   TomlTable table;
   table.add("name", toml_text(std::string_view(measure.name)))
       .add("kind", word_text(measure.kind, measure_kinds));
-  const bool along = measure.kind == Kind::height || measure.kind == Kind::reach;
-  if (size == 3 && !along && measure.kind != Kind::filling)
+  const bool along = measure.kind == MeasureKind::height || measure.kind == MeasureKind::reach;
+  if (size == 3 && !along && measure.kind != MeasureKind::filling)
     table.add("point", toml_text(measure.point, size)).add("axis", toml_text(measure.axis, size));
   if (along)
     table.add("direction", toml_text(measure.direction, size));
