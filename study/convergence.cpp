@@ -22,11 +22,6 @@ std::vector<std::size_t> converged_axes(const Study& study) {
   return axes;
 }
 
-const Level& finest_of(const Axis& axis) {
-  return *std::min_element(axis.levels.begin(), axis.levels.end(),
-                           [](const Level& a, const Level& b) { return *a.size < *b.size; });
-}
-
 /// Values along an axis, the other labels as given; those of runs that failed are left out.
 AxisConvergence along(const Axis& axis,
                       std::size_t position,
@@ -85,7 +80,7 @@ std::vector<Convergence> convergence_of(const Study& study, const std::vector<Ou
     by_labels[row.row.labels] = &row;
     std::vector<std::string> labels = row.row.labels;
     for (const std::size_t a : axes)
-      labels[a] = finest_of(study.axes[a]).label;
+      labels[a] = study.axes[a].finest().label;
     combinations.insert(labels);
   }
   const std::vector<std::string>& wanted = study.convergence->quantities;

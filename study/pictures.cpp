@@ -64,19 +64,28 @@ std::string series(const fs::path& file,
   return fmt::format("{}:x:y:{}", file.string(), name.empty() ? "values" : name);
 }
 
+/// Whether a row has the finest level of every axis that refines, but for one.
+bool is_finest(const Study& study, const Row& row, std::size_t but) {
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    if (a != but && study.axes[a].refines() && row.labels[a] != study.axes[a].finest().label)
+      return false;
+  return true;
+}
+
 /// A quantity over an axis, a curve for every combination of the other axes' levels.
-std::optional<Picture> response(const Study& study,
-                                const std::vector<OutcomeRow>& rows,
-                                std::size_t axis,
-                                std::size_t quantity,
-                                const fs::path& folder) {
-  constexpr std::size_t most_curves = 12;
+std::optional<Picture> response_of(const Study& study,
+                                   const std::vector<OutcomeRow>& rows,
+                                   std::size_t axis,
+                                   std::size_t quantity,
+                                   const fs::path& folder,
+                                   bool only_finest) {
+  constexpr std::size_t most_curves = 6; // that colours tell apart
   const std::optional<std::vector<double>> places = places_of(study.axes[axis], rows, axis);
   if (!places)
     return std::nullopt;
   std::map<std::string, std::vector<std::pair<double, double>>> curves;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    if (!rows[r].good())
+    if (!rows[r].good() || (only_finest && !is_finest(study, rows[r].row, axis)))
       continue;
     std::vector<std::string> others;
     for (std::size_t a = 0; a < study.axes.size() && !study.sample; ++a)
@@ -89,7 +98,7 @@ std::optional<Picture> response(const Study& study,
     return std::nullopt;
   const std::string name =
       file_name(fmt::format("{}-over-{}", study.quantities[quantity].name, study.axes[axis].name));
-  Picture picture{{"--curve"}};
+  Picture picture{{"--curve", "--tight"}};
   std::size_t number = 0;
   for (auto& [label, points] : curves) {
     std::sort(points.begin(), points.end());
@@ -106,6 +115,16 @@ std::optional<Picture> response(const Study& study,
   return picture;
 }
 
+/// Of all combinations, or where these are too many of the finest only.
+std::optional<Picture> response(const Study& study,
+                                const std::vector<OutcomeRow>& rows,
+                                std::size_t axis,
+                                std::size_t quantity,
+                                const fs::path& folder) {
+  std::optional<Picture> picture = response_of(study, rows, axis, quantity, folder, false);
+  return picture ? picture : response_of(study, rows, axis, quantity, folder, true);
+}
+
 std::optional<Picture> pareto(const Study& study, const Trade& trade, const fs::path& folder) {
   std::vector<std::pair<double, double>> all, front;
   constexpr double percent = 100.0;
@@ -120,7 +139,7 @@ std::optional<Picture> pareto(const Study& study, const Trade& trade, const fs::
       front.push_back(point(trade.settings[s]));
   if (all.empty())
     return std::nullopt;
-  return Picture{{"--curve", series(folder / "front.csv", front, "front"), "--points",
+  return Picture{{"--curve", "--tight", series(folder / "front.csv", front, "front"), "--points",
                   series(folder / "settings.csv", all, "settings"), "--x-label",
                   fmt::format("cost [{}]", unit_of(study.trade->cost)), "--y-label",
                   "log10 of the error in %", "--title", study.title, "-o",

@@ -283,10 +283,7 @@ std::map<std::string, std::string> finest(const std::vector<Axis>& axes) {
   std::map<std::string, std::string> labels;
   for (const Axis& axis : axes)
     if (axis.refines())
-      labels[axis.name] =
-          std::min_element(axis.levels.begin(), axis.levels.end(),
-                           [](const Level& a, const Level& b) { return *a.size < *b.size; })
-              ->label;
+      labels[axis.name] = axis.finest().label;
   return labels;
 }
 
@@ -388,6 +385,11 @@ Study read_root(TableReader& root, const fs::path& folder) {
 bool Axis::refines() const {
   return !levels.empty() && std::all_of(levels.begin(), levels.end(),
                                         [](const Level& level) { return level.size.has_value(); });
+}
+
+const Level& Axis::finest() const {
+  return *std::min_element(levels.begin(), levels.end(),
+                           [](const Level& a, const Level& b) { return *a.size < *b.size; });
 }
 
 Study read_study(const fs::path& file, const std::vector<std::string>& overrides) {

@@ -45,6 +45,9 @@ struct Axis {
 
   /// Whether every level has a size.
   [[nodiscard]] bool refines() const;
+  /// The level with the smallest size.
+  /// @pre refines()
+  [[nodiscard]] const Level& finest() const;
 };
 
 /// How settings are drawn where not all combinations are run.

@@ -30,8 +30,15 @@ Axis axis_through_zero(double least, double most, int most_steps) {
     low = 0.0;
   if (high < nothing * -low)
     high = 0.0;
-  if (low == high)
-    high = 1.0;
+  return axis_of(low, high, most_steps);
+}
+
+Axis axis_of(double low, double high, int most_steps) {
+  if (low == high) { // one value: in the middle
+    const double around = low != 0.0 ? 0.5 * std::abs(low) : 1.0;
+    low -= low != 0.0 ? around : 0.0;
+    high += around;
+  }
   const double power = std::pow(10.0, std::floor(std::log10((high - low) / most_steps)));
   for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
     const double step = factor * power;

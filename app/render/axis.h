@@ -1,4 +1,4 @@
-// The axis of a chart: through zero, with ticks at round numbers.
+// The axis of a chart, with ticks at round numbers.
 
 #pragma once
 
@@ -21,5 +21,8 @@ struct Axis {
 
 /// The shortest axis from tick to tick that holds zero and the values.
 [[nodiscard]] Axis axis_through_zero(double least, double most, int most_steps);
+
+/// The shortest one that holds the values.
+[[nodiscard]] Axis axis_of(double least, double most, int most_steps);
 
 } // namespace billet::render

@@ -51,8 +51,9 @@ Layout layout_of(const Chart& chart, const std::array<int, 2>& size) {
   layout.font = std::clamp(std::min(size[0], size[1]) / lines, smallest, largest);
   const double font = layout.font;
   const std::array<Vec2, 2> range = range_of(chart.curves);
-  layout.y = axis_through_zero(range[0].y(), range[1].y(), std::clamp(size[1] / 90, 2, 12));
-  layout.x = axis_through_zero(range[0].x(), range[1].x(), std::clamp(size[0] / 100, 2, 12));
+  const auto axis = chart.tight ? axis_of : axis_through_zero;
+  layout.y = axis(range[0].y(), range[1].y(), std::clamp(size[1] / 90, 2, 12));
+  layout.x = axis(range[0].x(), range[1].x(), std::clamp(size[0] / 100, 2, 12));
   double widest = 0.0;
   for (const double tick : layout.y.ticks())
     widest = std::max(widest, Canvas::text_length(layout.y.label(tick), layout.font));
@@ -85,8 +86,10 @@ void draw_axes(Canvas& canvas, const Layout& on, const Chart& chart) {
     canvas.text(on.y.label(tick), foot + 1.7 * left,
                 {.size = on.font, .along = Hold::high, .across = Hold::middle});
   }
-  straight(on.at({on.x.low, 0.0}), on.at({on.x.high, 0.0}), 1.0, grey);
-  straight(on.at({0.0, on.y.low}), on.at({0.0, on.y.high}), 1.0, grey);
+  if (on.y.low <= 0.0 && on.y.high >= 0.0)
+    straight(on.at({on.x.low, 0.0}), on.at({on.x.high, 0.0}), 1.0, grey);
+  if (on.x.low <= 0.0 && on.x.high >= 0.0)
+    straight(on.at({0.0, on.y.low}), on.at({0.0, on.y.high}), 1.0, grey);
   straight(on.low, {on.high.x(), on.low.y()}, 1.0, black);
   straight(on.low, {on.low.x(), on.high.y()}, 1.0, black);
   const Vec2 middle = 0.5 * (on.low + on.high);
@@ -157,6 +160,7 @@ Chart chart_of(const Options& options) {
     chart.x_label = options.series[0].x_column;
     chart.y_label = options.series[0].y_column;
   }
+  chart.tight = options.tight;
   if (!options.title.empty())
     chart.title = options.title;
   if (!options.x_label.empty())

@@ -21,6 +21,7 @@ struct Curve {
 struct Chart {
   std::vector<Curve> curves;
   std::string title, x_label, y_label;
+  bool tight = false; ///< axes need not hold zero
 };
 
 /// The points of a series; rows that lack a number are left out.

@@ -157,6 +157,7 @@ std::string usage() {
          "the sign\n"
          "  --points SERIES                    the same, as markers\n"
          "  --x-label TEXT, --y-label TEXT\n"
+         "  --tight                            axes as long as the curves (from zero)\n"
          "all:\n"
          "  -o, --output FILE.png              (in the results, FIELD.png or load-stroke.png)\n"
          "  --size WxH                         pixels (1200x900)\n"
@@ -193,6 +194,8 @@ Options parse(const std::vector<std::string>& arguments) {
       options.help = true;
     } else if (argument == "--curve") {
       options.curves = true;
+    } else if (argument == "--tight") {
+      options.tight = true;
     } else if (argument == "--mirror" || argument == "--no-mirror") {
       options.mirror = argument == "--mirror";
     } else if (argument.size() > 1 && argument.starts_with('-')) {

@@ -40,6 +40,7 @@ struct Options {
   // chart
   std::vector<Series> series; ///< empty: forces over strokes of the results
   std::string x_label, y_label;
+  bool tight = false; ///< axes need not hold zero
 };
 
 /// How the program is called.

@@ -171,10 +171,12 @@ struct OutputSettings {
   bool operator==(const OutputSettings&) const = default;
 };
 
+using MeasureKind = process::Measure::Kind;
+
 /// A figure of the part's shape, followed as a column of history.csv.
 struct Measure {
   std::string name;
-  process::Measure::Kind kind = process::Measure::Kind::height;
+  MeasureKind kind = MeasureKind::height;
   Vec3 point = Vec3::Zero();      ///< on the line of radii; of scenes in space [mm]
   Vec3 axis = Vec3::UnitY();      ///< of radii, any length
   Vec3 direction = Vec3::UnitY(); ///< of height and reach, any length

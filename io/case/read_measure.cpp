@@ -10,8 +10,6 @@ namespace billet::io {
 
 namespace {
 
-using MeasureKind = process::Measure::Kind;
-
 constexpr Number any_place{quantity::length, any_value};
 
 /// Two corners, the second above the first.

@@ -133,7 +133,6 @@ std::string interval_text(const CheckpointInterval& interval) {
 }
 
 std::string measure_text(const Measure& measure, int size) {
-  using MeasureKind = process::Measure::Kind;
   TomlTable table;
   table.add("name", toml_text(std::string_view(measure.name)))
       .add("kind", word_text(measure.kind, measure_kinds));
