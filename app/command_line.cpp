@@ -57,10 +57,15 @@ constexpr Option run_options[] = {
      "goes on from another run's checkpoint (of time T or before) into DIR"},
 };
 
-/// Of `study`.
+/// Of `identify`.
+constexpr Option identify_options[] = {
+    {"-o", "DIR", "identification.json goes to DIR", "--output"},
+};
+
+/// Of `study` and `chart`.
 constexpr Option study_options[] = {
-    {"--set", "KEY=VALUE", "overrides a key of the study, e.g. run.engine=slurm"},
-    {"-o", "DIR", "results go to DIR (default: results/<study name>)", "--output"},
+    {"--set", "KEY=VALUE", "overrides a key of the file, e.g. run.engine=slurm"},
+    {"-o", "DIR", "results go to DIR (default: results/<name>)", "--output"},
     {"--processes", "N", "runs at once (default: as many as the machine has cores for)"},
     {"--threads", "N", "threads of each run (default: 1)"},
     {"--again", "", "makes runs that failed again"},
@@ -119,7 +124,9 @@ const Option& find_option(const std::string& word, const Command& command) {
   };
   if (command.name == "info") {
     look_in(info_options);
-  } else if (command.name == "study") {
+  } else if (command.name == "identify") {
+    look_in(identify_options);
+  } else if (command.name == "study" || command.name == "chart") {
     look_in(study_options);
   } else {
     look_in(case_options);
@@ -133,6 +140,13 @@ const Option& find_option(const std::string& word, const Command& command) {
 
 } // namespace
 
+std::string file_name(const std::filesystem::path& file, std::string_view usual) {
+  const std::string stem = file.stem().string();
+  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+  const std::string folder = whole.parent_path().filename().string();
+  return stem == usual && !folder.empty() ? folder : stem;
+}
+
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"run", "CASE.toml [options]", "run a case to the end and write its results", &run_case},
@@ -144,6 +158,10 @@ const std::vector<Command>& commands() {
       {"study", "STUDY.toml [options]",
        "run a case with a matrix of settings: what they cost and how far off they are",
        &conduct_study},
+      {"chart", "CHART.toml [options]", "what a test measures, for values of a law's parameters",
+       &make_chart},
+      {"identify", "CHART MEASUREMENTS.csv [-o DIR]",
+       "a law's parameters from measured values, with their intervals", &identify_parameters, 2},
   };
   return all;
 }
@@ -160,10 +178,12 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
     if (!is_option) {
       if (arguments.file.empty())
         arguments.file = word;
+      else if (arguments.rest.size() + 1 < command.files)
+        arguments.rest.push_back(word);
       else
-        throw Error(
-            Fault::usage, "",
-            fmt::format("billet {}: one file is expected, '{}' is too many", command.name, word));
+        throw Error(Fault::usage, "",
+                    fmt::format("billet {}: {} expected, '{}' is too many", command.name,
+                                command.files == 1 ? "one file is" : "two files are", word));
       continue;
     }
     const std::size_t equals = word.find('=');
@@ -191,7 +211,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
 std::string help() {
   std::string text = "billet: implicit simulation of metal forming\n\n";
   for (const Command& command : commands())
-    text += fmt::format("  billet {:7s} {}\n                 {}\n", command.name, command.usage,
+    text += fmt::format("  billet {:8s} {}\n                  {}\n", command.name, command.usage,
                         command.summary);
   text +=
       "\n  billet COMMAND --help   the options of a command\n"
@@ -222,7 +242,9 @@ std::string help(const Command& command) {
     add(info_options);
   } else if (command.name == "render") {
     add(render_options);
-  } else if (command.name == "study") {
+  } else if (command.name == "identify") {
+    add(identify_options);
+  } else if (command.name == "study" || command.name == "chart") {
     add(study_options);
   } else {
     add(case_options);

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,8 +25,11 @@ struct Arguments {
   std::optional<std::string> unit;             ///< --unit, of an STL
   std::optional<int> processes;                ///< --processes
   bool again = false;                          ///< --again
-  std::vector<std::string> rest;               ///< of render: all, passed on
+  std::vector<std::string> rest;               ///< files after the first; of render: all words
 };
+
+/// The folder's name for a file that has its usual name (case.toml, say), the file's own otherwise.
+[[nodiscard]] std::string file_name(const std::filesystem::path& file, std::string_view usual);
 
 /// A command of the program.
 struct Command {
@@ -33,6 +37,7 @@ struct Command {
   std::string_view usage;   ///< after "billet NAME"
   std::string_view summary; ///< one line for the help
   int (*run)(const Arguments&);
+  std::size_t files = 1; ///< that it takes
 };
 
 int run_case(const Arguments& arguments);
@@ -40,6 +45,8 @@ int check_case(const Arguments& arguments);
 int show_info(const Arguments& arguments);
 int render_results(const Arguments& arguments);
 int conduct_study(const Arguments& arguments);
+int make_chart(const Arguments& arguments);
+int identify_parameters(const Arguments& arguments);
 
 /// Every command that works in this version.
 [[nodiscard]] const std::vector<Command>& commands();

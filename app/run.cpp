@@ -29,14 +29,6 @@ namespace billet::app {
 
 namespace {
 
-/// The folder's name for a file called case.toml, the file's own otherwise.
-std::string case_name(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
-  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
-  const std::string folder = whole.parent_path().filename().string();
-  return stem == "case" && !folder.empty() ? folder : stem;
-}
-
 std::string ending(process::RunStatus status, bool usable) {
   switch (status) {
   case process::RunStatus::done:
@@ -189,7 +181,7 @@ void go_on_from(const io::FoundCheckpoint& found, process::Process& process) {
 int run_case(const Arguments& arguments) {
   const std::filesystem::path file = arguments.file;
   const io::Case content = io::read_case(file, arguments.overrides, {arguments.allow_outside});
-  const std::string name = case_name(file);
+  const std::string name = file_name(file, "case");
   const std::filesystem::path folder =
       arguments.output.value_or(std::filesystem::path("results") / name);
   const std::optional<io::FoundCheckpoint> found = wanted_checkpoint(arguments, folder);

@@ -15,17 +15,17 @@
 
 namespace billet::app {
 
-namespace {
-
-/// The folder's name for a file called study.toml, the file's own otherwise.
-std::string study_name(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
-  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
-  const std::string folder = whole.parent_path().filename().string();
-  return stem == "study" && !folder.empty() ? folder : stem;
+study::Conduct conduct_of(const Arguments& arguments, const std::filesystem::path& folder) {
+  return {.program = {own_file(), BILLET_VERSION},
+          .folder = folder,
+          .again = arguments.again,
+          .stopped = [] { return stop_signal() != 0; },
+          .say =
+              [quiet = arguments.quiet](const std::string& line) {
+                if (!quiet)
+                  fmt::print(stderr, "{}\n", line);
+              }};
 }
-
-} // namespace
 
 int conduct_study(const Arguments& arguments) {
   study::Study study = study::read_study(arguments.file, arguments.overrides);
@@ -33,18 +33,10 @@ int conduct_study(const Arguments& arguments) {
     study.engine.processes = arguments.processes;
   if (arguments.threads)
     study.engine.threads = *arguments.threads;
-  const std::filesystem::path folder =
-      arguments.output.value_or(std::filesystem::path("results") / study_name(arguments.file));
+  const std::filesystem::path folder = arguments.output.value_or(
+      std::filesystem::path("results") / file_name(arguments.file, "study"));
   notice_stop_signals();
-  const study::Conduct how{.program = {own_file(), BILLET_VERSION},
-                           .folder = folder,
-                           .again = arguments.again,
-                           .stopped = [] { return stop_signal() != 0; },
-                           .say =
-                               [&](const std::string& line) {
-                                 if (!arguments.quiet)
-                                   fmt::print(stderr, "{}\n", line);
-                               }};
+  const study::Conduct how = conduct_of(arguments, folder);
   const study::Conducted result = study::conduct(study, how);
   const auto n_failed =
       std::count_if(result.rows.begin(), result.rows.end(),

@@ -109,16 +109,22 @@ void make_runs(const Study& study,
 
 } // namespace
 
-Conducted conduct(const Study& study, const Conduct& how) {
-  io::make_folder(how.folder);
-  const io::FolderLock lock(how.folder);
-  const std::vector<Row> rows = rows_of(study);
+std::vector<PlannedRun>
+make_runs_of(const Study& study, const std::vector<Row>& rows, const Conduct& how) {
   std::vector<PlannedRun> runs;
   for (const Row& row : rows)
     runs.push_back(plan_run(study, row, how.folder / "runs", how.program));
   const std::vector<Pending> pending = pending_of(runs, how.again);
   how.say(fmt::format("{} rows, {} runs to be made", rows.size(), pending.size()));
   make_runs(study, rows, pending, how);
+  return runs;
+}
+
+Conducted conduct(const Study& study, const Conduct& how) {
+  io::make_folder(how.folder);
+  const io::FolderLock lock(how.folder);
+  const std::vector<Row> rows = rows_of(study);
+  const std::vector<PlannedRun> runs = make_runs_of(study, rows, how);
   Conducted result;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     result.rows.push_back(outcome_of(study, rows[r], runs[r]));

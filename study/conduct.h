@@ -22,6 +22,11 @@ struct Conduct {
   std::function<void(const std::string&)> say; ///< a line on how it goes
 };
 
+/// Makes the runs of rows that have not been made, in FOLDER/runs.
+/// @return of every row its run, which may be left to be made
+[[nodiscard]] std::vector<PlannedRun>
+make_runs_of(const Study& study, const std::vector<Row>& rows, const Conduct& how);
+
 struct Conducted {
   std::vector<OutcomeRow> rows;
   Findings findings;

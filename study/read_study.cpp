@@ -1,8 +1,5 @@
 #include "geometry/base/error.h"
-#include "io/case/one_kind.h"
-#include "io/case/read_case.h"
 #include "io/case/suggestion.h"
-#include "io/case/units.h"
 #include "io/case/values.h"
 
 #include <fmt/format.h>
@@ -12,9 +9,9 @@
 #include <cmath>
 #include <set>
 
-#include "study/file_text.h"
 #include "study/node_text.h"
 #include "study/study.h"
+#include "study/study_reader.h"
 
 namespace billet::study {
 
@@ -26,9 +23,6 @@ using io::Number;
 using io::TableReader;
 using io::Word;
 
-constexpr std::array engines{Word<Engine::Kind>{"local", Engine::Kind::local},
-                             Word<Engine::Kind>{"slurm", Engine::Kind::slurm},
-                             Word<Engine::Kind>{"commands", Engine::Kind::commands}};
 constexpr std::array methods{
     Word<Sample::Method>{"latin-hypercube", Sample::Method::latin_hypercube},
     Word<Sample::Method>{"sobol", Sample::Method::sobol}};
@@ -44,37 +38,6 @@ constexpr std::array costs{
 
 template <const auto& words>
 constexpr auto as_one_of = [](const At& at) { return io::as_word(at, words); };
-
-/// What a value is called in tables: text without its quotes.
-std::string label_of(const io::Node& node) {
-  const auto* const text = node.as<std::string>();
-  return text != nullptr ? *text : toml_text(node);
-}
-
-/// Key and value, text or not, of every entry of a table.
-std::optional<std::vector<Assignment>> as_assignments(const At& at) {
-  TableReader table(at);
-  if (!table.is_table())
-    return std::nullopt;
-  std::vector<Assignment> set;
-  for (const auto& [key, value] : table.named_items())
-    set.push_back({key, toml_text(value.node)});
-  return set;
-}
-
-std::optional<Level> as_level(const At& at) {
-  TableReader table(at);
-  if (!table.is_table())
-    return std::nullopt;
-  Level level;
-  table.required("label", level.label, [](const At& label) -> std::optional<std::string> {
-    return label_of(label.node);
-  });
-  table.required("set", level.set, as_assignments);
-  table.optional("size", level.size, io::as_number, io::positive_number);
-  table.finish();
-  return level;
-}
 
 void read_levels(const At& at, Axis& axis) {
   const auto* const list = at.node.as<io::List>();
@@ -205,18 +168,6 @@ std::optional<Sample> as_sample(const At& at) {
   return sample;
 }
 
-std::optional<Engine> as_engine(const At& at) {
-  TableReader table(at);
-  Engine engine;
-  table.optional("engine", engine.kind, as_one_of<engines>);
-  table.optional("processes", engine.processes, io::as_count);
-  table.optional("threads", engine.threads, io::as_count);
-  table.optional("options", engine.options, io::as_texts);
-  table.optional("frames", engine.frames, io::as_flag);
-  table.finish();
-  return engine;
-}
-
 std::optional<TradeSettings> as_trade(const At& at) {
   TableReader table(at);
   TradeSettings trade;
@@ -246,20 +197,6 @@ std::optional<ConvergenceSettings> as_convergence(const At& at) {
   table.optional("quantities", convergence.quantities, io::as_texts);
   table.finish();
   return convergence;
-}
-
-template <class Item, class Parse>
-std::vector<Item> read_items(TableReader& root, const std::string& key, Parse parse) {
-  std::vector<Item> items;
-  const std::optional<At> at = root.find(key);
-  const auto* const list = at ? at->node.as<io::List>() : nullptr;
-  if (at && list == nullptr)
-    at->complain_found(fmt::format("a list of tables, each under [[{}]]", key));
-  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
-    if (std::optional<Item> item = parse(
-            At{(*list)[i], fmt::format("{}.{}", key, io::item_name((*list)[i], i)), at->context}))
-      items.push_back(std::move(*item));
-  return items;
 }
 
 /// Complains of a word that is not one of a list.
@@ -357,26 +294,20 @@ void check_axes(const At& root, const Study& study) {
           fmt::format("there is a quantity '{}' already, names must differ", quantity.name));
 }
 
-Study read_root(TableReader& root, const fs::path& folder) {
+Study read_root(TableReader& root) {
   Study study;
-  root.optional("title", study.title, io::as_text);
-  std::string case_file = "case.toml";
-  root.required("case", case_file, io::as_text);
-  study.case_file = folder / case_file;
-  std::error_code error;
-  if (const std::optional<At> at = root.find("case"); at && !fs::exists(study.case_file, error))
-    at->complain(fmt::format("there is no file '{}'", study.case_file.string()));
-  std::vector<Assignment> set;
-  if (root.optional("set", set, as_assignments))
-    for (const Assignment& assignment : set)
-      study.overrides.push_back(assignment.key + "=" + assignment.value);
+  read_common(root, study);
   study.axes = read_items<Axis>(root, "vary", as_axis);
   root.optional("sample", study.sample, as_sample);
   study.quantities = read_items<Quantity>(root, "quantity", as_quantity);
   root.optional("trade", study.trade, as_trade);
   root.optional("convergence", study.convergence, as_convergence);
-  root.optional("run", study.engine, as_engine);
   root.finish();
+  check_axes(root.at(), study);
+  if (root.context().complaints.empty()) {
+    check_trade(root.at(), study);
+    check_convergence(root.at(), study);
+  }
   return study;
 }
 
@@ -393,20 +324,8 @@ const Level& Axis::finest() const {
 }
 
 Study read_study(const fs::path& file, const std::vector<std::string>& overrides) {
-  io::Complaints complaints(file.string());
-  io::Node tree = io::parse_document(text_of_file(file), file.string());
-  io::apply_overrides(tree, overrides, complaints);
-  complaints.throw_if_any();
-  io::ReadContext context{complaints, io::unit_systems().front(), std::nullopt,
-                          file.has_parent_path() ? file.parent_path() : fs::path("."), true};
-  TableReader root(At{tree, "", context});
-  Study study = read_root(root, context.directory);
-  check_axes(root.at(), study);
-  if (complaints.empty()) {
-    check_trade(root.at(), study);
-    check_convergence(root.at(), study);
-  }
-  complaints.throw_if_any();
+  Study study;
+  read_file(file, overrides, [&](TableReader& root) { study = read_root(root); });
   return study;
 }
 

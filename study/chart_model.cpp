@@ -1,0 +1,171 @@
+#include "study/chart_model.h"
+
+#include "geometry/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace billet::study {
+
+namespace {
+
+/// Slopes at the points of a monotone cubic.
+std::vector<double> slopes_of(std::span<const double> x, std::span<const double> y) {
+  const std::size_t n = x.size();
+  std::vector<double> secants(n - 1), slopes(n);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    secants[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    if (secants[i - 1] * secants[i] <= 0.0)
+      continue;
+    const double before = x[i] - x[i - 1], after = x[i + 1] - x[i];
+    const double w1 = 2.0 * after + before, w2 = after + 2.0 * before;
+    slopes[i] = (w1 + w2) / (w1 / secants[i - 1] + w2 / secants[i]); // (Fritsch and Butland)
+  }
+  // At the ends a parabola through three points, no steeper than keeps it monotone.
+  const auto at_end = [](double h0, double h1, double d0, double d1) {
+    const double slope = ((2.0 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
+    if (slope * d0 <= 0.0)
+      return 0.0;
+    return d0 * d1 <= 0.0 && std::abs(slope) > 3.0 * std::abs(d0) ? 3.0 * d0 : slope;
+  };
+  if (n == 2) {
+    slopes[0] = slopes[1] = secants[0];
+  } else {
+    slopes[0] = at_end(x[1] - x[0], x[2] - x[1], secants[0], secants[1]);
+    slopes[n - 1] =
+        at_end(x[n - 1] - x[n - 2], x[n - 2] - x[n - 3], secants[n - 2], secants[n - 3]);
+  }
+  return slopes;
+}
+
+/// Stations at which a curve is known, and its values there.
+struct KnownCurve {
+  std::vector<double> x, y;
+};
+
+KnownCurve known(const std::vector<double>& stations, const std::vector<double>& values) {
+  KnownCurve curve;
+  for (std::size_t s = 0; s < stations.size(); ++s)
+    if (std::isfinite(values[s])) {
+      curve.x.push_back(stations[s]);
+      curve.y.push_back(values[s]);
+    }
+  return curve;
+}
+
+/// @return not a number where the curve does not reach
+double along(const std::vector<double>& stations, const std::vector<double>& values, double x) {
+  const KnownCurve curve = known(stations, values);
+  constexpr double rounding = 1e-9;
+  const double slack = rounding * (stations.back() - stations.front());
+  if (curve.x.empty() || x < curve.x.front() - slack || x > curve.x.back() + slack)
+    return std::nan("");
+  if (curve.x.size() == 1)
+    return curve.y.front();
+  return monotone_cubic(curve.x, curve.y, std::clamp(x, curve.x.front(), curve.x.back()));
+}
+
+/// A figure of the chart at the places, for every point of the parameters' grid.
+std::vector<std::vector<double>>
+at_places(const Chart& chart,
+          std::span<const Measured> data,
+          const std::function<const std::vector<std::vector<double>>&(std::size_t)>& of_quantity) {
+  std::vector<std::vector<double>> grid(of_quantity(0).size());
+  for (std::size_t point = 0; point < grid.size(); ++point)
+    for (const Measured& each : data)
+      grid[point].push_back(along(chart.stations, of_quantity(each.quantity)[point], each.x));
+  return grid;
+}
+
+} // namespace
+
+double monotone_cubic(std::span<const double> x, std::span<const double> y, double at) {
+  const std::vector<double> slopes = slopes_of(x, y);
+  const auto after =
+      static_cast<std::size_t>(std::upper_bound(x.begin() + 1, x.end() - 1, at) - x.begin());
+  const std::size_t i = after - 1;
+  const double h = x[i + 1] - x[i], t = (at - x[i]) / h;
+  const double t2 = t * t, t3 = t2 * t;
+  return (2.0 * t3 - 3.0 * t2 + 1.0) * y[i] + (t3 - 2.0 * t2 + t) * h * slopes[i] +
+         (3.0 * t2 - 2.0 * t3) * y[i + 1] + (t3 - t2) * h * slopes[i + 1];
+}
+
+ChartModel::ChartModel(const Chart& chart, const ChartedLaw& law, std::span<const Measured> data) {
+  for (const Measured& each : data) {
+    quantities_.push_back(each.quantity);
+    constexpr double rounding = 1e-9;
+    const double slack = rounding * (chart.stations.back() - chart.stations.front());
+    if (each.x < chart.stations.front() - slack || each.x > chart.stations.back() + slack)
+      throw Error(Fault::case_file, "",
+                  fmt::format("{} = {} was measured, the chart goes from {} to {}", chart.x, each.x,
+                              chart.stations.front(), chart.stations.back()),
+                  "make a chart with stations around it");
+  }
+  for (const Parameter& parameter : law.parameters)
+    grids_.push_back(parameter.values);
+  const auto quantity = [&](std::size_t q) -> const ChartedQuantity& { return law.quantities[q]; };
+  values_ =
+      at_places(chart, data, [&](std::size_t q) -> const Grid& { return quantity(q).values; });
+  errors_ =
+      at_places(chart, data, [&](std::size_t q) -> const Grid& { return quantity(q).model_error; });
+  for (std::size_t u = 0; u < chart.uncertain.size(); ++u)
+    changes_.push_back(at_places(
+        chart, data, [&](std::size_t q) -> const Grid& { return quantity(q).change[u]; }));
+  for (Grid* const grid : {&errors_})
+    for (std::vector<double>& row : *grid)
+      for (double& value : row)
+        value = std::isfinite(value) ? value : 0.0; // one level failed: nothing is known of it
+  for (std::size_t point = 0; point < values_.size(); ++point)
+    for (std::size_t i = 0; i < data.size(); ++i)
+      if (!std::isfinite(values_[point][i]))
+        throw Error(
+            Fault::case_file, "",
+            fmt::format("law '{}': a run of the chart (number {} of its grid) did not reach "
+                        "{} = {}",
+                        law.name, point + 1, chart.x, data[i].x),
+            "leave the measurement out, or chart parameters whose runs get there");
+}
+
+Eigen::VectorXd ChartModel::between(const Grid& grid, std::span<const double> parameters) const {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(quantities_.size()));
+  const std::size_t n_last = grids_.back().size();
+  for (std::size_t i = 0; i < quantities_.size(); ++i) {
+    std::vector<double> first; // along the first of two parameters
+    for (std::size_t begin = 0; begin < grid.size(); begin += n_last) {
+      std::vector<double> line;
+      for (std::size_t p = begin; p < begin + n_last; ++p)
+        line.push_back(grid[p][i]);
+      first.push_back(monotone_cubic(grids_.back(), line, parameters.back()));
+    }
+    result[static_cast<Eigen::Index>(i)] =
+        grids_.size() == 1 ? first.front()
+                           : monotone_cubic(grids_.front(), first, parameters.front());
+  }
+  return result;
+}
+
+Eigen::VectorXd ChartModel::values(std::span<const double> parameters) const {
+  return between(values_, parameters);
+}
+
+Eigen::MatrixXd ChartModel::covariance(std::span<const double> parameters) const {
+  const auto n = static_cast<Eigen::Index>(quantities_.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+  for (const Grid& change : changes_) {
+    const Eigen::VectorXd g = between(change, parameters);
+    sum += g * g.transpose();
+  }
+  constexpr double half_width_of_95 = 1.96; // in standard deviations
+  const Eigen::VectorXd e = between(errors_, parameters) / half_width_of_95;
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) // the mesh errs in one direction all along a quantity
+      if (quantities_[static_cast<std::size_t>(i)] == quantities_[static_cast<std::size_t>(j)])
+        sum(i, j) += e[i] * e[j];
+  return sum;
+}
+
+} // namespace billet::study

@@ -1,0 +1,49 @@
+// A charted law between the values that were run: monotone cubics along parameters and stations.
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "study/identify.h"
+
+namespace billet::study {
+
+/// A curve through points that has no extremes but theirs. (Fritsch and Carlson, SIAM J. Numer.
+/// Anal. 17 (1980) 238)
+/// @param x   increasing
+/// @param at  between the first and the last
+[[nodiscard]] double
+monotone_cubic(std::span<const double> x, std::span<const double> y, double at);
+
+/// What a law says at the places of some measurements.
+class ChartModel {
+public:
+  /// @throws Error (Fault::case_file) for a place outside of the chart, or one that the runs did
+  ///         not reach
+  ChartModel(const Chart& chart, const ChartedLaw& law, std::span<const Measured> data);
+
+  [[nodiscard]] std::size_t n_parameters() const { return grids_.size(); }
+  [[nodiscard]] double low(std::size_t parameter) const { return grids_[parameter].front(); }
+  [[nodiscard]] double high(std::size_t parameter) const { return grids_[parameter].back(); }
+
+  /// Values at the places. @param parameters  within the chart
+  [[nodiscard]] Eigen::VectorXd values(std::span<const double> parameters) const;
+  /// Covariance of the model's errors at the places.
+  [[nodiscard]] Eigen::MatrixXd covariance(std::span<const double> parameters) const;
+
+private:
+  /// A figure at every point of the grid, shape (n_points, n_places).
+  using Grid = std::vector<std::vector<double>>;
+  [[nodiscard]] Eigen::VectorXd between(const Grid& grid, std::span<const double> parameters) const;
+
+  std::vector<std::vector<double>> grids_; ///< values of each parameter that were run
+  Grid values_, errors_;
+  std::vector<Grid> changes_;           ///< by what is uncertain
+  std::vector<std::size_t> quantities_; ///< of the places
+};
+
+} // namespace billet::study

@@ -1,0 +1,165 @@
+// Measurements as they are read, and what was found as it is written.
+
+#include "geometry/base/error.h"
+#include "io/case/suggestion.h"
+#include "io/text/csv_table.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/identify.h"
+
+namespace billet::study {
+
+namespace {
+
+constexpr double half_width_of_95 = 1.96; // in standard deviations
+
+std::string interval_in_words(const Found& found) {
+  return fmt::format("{} = {:.4g}, 95 %: {}{:.4g} to {:.4g}{}", found.name, found.value,
+                     found.from_end ? "(beginning of the chart) " : "", found.low, found.high,
+                     found.to_end ? " (end of the chart)" : "");
+}
+
+std::string in_words(Comparison comparison) {
+  switch (comparison) {
+  case Comparison::preferred:
+    return "likeliest";
+  case Comparison::undecided:
+    return "not told apart from it";
+  case Comparison::told_apart:
+    return "told apart: does not fit";
+  }
+  return {};
+}
+
+/// Columns of one quantity.
+struct Columns {
+  std::size_t quantity;
+  std::size_t value;
+  std::optional<std::size_t> standard, uncertainty;
+};
+
+std::vector<Columns> columns_of(const io::CsvTable& table, const Chart& chart) {
+  std::vector<Columns> columns;
+  const std::vector<ChartedQuantity>& quantities = chart.laws.front().quantities;
+  for (std::size_t q = 0; q < quantities.size(); ++q)
+    if (const std::optional<std::size_t> value = table.find(quantities[q].name))
+      columns.push_back({q, *value, table.find(quantities[q].name + "_standard"),
+                         table.find(quantities[q].name + "_uncertainty")});
+  return columns;
+}
+
+void refuse_unknown_columns(const io::CsvTable& table,
+                            const Chart& chart,
+                            const std::string& file,
+                            std::vector<Complaint>& complaints) {
+  std::vector<std::string> known{chart.x};
+  for (const ChartedQuantity& quantity : chart.laws.front().quantities)
+    for (const char* ending : {"", "_standard", "_uncertainty"})
+      known.push_back(quantity.name + ending);
+  for (const std::string& column : table.columns)
+    if (std::find(known.begin(), known.end(), column) == known.end())
+      complaints.push_back({file, fmt::format("the chart knows no column '{}'", column),
+                            io::suggestion(column, known)});
+}
+
+} // namespace
+
+std::vector<Measured> read_measurements(const std::filesystem::path& file, const Chart& chart) {
+  const io::CsvTable table = io::read_csv(file);
+  std::vector<Complaint> complaints;
+  refuse_unknown_columns(table, chart, file.string(), complaints);
+  const std::optional<std::size_t> x = table.find(chart.x);
+  const std::vector<Columns> columns = columns_of(table, chart);
+  if (!x)
+    complaints.push_back({file.string(), fmt::format("there is no column '{}'", chart.x),
+                          "it says how far the test had gone"});
+  if (columns.empty())
+    complaints.push_back({file.string(), "there is no column of what the chart measures", {}});
+  if (!complaints.empty())
+    throw Error(Fault::case_file, std::move(complaints));
+  std::vector<Measured> data;
+  const std::vector<double> places = table.numbers(*x);
+  for (const Columns& each : columns) {
+    const std::vector<double> values = table.numbers(each.value);
+    std::vector<double> standards(values.size(), 0.0);
+    if (each.standard)
+      standards = table.numbers(*each.standard);
+    else if (each.uncertainty)
+      for (std::size_t r = 0; r < values.size(); ++r)
+        standards[r] = table.numbers(*each.uncertainty)[r] / half_width_of_95;
+    for (std::size_t r = 0; r < values.size(); ++r) {
+      if (table.rows[r][each.value].empty())
+        continue; // not measured there
+      const bool has_uncertainty = each.standard || each.uncertainty;
+      if (!std::isfinite(places[r]) || !std::isfinite(values[r]) ||
+          (has_uncertainty && !(standards[r] > 0.0)))
+        complaints.push_back({file.string(),
+                              fmt::format("row {}: {}, {} and its uncertainty must be numbers, the "
+                                          "uncertainty above 0",
+                                          r + 1, chart.x, table.columns[each.value]),
+                              {}});
+      data.push_back({each.quantity, places[r], values[r], standards[r]});
+    }
+  }
+  const auto known = std::count_if(data.begin(), data.end(),
+                                   [](const Measured& each) { return each.standard > 0.0; });
+  if (known != 0 && known != static_cast<std::ptrdiff_t>(data.size()))
+    complaints.push_back({file.string(),
+                          "some measured values have an uncertainty and some have none",
+                          "give all of them one"});
+  if (!complaints.empty())
+    throw Error(Fault::case_file, std::move(complaints));
+  return data;
+}
+
+std::string in_words(const Identification& found) {
+  std::string text;
+  for (std::size_t law = 0; law < found.laws.size(); ++law) {
+    const FittedLaw& each = found.laws[law];
+    for (const Found& parameter : each.parameters)
+      text += fmt::format("{}: {}\n", each.name, interval_in_words(parameter));
+    text += fmt::format("{}: chi squared {:.3g} of {} degrees of freedom, p = {:.2g}{}\n",
+                        each.name, each.chi_squared, each.degrees, each.p,
+                        found.laws.size() > 1 ? "; " + in_words(found.comparisons[law]) : "");
+  }
+  for (const std::string& warning : found.warnings)
+    text += "warning: " + warning + "\n";
+  for (const std::string& advice : found.advice)
+    text += "a further measurement: " + advice + "\n";
+  return text;
+}
+
+std::string json_text(const Identification& found) {
+  nlohmann::ordered_json laws = nlohmann::ordered_json::array();
+  for (std::size_t law = 0; law < found.laws.size(); ++law) {
+    const FittedLaw& each = found.laws[law];
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    for (const Found& parameter : each.parameters)
+      parameters.push_back({{"name", parameter.name},
+                            {"value", parameter.value},
+                            {"low", parameter.low},
+                            {"high", parameter.high},
+                            {"from_beginning_of_chart", parameter.from_end},
+                            {"to_end_of_chart", parameter.to_end}});
+    laws.push_back({{"name", each.name},
+                    {"parameters", parameters},
+                    {"deviance", each.deviance},
+                    {"chi_squared", each.chi_squared},
+                    {"degrees_of_freedom", each.degrees},
+                    {"p", each.p},
+                    {"comparison", in_words(found.comparisons[law])}});
+  }
+  return nlohmann::ordered_json{{"laws", laws},
+                                {"likeliest", found.laws[found.best].name},
+                                {"warnings", found.warnings},
+                                {"advice", found.advice}}
+             .dump(2) +
+         "\n";
+}
+
+} // namespace billet::study
