@@ -60,9 +60,12 @@ ChartRow row_of(const ChartFile& file,
   const Law& of = file.laws[law];
   add(of.name, of.set);
   const std::vector<double> values = at_point(of.parameters, point);
-  for (std::size_t p = 0; p < values.size(); ++p)
-    add(fmt::format("{} {:.6g}", of.parameters[p].name, values[p]),
-        {{of.parameters[p].key, io::toml_text(values[p])}});
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    std::vector<Assignment> set;
+    for (const std::string& key : of.parameters[p].keys)
+      set.push_back({key, io::toml_text(values[p])});
+    add(fmt::format("{} {:.6g}", of.parameters[p].name, values[p]), set);
+  }
   if (!file.refinement.empty())
     add(file.refinement[refinement].label, file.refinement[refinement].set);
   if (uncertain) {
@@ -94,8 +97,13 @@ std::vector<double> curve_of(const ChartFile& file, const PlannedRun& run, const
     return values;
   const Results read(results);
   const std::vector<double> xs = read.values(file.x.of), ys = read.values(y.of);
-  for (std::size_t s = 0; s < values.size(); ++s)
-    values[s] = curve_at(xs, ys, file.stations[s]).value_or(not_there);
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    const double at = file.stations[s], half = 0.5 * y.average;
+    if (!(y.average > 0.0))
+      values[s] = curve_at(xs, ys, at).value_or(not_there);
+    else if (curve_at(xs, ys, at + half))
+      values[s] = mean_between(xs, ys, at - half, at + half);
+  }
   return values;
 }
 

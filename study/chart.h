@@ -18,13 +18,14 @@ namespace billet::study {
 struct Reading {
   std::string name = {};
   std::string of = {};
+  double average = 0.0; ///< over so much of x around a station; 0: there
 };
 
 /// A number of a law that is to be found.
 struct Parameter {
   std::string name = {};
-  std::string key = {};            ///< of the case
-  std::vector<double> values = {}; ///< increasing
+  std::vector<std::string> keys = {}; ///< of the case, which get the same value
+  std::vector<double> values = {};    ///< increasing
 };
 
 /// A law and its one or two parameters.

@@ -50,7 +50,7 @@ ordered_json law_to_json(const ChartedLaw& law) {
   ordered_json parameters = ordered_json::array(), quantities = ordered_json::array();
   for (const Parameter& parameter : law.parameters)
     parameters.push_back(
-        {{"name", parameter.name}, {"key", parameter.key}, {"values", parameter.values}});
+        {{"name", parameter.name}, {"keys", parameter.keys}, {"values", parameter.values}});
   for (const ChartedQuantity& quantity : law.quantities) {
     ordered_json change = ordered_json::array();
     for (const Rows& each : quantity.change)
@@ -67,7 +67,7 @@ ChartedLaw law_of_json(const json& from) {
   ChartedLaw law;
   law.name = from.at("name");
   for (const json& each : from.at("parameters"))
-    law.parameters.push_back({each.at("name"), each.at("key"), each.at("values")});
+    law.parameters.push_back({each.at("name"), each.at("keys"), each.at("values")});
   for (const json& each : from.at("quantities")) {
     ChartedQuantity quantity{
         each.at("name"), rows_of_json(each.at("values")), rows_of_json(each.at("model_error")), {}};

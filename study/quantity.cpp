@@ -44,9 +44,12 @@ struct Window {
   std::vector<double> x, y;
 };
 
-Window window_of(const Quantity& quantity, std::span<const double> x, std::span<const double> y) {
+Window window_of(std::span<const double> x,
+                 std::span<const double> y,
+                 const std::optional<double>& from,
+                 const std::optional<double>& to) {
   Window window;
-  const double low = quantity.from.value_or(-HUGE_VAL), high = quantity.to.value_or(HUGE_VAL);
+  const double low = from.value_or(-HUGE_VAL), high = to.value_or(HUGE_VAL);
   const auto add_end = [&](const std::optional<double>& end) {
     if (!end)
       return;
@@ -55,17 +58,13 @@ Window window_of(const Quantity& quantity, std::span<const double> x, std::span<
       window.y.push_back(*value);
     }
   };
-  add_end(quantity.from);
+  add_end(from);
   for (std::size_t i = 0; i < x.size(); ++i)
     if (x[i] >= low && x[i] <= high) {
       window.x.push_back(x[i]);
       window.y.push_back(y[i]);
     }
-  add_end(quantity.to);
-  if (window.x.empty())
-    throw Error(Fault::case_file, "",
-                fmt::format("quantity '{}': the run has nothing between {} = {} and {}",
-                            quantity.name, quantity.over, low, high));
+  add_end(to);
   return window;
 }
 
@@ -136,6 +135,11 @@ std::optional<double> curve_at(std::span<const double> x, std::span<const double
   return std::nullopt;
 }
 
+double mean_between(std::span<const double> x, std::span<const double> y, double from, double to) {
+  const Window window = window_of(x, y, from, to);
+  return window.x.empty() ? std::nan("") : mean(window);
+}
+
 double evaluate(const Quantity& quantity,
                 const Results& results,
                 const std::map<std::string, double>& before) {
@@ -157,7 +161,12 @@ double evaluate(const Quantity& quantity,
         fmt::format("quantity '{}': {} goes from {:.6g} to {:.6g} and does not reach {:.6g}",
                     quantity.name, quantity.over, *low, *high, *quantity.at));
   }
-  const Window window = window_of(quantity, x, y);
+  const Window window = window_of(x, y, quantity.from, quantity.to);
+  if (window.x.empty())
+    throw Error(Fault::case_file, "",
+                fmt::format("quantity '{}': the run has nothing between {} = {} and {}",
+                            quantity.name, quantity.over, quantity.from.value_or(-HUGE_VAL),
+                            quantity.to.value_or(HUGE_VAL)));
   if (quantity.take == Quantity::Take::mean)
     return mean(window);
   const auto [low, high] = std::minmax_element(window.y.begin(), window.y.end());

@@ -56,6 +56,11 @@ private:
 [[nodiscard]] std::optional<double>
 curve_at(std::span<const double> x, std::span<const double> y, double at);
 
+/// Mean of a curve over a window of x, its ends included where the curve reaches them; not a number
+/// where it has no point there.
+[[nodiscard]] double
+mean_between(std::span<const double> x, std::span<const double> y, double from, double to);
+
 /// The value of a quantity.
 /// @param before  quantities that its expression may name
 /// @throws Error (Fault::case_file) with what cannot be read off

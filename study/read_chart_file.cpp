@@ -23,6 +23,7 @@ std::optional<Reading> as_reading(const At& at) {
   table.required("name", reading.name, io::as_name);
   reading.of = reading.name;
   table.optional("of", reading.of, io::as_text);
+  table.optional("average", reading.average, io::as_number, io::positive_number);
   table.finish();
   return reading;
 }
@@ -33,7 +34,10 @@ std::optional<Parameter> as_parameter(const At& at) {
     return std::nullopt;
   Parameter parameter;
   table.required("name", parameter.name, io::as_name);
-  table.required("key", parameter.key, io::as_text);
+  if (!table.optional("keys", parameter.keys, io::as_texts)) {
+    parameter.keys.resize(1);
+    table.required("key", parameter.keys.front(), io::as_text);
+  }
   table.required("values", parameter.values, as_steps);
   if (parameter.values.size() == 1)
     table.find("values")->complain("a parameter that is to be found needs two values or more");
