@@ -102,7 +102,7 @@ Extrapolation extrapolate(std::span<const double> sizes, std::span<const double>
   }
   if (!is_monotone(sizes, values))
     return result;
-  constexpr double slowest = 0.5, fastest = 2.0;
+  constexpr double slowest = 0.5, fastest = 2.1; // as Eca and Hoekstra have them
   constexpr double first = 1.0, second = 2.0;
   auto [p, fit] = power_fit(sizes, values);
   result.order = p;
@@ -126,6 +126,8 @@ Extrapolation extrapolate(std::span<const double> sizes, std::span<const double>
     result.uncertainty[i] = fit.deviation < apart
                                 ? safety * error + fit.deviation + off
                                 : safety * fit.deviation / apart * (error + fit.deviation + off);
+    if (result.range == Extrapolation::Range::too_slow) // the limit may be anywhere
+      result.uncertainty[i] = std::max(result.uncertainty[i], 3.0 * spread);
   }
   return result;
 }

@@ -14,7 +14,7 @@ namespace billet::study {
 
 struct Extrapolation {
   enum class Range {
-    asymptotic,  ///< the order is between 1/2 and 2
+    asymptotic,  ///< the order is between 1/2 and 2.1
     too_fast,    ///< the order is above 2: as of first or second order, whichever fits
     too_slow,    ///< the order is below 1/2: likewise, or both
     no_monotony, ///< values go up and down: nothing to extrapolate

@@ -36,7 +36,6 @@ std::vector<std::vector<double>> latin_hypercube(int count, int dimensions, std:
 
 std::vector<std::vector<double>> sobol(int count, int dimensions, std::uint32_t seed) {
   boost::random::sobol engine(static_cast<std::size_t>(dimensions));
-  engine.discard(static_cast<boost::uintmax_t>(dimensions));
   std::mt19937 generator(seed);
   std::vector<double> shift(static_cast<std::size_t>(dimensions), 0.0);
   if (seed != 1)

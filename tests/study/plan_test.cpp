@@ -109,7 +109,7 @@ take = "median"
 [run]
 engine = "cloud"
 )");
-  EXPECT_NE(text.find("study.toml:2"), std::string::npos) << text;
+  EXPECT_NE(text.find("study.toml:3"), std::string::npos) << text;
   EXPECT_NE(text.find("valuse"), std::string::npos) << text;
   EXPECT_NE(text.find("median"), std::string::npos) << text;
   EXPECT_NE(text.find("cloud"), std::string::npos) << text;
