@@ -116,7 +116,7 @@ std::vector<double> gaps_to(const Run& run, std::size_t tool, std::span<const Ve
 double contact_radius(const Run& run, const Measure& measure, const SurfaceSamples& surface) {
   if (run.contact() == nullptr)
     return 0.0;
-  constexpr double share_of_body = 1e-3;
+  constexpr double share_of_body = 1e-4; // more of it counts what is about to roll on
   const double touching = measure.touching.value_or(share_of_body * body_size(run.scene.part.mesh));
   const std::vector<double> gaps = gaps_to(run, measure.tool, surface.points);
   double largest = 0.0;
