@@ -211,24 +211,27 @@ std::vector<double> values_of(const FittedLaw& law) {
   return values;
 }
 
-/// What a per cent of a quantity is in a parameter, where that is least.
+/// What a per cent of a quantity is in a parameter, where along the chart that is least.
 double parameter_of_percent(const ChartModel& model,
                             const FittedLaw& law,
                             std::size_t p,
                             std::span<const Measured> data,
                             std::size_t quantity) {
-  std::vector<double> low = values_of(law), high = low;
-  constexpr double part = 0.02; // of the chart
-  const double step = part * (model.high(p) - model.low(p));
-  low[p] = std::max(model.low(p), low[p] - step);
-  high[p] = std::min(model.high(p), high[p] + step);
-  const Eigen::VectorXd change = model.values(high) - model.values(low),
-                        at = model.values(values_of(law));
-  double least = std::numeric_limits<double>::infinity();
+  constexpr int steps = 20;
   constexpr double percent = 0.01;
-  for (std::size_t i = 0; i < data.size(); ++i)
-    if (const auto k = static_cast<Eigen::Index>(i); data[i].quantity == quantity)
-      least = std::min(least, std::abs(percent * at[k] * (high[p] - low[p]) / change[k]));
+  const double step = (model.high(p) - model.low(p)) / steps;
+  std::vector<double> at = values_of(law);
+  at[p] = model.low(p);
+  Eigen::VectorXd before = model.values(at);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= steps; ++i) {
+    at[p] = std::min(model.low(p) + i * step, model.high(p));
+    const Eigen::VectorXd now = model.values(at);
+    for (std::size_t d = 0; d < data.size(); ++d)
+      if (const auto k = static_cast<Eigen::Index>(d); data[d].quantity == quantity)
+        least = std::min(least, std::abs(percent * now[k] * step / (now[k] - before[k])));
+    before = now;
+  }
   return least;
 }
 
@@ -247,8 +250,8 @@ void warn_of_law(const Chart& chart,
                                    law.name, found.name, found.low, found.high);
     for (std::size_t q = 0; q < chart.laws.front().quantities.size(); ++q)
       if (const double step = parameter_of_percent(model, law, p, data, q); std::isfinite(step))
-        text += fmt::format("; 1 % of {} is {:.2g} in {}", chart.laws.front().quantities[q].name,
-                            step, found.name);
+        text += fmt::format("; 1 % of {} is at least {:.2g} in {}",
+                            chart.laws.front().quantities[q].name, step, found.name);
     into.warnings.push_back(std::move(text));
   }
   constexpr double hardly = 0.01;
