@@ -47,6 +47,8 @@ std::string settings_in_words(const Study& study, const Row& row) {
   std::vector<std::string> words;
   for (std::size_t a = 0; a < study.axes.size(); ++a)
     words.push_back(fmt::format("{} = {}", study.axes[a].name, row.labels[a]));
+  if (words.empty()) // of a chart
+    words = row.labels;
   return words.empty() ? "the case as it is" : fmt::format("{}", fmt::join(words, ", "));
 }
 

@@ -79,7 +79,7 @@ std::optional<Picture> response_of(const Study& study,
                                    std::size_t quantity,
                                    const fs::path& folder,
                                    bool only_finest) {
-  constexpr std::size_t most_curves = 6; // that colours tell apart
+  constexpr std::size_t most_curves = 7; // that colours tell apart
   const std::optional<std::vector<double>> places = places_of(study.axes[axis], rows, axis);
   if (!places)
     return std::nullopt;

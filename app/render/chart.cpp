@@ -20,8 +20,13 @@ constexpr Colour light{224, 224, 224};
 
 /// Colours that the colour-blind can tell apart (Okabe and Ito).
 const Colour& colour_of(std::size_t number) {
-  static constexpr std::array<Colour, 6> colours{
-      {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {0, 0, 0}}};
+  static constexpr std::array<Colour, 7> colours{{{0, 114, 178},
+                                                  {213, 94, 0},
+                                                  {0, 158, 115},
+                                                  {204, 121, 167},
+                                                  {86, 180, 233},
+                                                  {0, 0, 0},
+                                                  {230, 159, 0}}};
   return colours[number % colours.size()];
 }
 
