@@ -5,6 +5,7 @@
 #include "app/make_process.h"
 #include "app/memory.h"
 #include "geometry/base/box.h"
+#include "io/case/accuracy_preset.h"
 #include "io/case/material_library.h"
 #include "io/case/read_case.h"
 #include "io/case/toml_text.h"
@@ -163,6 +164,16 @@ std::string readable(double seconds) {
                               : fmt::format("{:.0f} h", seconds / hour);
 }
 
+void print_accuracy(const io::Case& content) {
+  const double share = io::preset_of(content.solver.accuracy).increments;
+  const io::Increments& given = content.time.increments;
+  fmt::print("accuracy: \"{}\": increments of at most {}, tolerance {:g}\n",
+             io::name_of(content.solver.accuracy),
+             given.max ? fmt::format("{:.6g} {}", *given.max, content.units.time)
+                       : fmt::format("1/{:.0f} of a stage", 1.0 / process::default_longest(share)),
+             content.solver.tolerance);
+}
+
 void print_cost(const CostEstimate& cost) {
   constexpr double megabyte = 1e6;
   fmt::print("unknowns: {}, entries of the tangent {}, of its factors {:.3g}\n", cost.unknowns,
@@ -194,6 +205,7 @@ int check_case(const Arguments& arguments) {
   print_mesh(scene, content);
   print_material(content);
   print_activity(scene, run, content);
+  print_accuracy(content);
   const CostEstimate cost = ready.cost ? *ready.cost : cost_estimate(scene);
   print_cost(cost);
   if (const std::optional<std::string> warning = memory_warning(cost); warning && !ready.cost)

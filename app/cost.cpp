@@ -62,7 +62,8 @@ double increments_of(const process::Scene& scene) {
   double increments = 0.0, start = 0.0;
   for (const process::Stage& stage : scene.stages) {
     const double length = stage.end - start;
-    const double longest = scene.increments.max.value_or(process::default_longest(length));
+    const double longest =
+        scene.increments.max.value_or(scene.increments.share * process::default_longest(length));
     increments += std::ceil(length / std::min(longest, length)) + growth;
     start = stage.end;
   }

@@ -56,9 +56,6 @@ const app::Command& find_command(const std::string& name) {
       return command;
     known.emplace_back(command.name);
   }
-  for (const char* later : {"study", "chart", "identify", "verify"})
-    if (name == later)
-      throw Error(Fault::usage, "", "'billet " + name + "' is not available in this version");
   throw Error(Fault::usage, "", "unknown command '" + name + "'",
               billet::io::suggestion(name, known));
 }

@@ -136,7 +136,6 @@ Case read_case_text(const std::string& text,
   TableReader root(At{tree, "", context});
   Case content = read_root(root);
   check_whole(root.at(), content);
-  refuse_not_available(tree, complaints);
   complaints.throw_if_any();
   return content;
 }

@@ -1,8 +1,7 @@
 // Reads a case file: TOML text and the user's overrides to a validated Case, and back to text.
 //
 // Everything that is wrong with a file is found and reported in one go, with its line and column.
-// What is read: docs/guide/case-file.md. What this version knows but cannot do yet is refused; the
-// list is in not_available.cpp.
+// What is read: docs/guide/case-file.md.
 
 #pragma once
 

@@ -35,7 +35,4 @@ void refuse_radial(TableReader& table, const Vec3& direction);
 /// Sets the end of the run where the stages give it.
 void check_whole(const At& root, Case& content);
 
-/// Complains about every key and value of the tree that is known but cannot be done yet.
-void refuse_not_available(const Node& root, Complaints& complaints);
-
 } // namespace billet::io

@@ -1,5 +1,6 @@
 // Contact, time, solver, remeshing and output.
 
+#include "io/case/accuracy_preset.h"
 #include "io/case/read_parts.h"
 #include "io/case/setting_words.h"
 #include "io/case/values.h"
@@ -199,11 +200,12 @@ std::optional<SolverSettings> as_solver(const At& at) {
   TableReader table(at);
   SolverSettings solver;
   table.optional("linear", solver.linear, as_one_of<linear_solvers>);
-  table.optional("tolerance", solver.tolerance, as_number,
-                 Number{quantity::number, {0.0, 1.0, true, true}});
   table.optional("threads", solver.threads, as_count);
   table.optional("reproducible", solver.reproducible, as_flag);
   table.optional("accuracy", solver.accuracy, as_one_of<accuracies>);
+  solver.tolerance = preset_of(solver.accuracy).tolerance;
+  table.optional("tolerance", solver.tolerance, as_number,
+                 Number{quantity::number, {0.0, 1.0, true, true}});
   table.finish();
   return solver;
 }

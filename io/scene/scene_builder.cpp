@@ -3,6 +3,7 @@
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "geometry/mesh2d/mesher_2d.h"
+#include "io/case/accuracy_preset.h"
 #include "io/mesh/read_mesh.h"
 #include "io/scene/material_builder.h"
 #include "io/scene/selector.h"
@@ -556,7 +557,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   scene.measures = measures_of(content);
   add_stages(content, scene);
   scene.increments = {content.time.increments.first, content.time.increments.min,
-                      content.time.increments.max};
+                      content.time.increments.max, preset_of(content.solver.accuracy).increments};
   scene.landing_times = landing_times(content, scene);
   if (content.remesh) {
     require_remeshable(content, scene, place);

@@ -64,6 +64,7 @@ struct IncrementLimits {
   std::optional<double> first; ///< [s]
   std::optional<double> min;   ///< [s]
   std::optional<double> max;   ///< [s]
+  double share = 1.0;          ///< of the usual first and longest ones, where not given [-]
 };
 
 /// First and longest increment of a stage where the case does not say [s]. (P.1)

@@ -50,7 +50,8 @@ double whole_at(const Scene& scene, double begin, bool hands_over) {
     if (time > begin)
       landing = std::min(landing, time);
   const double first = scene.increments.first.value_or(
-      std::max(default_first(end - start, mechanics::follows_rate(scene.material.flow)),
+      std::max(scene.increments.share *
+                   default_first(end - start, mechanics::follows_rate(scene.material.flow)),
                scene.increments.min.value_or(0.0)));
   return begin + step_towards(landing - begin, first);
 }

@@ -63,9 +63,10 @@ IncrementControl::Limits limits(const Run& run, double length) {
   const double smallest =
       given.min.value_or(std::min(smallest_share * length, shortest_of_blow * begins));
   const double asked = std::max(given.first.value_or(0.0), given.min.value_or(0.0));
-  const double largest = given.max.value_or(std::max(default_longest(length), asked));
-  const double first = given.first.value_or(
-      std::min(default_first(length, mechanics::follows_rate(run.scene.material.flow)), begins));
+  const double largest = given.max.value_or(std::max(given.share * default_longest(length), asked));
+  const double first = given.first.value_or(std::min(
+      given.share * default_first(length, mechanics::follows_rate(run.scene.material.flow)),
+      begins));
   return {std::clamp(first, std::min(smallest, largest), largest), smallest, largest};
 }
 

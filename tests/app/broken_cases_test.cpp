@@ -135,8 +135,6 @@ std::vector<Broken> wrong_words() {
 
 std::vector<Broken> later_versions() {
   return {
-      one("later_accuracy", "[time]", "[solver]\naccuracy = \"draft\"\n[time]",
-          {"solver.accuracy: \"draft\" is not available in this version"}, "accuracy"),
       lacking("remeshing_with_quadrilaterals",
               {{"[time]", "[remesh]\nelement = \"quad8\"\n[time]"}},
               {"case.toml: remesh: element = \"quad8\" is not available in this version",

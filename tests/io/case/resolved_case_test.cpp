@@ -1,3 +1,4 @@
+#include "io/case/accuracy_preset.h"
 #include "tests/io/case/case_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -101,7 +102,7 @@ TEST(ResolvedCase, escapes_text_and_names) {
 }
 
 /// A case with everything that this version knows and cannot do yet, in space or in the plane.
-Case future_case() {
+Case full_case() {
   Case content = read(space_case);
   content.workpiece.element = "tet10";
   content.tools[0].motion = {ForceMotion{{0, 0, 1}, 3.0}, TorqueMotion{{0, 0, 0}, {0, 0, 1}, 4.0}};
@@ -173,11 +174,33 @@ TEST(ResolvedCase, keeps_intervals_of_checkpoints) {
   }
 }
 
-TEST(ResolvedCase, is_well_formed_even_where_this_version_cannot_run_it) {
-  const std::vector<Complaint> complaints = complaints_of(resolved_toml(future_case()));
-  EXPECT_EQ(complaints.size(), 1U);
-  for (const Complaint& complaint : complaints)
-    EXPECT_TRUE(complaint.message.ends_with("not available in this version")) << complaint.text();
+TEST(ResolvedCase, keeps_what_few_cases_have) { expect_round_trip(full_case()); }
+
+TEST(ResolvedCase, keeps_measures) {
+  Case content = read(space_case);
+  const std::string tool = content.tools[0].name;
+  content.measures = {
+      {.name = "barrel",
+       .kind = MeasureKind::barrelling,
+       .point = {1, 2, 3},
+       .axis = {0, 0, 2},
+       .tool = tool,
+       .touching = 0.01},
+      {.name = "bore",
+       .kind = MeasureKind::bore,
+       .axis = {0, 0, 1},
+       .within = Box{{-1, -2, -3}, {1, 2, 3}}},
+      {.name = "tip", .kind = MeasureKind::reach, .direction = {1, 0, 1}},
+      {.name = "filled", .kind = MeasureKind::filling, .within = Box{{0, 0, 0}, {1, 2, 3}}}};
+  expect_round_trip(content);
+}
+
+TEST(ResolvedCase, says_what_an_accuracy_stands_for) {
+  const Case content = read(space_case, {"solver.accuracy=draft"});
+  EXPECT_EQ(content.solver.tolerance, preset_of(Accuracy::draft).tolerance);
+  EXPECT_EQ(read(space_case, {"solver.accuracy=fine", "solver.tolerance=1e-3"}).solver.tolerance,
+            1e-3);
+  EXPECT_NE(resolved_toml(content).find("accuracy = \"draft\""), std::string::npos);
 }
 
 TEST(ResolvedCase, states_the_defaults) {

@@ -1,0 +1,43 @@
+// What `solver.accuracy` stands for.
+//
+// Only what a case does not say itself. The figures are read off docs/trade.md.
+
+#pragma once
+
+#include "io/case/case.h"
+
+#include <string_view>
+
+namespace billet::io {
+
+struct AccuracyPreset {
+  double increments; ///< the first and the longest, of those of `standard` [-]
+  double tolerance;  ///< of the relative residual [-]
+};
+
+[[nodiscard]] constexpr AccuracyPreset preset_of(Accuracy accuracy) {
+  switch (accuracy) {
+  case Accuracy::draft:
+    return {2.5, 1e-5};
+  case Accuracy::fine:
+    return {0.2, 1e-7};
+  case Accuracy::standard:
+    break;
+  }
+  return {1.0, 1e-6};
+}
+
+/// The word of the case file.
+[[nodiscard]] constexpr std::string_view name_of(Accuracy accuracy) {
+  switch (accuracy) {
+  case Accuracy::draft:
+    return "draft";
+  case Accuracy::fine:
+    return "fine";
+  case Accuracy::standard:
+    break;
+  }
+  return "standard";
+}
+
+} // namespace billet::io
