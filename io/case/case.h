@@ -175,14 +175,14 @@ using MeasureKind = process::Measure::Kind;
 
 /// A figure of the part's shape, followed as a column of history.csv.
 struct Measure {
-  std::string name;
+  std::string name = {};
   MeasureKind kind = MeasureKind::height;
-  Vec3 point = Vec3::Zero();      ///< on the line of radii; of scenes in space [mm]
-  Vec3 axis = Vec3::UnitY();      ///< of radii, any length
-  Vec3 direction = Vec3::UnitY(); ///< of height and reach, any length
-  std::string tool;               ///< that is touched; empty: the kind asks for none
-  std::optional<double> touching; ///< gap up to which the surface touches [mm]
-  std::optional<Box> within;      ///< what counts, or the cavity's box [mm]
+  Vec3 point = Vec3::Zero();           ///< on the line of radii; of scenes in space [mm]
+  Vec3 axis = Vec3::UnitY();           ///< of radii, any length
+  Vec3 direction = Vec3::UnitY();      ///< of height and reach, any length
+  std::string tool = {};               ///< that is touched; empty: the kind asks for none
+  std::optional<double> touching = {}; ///< gap up to which the surface touches [mm]
+  std::optional<Box> within = {};      ///< what counts, or the cavity's box [mm]
 
   bool operator==(const Measure&) const = default;
 };
