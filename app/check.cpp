@@ -165,8 +165,8 @@ std::string readable(double seconds) {
 }
 
 void print_accuracy(const io::Case& content) {
-  const double share = io::preset_of(content.solver.accuracy).increments;
   const io::Increments& given = content.time.increments;
+  const double share = io::preset_of(content.solver.accuracy).increments / given.refine;
   fmt::print("accuracy: \"{}\": increments of at most {}, tolerance {:g}\n",
              io::name_of(content.solver.accuracy),
              given.max ? fmt::format("{:.6g} {}", *given.max, content.units.time)

@@ -15,6 +15,8 @@ namespace {
 void add(Row& row, const Level& level) {
   row.labels.push_back(level.label);
   row.assignments.insert(row.assignments.end(), level.set.begin(), level.set.end());
+  if (level.case_file)
+    row.case_file = level.case_file;
 }
 
 /// The level of an axis at a place between its ends.

@@ -13,6 +13,7 @@ namespace billet::study {
 struct Row {
   std::vector<std::string> labels;     ///< of the levels, or values drawn, by axis
   std::vector<Assignment> assignments; ///< of all axes
+  std::optional<std::filesystem::path> case_file = std::nullopt; ///< in place of the study's
 
   /// As `--set` takes them.
   [[nodiscard]] std::vector<std::string> overrides() const;

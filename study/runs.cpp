@@ -92,20 +92,21 @@ plan_run(const Study& study, const Row& row, const fs::path& runs, const Program
   std::vector<std::string> overrides = study.overrides;
   for (const std::string& word : row.overrides())
     overrides.push_back(word);
+  const fs::path& case_file = row.case_file ? *row.case_file : study.case_file;
   PlannedRun run;
   try {
-    io::Case content = io::read_case(study.case_file, overrides, {true});
+    io::Case content = io::read_case(case_file, overrides, {true});
     if (!study.engine.frames) {
       content.output.every = content.time.end;
       overrides.push_back(fmt::format("output.every={}", content.time.end));
     }
-    run.identity = identity_of(content, study.case_file, program.version);
+    run.identity = identity_of(content, case_file, program.version);
   } catch (const Error& error) {
     run.refused = error.what();
     return run;
   }
   run.folder = runs / run.identity;
-  run.command = {program.file.string(), "run", fs::absolute(study.case_file).string()};
+  run.command = {program.file.string(), "run", fs::absolute(case_file).string()};
   for (const std::string& word : overrides) {
     run.command.emplace_back("--set");
     run.command.push_back(word);

@@ -26,6 +26,7 @@ struct Assignment {
 struct Level {
   std::string label = {};
   std::vector<Assignment> set;
+  std::optional<std::filesystem::path> case_file = std::nullopt; ///< in place of the study's
   std::optional<double> size = std::nullopt; ///< of what is refined, relative to the others [-]
 };
 

@@ -77,7 +77,14 @@ std::optional<Level> as_level(const At& at) {
   table.required("label", level.label, [](const At& label) -> std::optional<std::string> {
     return label_of(label.node);
   });
-  table.required("set", level.set, as_assignments);
+  std::string case_file;
+  if (table.optional("case", case_file, io::as_text))
+    level.case_file = at.context.directory / case_file;
+  std::error_code error;
+  if (level.case_file && !fs::exists(*level.case_file, error))
+    table.find("case")->complain(fmt::format("there is no file '{}'", level.case_file->string()));
+  if (table.find("set") || !level.case_file)
+    table.required("set", level.set, as_assignments);
   table.optional("size", level.size, io::as_number, io::positive_number);
   table.finish();
   return level;
@@ -110,7 +117,7 @@ std::optional<std::vector<double>> as_steps(const At& at) {
 void read_common(TableReader& root, Study& study) {
   root.optional("title", study.title, io::as_text);
   std::string case_file = "case.toml";
-  root.required("case", case_file, io::as_text);
+  root.optional("case", case_file, io::as_text);
   study.case_file = root.context().directory / case_file;
   std::error_code error;
   if (const std::optional<At> at = root.find("case"); at && !fs::exists(study.case_file, error))

@@ -113,6 +113,7 @@ struct Increments {
   std::optional<double> first; ///< [s]
   std::optional<double> min;   ///< [s]
   std::optional<double> max;   ///< [s]
+  double refine = 1.0;         ///< as many more of them, where first and max are not given [-]
 
   bool operator==(const Increments&) const = default;
 };

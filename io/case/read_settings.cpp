@@ -29,6 +29,7 @@ std::optional<Increments> as_increments(const At& at) {
   table.optional("first", increments.first, as_number, positive_time);
   table.optional("min", increments.min, as_number, positive_time);
   table.optional("max", increments.max, as_number, positive_time);
+  table.optional("refine", increments.refine, as_number, positive_number);
   table.finish();
   const auto check = [&](std::string_view key, const std::optional<double>& low,
                          const std::optional<double>& high, std::string_view above) {

@@ -75,6 +75,7 @@ std::string time_text(const TimeSettings& time) {
   add_if(increments, "first", time.increments.first);
   add_if(increments, "min", time.increments.min);
   add_if(increments, "max", time.increments.max);
+  increments.add("refine", toml_text(time.increments.refine));
   return TomlTable()
       .add("end", toml_text(time.end))
       .add("increments", increments.on_one_line())

@@ -556,8 +556,9 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
                    scheme_of(content.contact)};
   scene.measures = measures_of(content);
   add_stages(content, scene);
-  scene.increments = {content.time.increments.first, content.time.increments.min,
-                      content.time.increments.max, preset_of(content.solver.accuracy).increments};
+  scene.increments = {
+      content.time.increments.first, content.time.increments.min, content.time.increments.max,
+      preset_of(content.solver.accuracy).increments / content.time.increments.refine};
   scene.landing_times = landing_times(content, scene);
   if (content.remesh) {
     require_remeshable(content, scene, place);
