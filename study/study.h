@@ -26,8 +26,8 @@ struct Assignment {
 struct Level {
   std::string label = {};
   std::vector<Assignment> set;
-  std::optional<std::filesystem::path> case_file = std::nullopt; ///< in place of the study's
   std::optional<double> size = std::nullopt; ///< of what is refined, relative to the others [-]
+  std::optional<std::filesystem::path> case_file = std::nullopt; ///< in place of the study's
 };
 
 /// Values that a sample may take between two, of one key.
