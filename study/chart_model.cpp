@@ -81,6 +81,11 @@ at_places(const Chart& chart,
   return grid;
 }
 
+bool reaches_all(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::isfinite(value); });
+}
+
 } // namespace
 
 double monotone_cubic(std::span<const double> x, std::span<const double> y, double at) {
@@ -119,15 +124,31 @@ ChartModel::ChartModel(const Chart& chart, const ChartedLaw& law, std::span<cons
     for (std::vector<double>& row : *grid)
       for (double& value : row)
         value = std::isfinite(value) ? value : 0.0; // one level failed: nothing is known of it
-  for (std::size_t point = 0; point < values_.size(); ++point)
-    for (std::size_t i = 0; i < data.size(); ++i)
-      if (!std::isfinite(values_[point][i]))
-        throw Error(
-            Fault::case_file, "",
-            fmt::format("law '{}': a run of the chart (number {} of its grid) did not reach "
-                        "{} = {}",
-                        law.name, point + 1, chart.x, data[i].x),
-            "leave the measurement out, or chart parameters whose runs get there");
+  leave_out_unreached();
+  constexpr std::size_t least = 2;
+  const bool whole = std::all_of(values_.begin(), values_.end(), reaches_all);
+  if (!whole || grids_.front().size() < least)
+    throw Error(
+        Fault::case_file, "",
+        fmt::format("law '{}': too few runs of the chart reach all places that were measured",
+                    law.name),
+        "leave the farthest out, or chart parameters whose runs get there");
+}
+
+void ChartModel::leave_out_unreached() {
+  if (grids_.size() != 1)
+    return;
+  for (std::size_t point = values_.size(); point-- > 0;) {
+    if (reaches_all(values_[point]))
+      continue;
+    const auto at = static_cast<std::ptrdiff_t>(point);
+    left_out_.push_back(grids_[0][point]);
+    grids_[0].erase(grids_[0].begin() + at);
+    values_.erase(values_.begin() + at);
+    errors_.erase(errors_.begin() + at);
+    for (Grid& change : changes_)
+      change.erase(change.begin() + at);
+  }
 }
 
 Eigen::VectorXd ChartModel::between(const Grid& grid, std::span<const double> parameters) const {

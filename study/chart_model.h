@@ -22,13 +22,17 @@ monotone_cubic(std::span<const double> x, std::span<const double> y, double at);
 /// What a law says at the places of some measurements.
 class ChartModel {
 public:
-  /// @throws Error (Fault::case_file) for a place outside of the chart, or one that the runs did
-  ///         not reach
+  /// Values of a single parameter whose runs did not reach all places are left out.
+  /// @throws Error (Fault::case_file) for a place outside of the chart, or one that too few runs
+  ///         reached
   ChartModel(const Chart& chart, const ChartedLaw& law, std::span<const Measured> data);
 
   [[nodiscard]] std::size_t n_parameters() const { return grids_.size(); }
   [[nodiscard]] double low(std::size_t parameter) const { return grids_[parameter].front(); }
   [[nodiscard]] double high(std::size_t parameter) const { return grids_[parameter].back(); }
+
+  /// Values of the parameter that are left out.
+  [[nodiscard]] const std::vector<double>& left_out() const { return left_out_; }
 
   /// Values at the places. @param parameters  within the chart
   [[nodiscard]] Eigen::VectorXd values(std::span<const double> parameters) const;
@@ -38,11 +42,13 @@ public:
 private:
   /// A figure at every point of the grid, shape (n_points, n_places).
   using Grid = std::vector<std::vector<double>>;
+  void leave_out_unreached();
   [[nodiscard]] Eigen::VectorXd between(const Grid& grid, std::span<const double> parameters) const;
 
   std::vector<std::vector<double>> grids_; ///< values of each parameter that were run
   Grid values_, errors_;
-  std::vector<Grid> changes_;           ///< by what is uncertain
+  std::vector<Grid> changes_; ///< by what is uncertain
+  std::vector<double> left_out_;
   std::vector<std::size_t> quantities_; ///< of the places
 };
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -351,6 +352,10 @@ Identification identify(const Chart& chart, const std::vector<Measured>& data) {
   for (const ChartedLaw& law : chart.laws) {
     const ChartModel model(chart, law, data);
     found.laws.push_back(fit(law, model, data));
+    if (!model.left_out().empty())
+      found.warnings.push_back(fmt::format(
+          "law '{}': {} = {:.4g} is left out, its run did not reach all that was measured",
+          law.name, law.parameters.front().name, fmt::join(model.left_out(), ", ")));
     warn_of_law(chart, model, data, found.laws.back(), found);
   }
   for (std::size_t law = 1; law < found.laws.size(); ++law)

@@ -126,6 +126,20 @@ TEST(Identify, RefusesPlacesOutsideOfTheChart) {
   EXPECT_THROW((void)identify(two_laws(), {}), Error);
 }
 
+TEST(Identify, LeavesRunsOutThatDidNotGetThere) {
+  Chart chart = two_laws();
+  chart.laws.pop_back();
+  for (std::size_t s = 3; s < chart.stations.size(); ++s)
+    chart.laws[0].quantities[0].values.back()[s] = std::nan("");
+  const Identification found = identify(chart, {{0, 0.5, saturating(0.2, 0.5), 0.002}});
+  EXPECT_NEAR(found.laws[0].parameters[0].value, 0.2, 2e-3);
+  ASSERT_EQ(found.warnings.size(), 1U);
+  EXPECT_NE(found.warnings[0].find("m = 0.5 is left out"), std::string::npos) << found.warnings[0];
+  for (std::vector<double>& values : chart.laws[0].quantities[0].values)
+    values.back() = std::nan("");
+  EXPECT_THROW((void)identify(chart, {{0, 0.6, 1.0, 0.002}}), Error);
+}
+
 TEST(Identify, FindsTwoParameters) {
   Chart chart{"", "x", {0.1, 0.3, 0.5, 0.7}, {}, {}};
   ChartedLaw law{"two", {{"a", {"a"}, {0.0, 0.5, 1.0}}, {"b", {"b"}, {0.0, 0.5, 1.0}}}, {}};
