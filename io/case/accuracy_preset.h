@@ -18,9 +18,9 @@ struct AccuracyPreset {
 [[nodiscard]] constexpr AccuracyPreset preset_of(Accuracy accuracy) {
   switch (accuracy) {
   case Accuracy::draft:
-    return {2.5, 1e-5};
+    return {1.0 / 0.6, 1e-4};
   case Accuracy::fine:
-    return {0.2, 1e-7};
+    return {0.2, 1e-6};
   case Accuracy::standard:
     break;
   }
