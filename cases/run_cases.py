@@ -17,7 +17,6 @@ import sys
 import tomllib
 
 sys.dont_write_bytecode = True
-import shape
 
 CASES = pathlib.Path(__file__).resolve().parent
 ENERGY_TOLERANCE = 0.005
@@ -79,8 +78,6 @@ def wanted_of(name):
 
 def evaluate(name, content, results):
     """Prints the checks of a run of a case; returns the number of failed ones."""
-    if "shape" in content:
-        shape.write(results, name, content["shape"])
     if "script" in content:
         subprocess.run([sys.executable, CASES / name / content["script"], results], check=True)
     energy = {"file": "summary.json", "column": "energy.relative_error",

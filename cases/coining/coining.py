@@ -19,7 +19,7 @@ import xml.etree.ElementTree as xml
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
-import shape
+import frames
 from make_die import DEPTH, LAND, relief
 
 SPEED = 0.05 # mm/s
@@ -30,7 +30,7 @@ def frame(path):
     """Current points and displacements."""
     root = xml.parse(path).getroot()
     arrays = [root.find(".//Points/DataArray"), root.find(".//PointData/DataArray[@Name='displacement']")]
-    flat = [shape.array(root, each) for each in arrays]
+    flat = [frames.array(root, each) for each in arrays]
     return [list(zip(v[0::3], v[1::3], v[2::3])) for v in flat]
 
 

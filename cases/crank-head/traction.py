@@ -19,7 +19,7 @@ import xml.etree.ElementTree as xml
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-import shape
+import frames
 from make_insert import CREST, FIRST, GROOVES, HEIGHT, PITCH, RADIUS
 
 LENGTH, WALL, MEAN_RADIUS = 54.0, 2.0, 16.0 # mm
@@ -43,9 +43,9 @@ def workpiece(results, time):
     file = next(results / d.get("file") for d in collection.iter("DataSet")
                 if d.get("name") == "workpiece" and abs(float(d.get("timestep")) - time) < 1e-9)
     root = xml.parse(file).getroot()
-    flat = shape.array(root, root.find(".//Points/DataArray"))
+    flat = frames.array(root, root.find(".//Points/DataArray"))
     strain = next(e for e in root.find(".//PointData") if e.get("Name") == "plastic_strain")
-    return list(zip(flat[0::3], flat[1::3])), shape.array(root, strain)
+    return list(zip(flat[0::3], flat[1::3])), frames.array(root, strain)
 
 
 def bore(points, first):

@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import make_dies
-import shape
+import frames
 import xml.etree.ElementTree as xml
 
 CLOSED = 0.3062                               # s
@@ -46,7 +46,7 @@ def contact_frame(results, time):
 
 def main():
     results = pathlib.Path(sys.argv[1])
-    points, edges = shape.surface(contact_frame(results, CLOSED))
+    points, edges = frames.surface(contact_frame(results, CLOSED))
     step = make_dies.RIM_OUTER / SLICES
     radii = [(i + 0.5) * step for i in range(SLICES)]
     filled = sum(2.0 * math.pi * r * thickness(points, edges, r) * step for r in radii)

@@ -13,7 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-import shape
+import frames
 
 RADIUS, ELONGATION_RATE = 6.413, 1.0 # mm, mm/s; half of it at the end of the half bar
 
@@ -35,8 +35,8 @@ def loads(history):
 
 def necks(results):
     """(elongation, radius over the initial one) of each frame."""
-    for time, path in shape.frames(results):
-        points = shape.nodes(path)[0]
+    for time, path in frames.frames(results):
+        points = frames.nodes(path)[0]
         middle = min(y for _, y, _ in points)
         yield ELONGATION_RATE * time, max(x for x, y, _ in points if y == middle) / RADIUS
 

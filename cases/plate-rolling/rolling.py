@@ -16,7 +16,7 @@ import xml.etree.ElementTree as xml
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-import shape
+import frames
 
 RADIUS, CENTRE, SURFACE_SPEED = 100.0, 100.8, 10.0 # mm, mm, mm/s
 STEADY = (1.2, 2.4) # s: after the bite, before the tail is near
@@ -37,7 +37,7 @@ def arrays(path, section, names):
     data = {e.get("Name"): e for e in root.find(f".//{section}")}
     columns = []
     for name in names:
-        values = shape.array(root, data[name])
+        values = frames.array(root, data[name])
         width = int(data[name].get("NumberOfComponents") or 1)
         columns.append(values if width == 1 else list(zip(*(values[i::width] for i in range(width)))))
     return columns

@@ -20,7 +20,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import make_mesh as bar
-import shape
+import frames
 
 ROLL_SPEED = 900.0 # mm/s, surface of the horizontal rolls at the web
 STEADY = 0.2 # s, an instant in the steady part
@@ -30,7 +30,7 @@ TINY = 1e-6
 
 def read(path):
     """Points now, points at the start, velocities."""
-    points, moved, velocities = shape.nodes(path)
+    points, moved, velocities = frames.nodes(path)
     return points, [tuple(a - b for a, b in zip(p, u)) for p, u in zip(points, moved)], velocities
 
 
@@ -127,7 +127,7 @@ def bend(points, stations, axis):
 
 def main():
     results = pathlib.Path(sys.argv[1])
-    all_frames = list(shape.frames(results))
+    all_frames = list(frames.frames(results))
     first, last = read(all_frames[0][1]), read(all_frames[-1][1])
     stations = middle_third(first[1])
     lines = {name: outline(frame[0], first[1], stations) for name, frame in (("before", first), ("after", last))}

@@ -14,14 +14,14 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-import shape
+import frames
 
 SURFACE_SPEED = 10.0 # mm/s
 PASSES = {"first": (3.0, 7.0), "second": (11.0, 16.0)} # s: an instant in the steady part; after the pass
 
 
 def nearest(results, time):
-    return shape.nodes(min(shape.frames(results), key=lambda frame: abs(frame[0] - time))[1])
+    return frames.nodes(min(frames.frames(results), key=lambda frame: abs(frame[0] - time))[1])
 
 
 def mean(values):

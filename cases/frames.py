@@ -1,13 +1,6 @@
-"""The shape of an upset workpiece in every frame of a run: shape.csv, for run_cases.py.
-
-Equator radius: the largest radius of the workpiece's surface. Contact radius: the largest radius at
-which its outline (straight between nodes) is in the tool or no farther from it than a thousandth of
-the initial height. Python's standard library reads the frames, so no VTK is needed.
-"""
+"""Reads frames of a run, with nothing but Python's standard library: points, fields, faces."""
 
 import base64
-import csv
-import math
 import struct
 import xml.etree.ElementTree as xml
 import zlib
@@ -67,39 +60,3 @@ def surface(path):
             edges.update(zip(face, face[1:]))
             start = end
     return points, edges
-
-
-def radii(points, edges, axis, tool_at, tolerance):
-    """Equator and contact radius of one frame."""
-    def radius(p):
-        return math.sqrt(sum(p[i] ** 2 for i in range(3) if i != axis))
-
-    contact = 0.0
-    for a, b in edges:
-        p, q = sorted((points[a], points[b]), key=lambda point: -point[axis])
-        if p[axis] < tool_at - tolerance:
-            continue
-        leaves = tool_at - tolerance > q[axis]
-        share = (p[axis] - tool_at + tolerance) / (p[axis] - q[axis]) if leaves else 1.0
-        contact = max(contact, radius(p), radius(p) + share * (radius(q) - radius(p)))
-    used = {node for edge in edges for node in edge}
-    return max(radius(points[node]) for node in used), contact
-
-
-def write(results, name, wanted):
-    """Writes results/shape.csv. wanted: the [shape] table of a check.toml: axis, tool, height."""
-    axis = "xyz".index(wanted["axis"])
-    with open(results / "history.csv", encoding="utf-8") as file:
-        way = [(float(row["time"]), float(row[f"{wanted['tool']}.displacement_{wanted['axis']}"]))
-               for row in csv.DictReader(file)]
-    collection = xml.parse(results / f"{name}.pvd").getroot()
-    with open(results / "shape.csv", "w", encoding="utf-8") as out:
-        out.write("time,height,equator_radius,contact_radius,barrelling\n")
-        for part in collection.iter("DataSet"):
-            if part.get("name") != "contact":
-                continue
-            time = float(part.get("timestep"))
-            height = wanted["height"] + min(way, key=lambda row: abs(row[0] - time))[1] * (time > 0.0)
-            equator, contact = radii(*surface(results / part.get("file")), axis, height,
-                                     1e-3 * wanted["height"])
-            out.write(f"{time:.9g},{height:.9g},{equator:.9g},{contact:.9g},{equator / contact:.9g}\n")
