@@ -186,9 +186,9 @@ std::optional<Chart> conduct_chart(const ChartFile& file, const Conduct& how) {
   io::make_folder(how.folder);
   const io::FolderLock lock(how.folder);
   const std::vector<ChartRow> chart_rows = rows_of_chart(file);
-  std::vector<Row> rows;
-  for (const ChartRow& row : chart_rows)
-    rows.push_back(row.row);
+  std::vector<Row> rows(chart_rows.size());
+  std::transform(chart_rows.begin(), chart_rows.end(), rows.begin(),
+                 [](const ChartRow& row) { return row.row; });
   const std::vector<PlannedRun> runs = make_runs_of(file.study, rows, how);
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::optional<EndedRun> end = ended(runs[r]);
