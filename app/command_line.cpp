@@ -72,6 +72,13 @@ constexpr Option study_options[] = {
     {"--quiet", "", "no progress on standard error"},
 };
 
+/// Of `verify`.
+constexpr Option verify_options[] = {
+    {"--list", "", "the names of the problems, what they show and their sources"},
+    {"-o", "DIR", "verify.md, verify.html and the cases go to DIR", "--output"},
+    {"--quiet", "", "no progress on standard error"},
+};
+
 int positive_number(const std::string& text, std::string_view option) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -94,6 +101,8 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.processes = positive_number(value, option);
   else if (option == "--again")
     arguments.again = true;
+  else if (option == "--list")
+    arguments.list = true;
   else if (option == "--resume")
     arguments.resume = true;
   else if (option == "--from")
@@ -128,6 +137,8 @@ const Option& find_option(const std::string& word, const Command& command) {
     look_in(identify_options);
   } else if (command.name == "study" || command.name == "chart") {
     look_in(study_options);
+  } else if (command.name == "verify") {
+    look_in(verify_options);
   } else {
     look_in(case_options);
     look_in(run_options);
@@ -162,6 +173,9 @@ const std::vector<Command>& commands() {
        &make_chart},
       {"identify", "CHART MEASUREMENTS.csv [-o DIR]",
        "a law's parameters from measured values, with their intervals", &identify_parameters, 2},
+      {"verify", "[NAME ...] [options]",
+       "run problems that have closed forms: every figure beside its reference", &verify_problems,
+       0},
   };
   return all;
 }
@@ -172,11 +186,14 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
     arguments.rest = words;
     return arguments;
   }
+  const bool takes_names = command.files == 0;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const bool is_option = word.size() > 1 && word[0] == '-';
     if (!is_option) {
-      if (arguments.file.empty())
+      if (takes_names)
+        arguments.rest.push_back(word);
+      else if (arguments.file.empty())
         arguments.file = word;
       else if (arguments.rest.size() + 1 < command.files)
         arguments.rest.push_back(word);
@@ -202,7 +219,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
   if (arguments.resume && arguments.from)
     throw Error(Fault::usage, "", "--resume and --from exclude each other",
                 "--resume goes on in the folder of the results, --from in another one");
-  if (arguments.file.empty())
+  if (arguments.file.empty() && !takes_names)
     throw Error(Fault::usage, "", fmt::format("billet {}: a file is missing", command.name),
                 fmt::format("billet {} {}", command.name, command.usage));
   return arguments;
@@ -246,6 +263,8 @@ std::string help(const Command& command) {
     add(identify_options);
   } else if (command.name == "study" || command.name == "chart") {
     add(study_options);
+  } else if (command.name == "verify") {
+    add(verify_options);
   } else {
     add(case_options);
     if (command.name == "run")

@@ -13,7 +13,7 @@ namespace billet::app {
 
 /// What the user typed after the command.
 struct Arguments {
-  std::string file;                            ///< case, mesh, STL or results; render: empty
+  std::string file; ///< case, mesh, STL or results; render, verify: empty
   std::optional<std::filesystem::path> output; ///< -o
   std::vector<std::string> overrides;          ///< --set key=value
   std::optional<int> threads;                  ///< --threads
@@ -25,7 +25,9 @@ struct Arguments {
   std::optional<std::string> unit;             ///< --unit, of an STL
   std::optional<int> processes;                ///< --processes
   bool again = false;                          ///< --again
-  std::vector<std::string> rest;               ///< files after the first; of render: all words
+  bool list = false;                           ///< --list
+  /// Files after the first; of render all words, of verify names of problems.
+  std::vector<std::string> rest;
 };
 
 /// The folder's name for a file that has its usual name (case.toml, say), the file's own otherwise.
@@ -37,7 +39,7 @@ struct Command {
   std::string_view usage;   ///< after "billet NAME"
   std::string_view summary; ///< one line for the help
   int (*run)(const Arguments&);
-  std::size_t files = 1; ///< that it takes
+  std::size_t files = 1; ///< that it takes; 0: names instead, any number
 };
 
 int run_case(const Arguments& arguments);
@@ -47,6 +49,7 @@ int render_results(const Arguments& arguments);
 int conduct_study(const Arguments& arguments);
 int make_chart(const Arguments& arguments);
 int identify_parameters(const Arguments& arguments);
+int verify_problems(const Arguments& arguments);
 
 /// Every command that works in this version.
 [[nodiscard]] const std::vector<Command>& commands();

@@ -4,6 +4,7 @@
 #include "app/make_process.h"
 #include "app/progress.h"
 #include "app/stop_signals.h"
+#include "app/threads.h"
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
 #include "io/results/checkpoint.h"
@@ -12,7 +13,6 @@
 #include "process/loop/run_checks.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
 #include <algorithm>
@@ -56,14 +56,6 @@ int exit_status(process::RunStatus status, bool usable) {
 std::string largest_in_words(const io::LargestForce& largest, const io::UnitSystem& units) {
   return fmt::format(" at the end, at most {:.6g} {} at time {:.6g} {}", largest.force.norm(),
                      units.force, largest.time, units.time);
-}
-
-/// Of TBB, to the end of the program: to give the limit up would start a thread.
-void limit_threads(int threads) {
-  using oneapi::tbb::global_control;
-  static const auto* const limit = new global_control(global_control::max_allowed_parallelism,
-                                                      static_cast<std::size_t>(threads));
-  static_cast<void>(limit);
 }
 
 void print_summary(const process::Run& run,
