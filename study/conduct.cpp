@@ -45,6 +45,7 @@ std::vector<Pending> pending_of(const std::vector<PlannedRun>& runs, bool again)
 
 std::string settings_in_words(const Study& study, const Row& row) {
   std::vector<std::string> words;
+  words.reserve(study.axes.size());
   for (std::size_t a = 0; a < study.axes.size(); ++a)
     words.push_back(fmt::format("{} = {}", study.axes[a].name, row.labels[a]));
   if (words.empty()) // of a chart
@@ -95,6 +96,7 @@ void make_runs(const Study& study,
     return;
   }
   std::vector<std::string> lines;
+  lines.reserve(pending.size());
   for (const Pending& each : pending)
     lines.push_back(shell_line(*each.run));
   const fs::path list = how.folder / "commands.txt";

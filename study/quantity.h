@@ -25,6 +25,7 @@ struct Quantity {
   Take take = Take::end;
   std::optional<double> at = {};            ///< of `over`
   std::optional<double> from = {}, to = {}; ///< of `over`; none: the whole run
+  std::optional<double> scale = {};         ///< of errors; none: the reference's value
   std::string expression = {};              ///< of quantities before, in place of `of`; or empty
 };
 

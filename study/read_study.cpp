@@ -133,6 +133,7 @@ std::optional<Quantity> as_quantity(const At& at) {
     return std::nullopt;
   Quantity quantity;
   table.required("name", quantity.name, io::as_name);
+  table.optional("scale", quantity.scale, io::as_number, io::positive_number);
   if (table.optional("expression", quantity.expression, io::as_text)) {
     table.finish();
     return quantity;

@@ -41,7 +41,8 @@ std::vector<std::size_t> quantities_of(const Study& study) {
   return which;
 }
 
-double error_of(const OutcomeRow& row,
+double error_of(const Study& study,
+                const OutcomeRow& row,
                 const OutcomeRow& reference,
                 const std::vector<std::size_t>& quantities) {
   if (!row.good() || !reference.good())
@@ -50,7 +51,8 @@ double error_of(const OutcomeRow& row,
   for (const std::size_t q : quantities) {
     const double difference = std::abs(row.values[q] - reference.values[q]);
     if (difference > 0.0)
-      largest = std::max(largest, difference / std::abs(reference.values[q]));
+      largest = std::max(
+          largest, difference / study.quantities[q].scale.value_or(std::abs(reference.values[q])));
   }
   return largest;
 }
@@ -163,7 +165,7 @@ Trade trade_of(const Study& study, const std::vector<OutcomeRow>& rows) {
       counts.push_back(0);
     }
     const double error =
-        error_of(row, *references.at(labels_of(row.row, split.problem)), quantities);
+        error_of(study, row, *references.at(labels_of(row.row, split.problem)), quantities);
     trade.errors.push_back(error);
     Setting& setting = trade.settings[place->second];
     setting.error = std::isnan(error) ? std::numeric_limits<double>::infinity()

@@ -52,6 +52,13 @@ TEST(Trade, MeasuresErrorsAgainstTheReferenceOfTheSameProblem) {
   EXPECT_EQ(trade.errors.size(), 8U);
 }
 
+TEST(Trade, MeasuresWhatGoesThroughZeroByItsScale) {
+  Study study = two_problems();
+  study.quantities[0].scale = 4.0;
+  const Trade trade = trade_of(study, outcomes(study));
+  EXPECT_NEAR(trade.errors[0], 10.0 * 0.14 / 4.0, 1e-12);
+}
+
 TEST(Trade, NamesTheFrontAndTheCheapestThatIsGoodEnough) {
   const Study study = two_problems();
   std::vector<OutcomeRow> rows = outcomes(study);
