@@ -5,6 +5,7 @@
 #include "app/make_process.h"
 #include "app/memory.h"
 #include "geometry/base/box.h"
+#include "io/advice/scene_advice.h"
 #include "io/case/accuracy_preset.h"
 #include "io/case/material_library.h"
 #include "io/case/read_case.h"
@@ -174,8 +175,9 @@ void print_accuracy(const io::Case& content) {
              content.solver.tolerance);
 }
 
+constexpr double megabyte = 1e6;
+
 void print_cost(const CostEstimate& cost) {
-  constexpr double megabyte = 1e6;
   fmt::print("unknowns: {}, entries of the tangent {}, of its factors {:.3g}\n", cost.unknowns,
              cost.entries, cost.factor_entries);
   const std::optional<double> left = available_memory();
@@ -186,6 +188,12 @@ void print_cost(const CostEstimate& cost) {
   fmt::print("time: about {} for {:.0f} increments of {:.0f} iterations, of one thread; a third of "
              "it to ten times as much\n",
              readable(cost.seconds), cost.increments, cost.iterations);
+}
+
+/// What the next finer mesh takes.
+void print_finer(const CostEstimate& finer) {
+  fmt::print("with elements half as long: {} unknowns, about {:.0f} MB and {}\n", finer.unknowns,
+             finer.memory / megabyte, readable(finer.seconds));
 }
 
 } // namespace
@@ -208,8 +216,11 @@ int check_case(const Arguments& arguments) {
   print_accuracy(content);
   const CostEstimate cost = ready.cost ? *ready.cost : cost_estimate(scene);
   print_cost(cost);
+  print_finer(finer_cost(cost, content.dimension()));
   if (const std::optional<std::string> warning = memory_warning(cost); warning && !ready.cost)
     fmt::print("{}\n", *warning);
+  for (const io::Advice& advice : io::scene_advice(content, scene))
+    fmt::print("advice: {}\n", advice.text);
   fmt::print("the case is good\n");
   return 0;
 }

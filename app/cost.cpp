@@ -70,6 +70,20 @@ double increments_of(const process::Scene& scene) {
   return increments;
 }
 
+/// Memory and time, which follow from the rest.
+void add_totals(CostEstimate& cost) {
+  // Of an entry: value, column, the symmetric neighbour's value, and the copy that is permuted.
+  const double matrix = 30.0 * static_cast<double>(cost.entries);
+  // Cholesky's factor, or an LU's two in single precision, and the working front besides.
+  const double factors = 8.0 * cost.factor_entries * 1.5;
+  cost.memory = matrix + factors;
+  // Measured with the cases that come along: elements, contact and substitutions go with the
+  // entries of the tangent, the factorization with its operations.
+  constexpr double per_entry = 1.3e-7, per_operation = 1e-10; // [s]
+  cost.seconds = cost.increments * cost.iterations *
+                 (per_entry * static_cast<double>(cost.entries) + per_operation * cost.operations);
+}
+
 } // namespace
 
 CostEstimate cost_estimate(const process::Scene& scene) {
@@ -80,19 +94,24 @@ CostEstimate cost_estimate(const process::Scene& scene) {
   cost.entries = static_cast<std::int64_t>(pattern.n_entries());
   cost.factor_entries = factor.entries;
   cost.operations = factor.operations;
-  // Of an entry: value, column, the symmetric neighbour's value, and the copy that is permuted.
-  const double matrix = 30.0 * static_cast<double>(pattern.n_entries());
-  // Cholesky's factor, or an LU's two in single precision, and the working front besides.
-  const double factors = 8.0 * factor.entries * 1.5;
-  cost.memory = matrix + factors;
-  // Measured with the cases that come along: elements, contact and substitutions go with the
-  // entries of the tangent, the factorization with its operations.
-  constexpr double per_entry = 1.3e-7, per_operation = 1e-10; // [s]
   cost.increments = increments_of(scene);
   cost.iterations = 4.0;
-  cost.seconds = cost.increments * cost.iterations *
-                 (per_entry * static_cast<double>(cost.entries) + per_operation * cost.operations);
+  add_totals(cost);
   return cost;
+}
+
+CostEstimate finer_cost(const CostEstimate& cost, int dim) {
+  CostEstimate finer = cost;
+  const std::int64_t more = std::int64_t{1} << dim;
+  finer.unknowns *= more;
+  finer.entries *= more;
+  const auto n = static_cast<double>(cost.unknowns), m = static_cast<double>(finer.unknowns);
+  const double growth = m / n;
+  finer.factor_entries *=
+      dim == 2 ? growth * std::log(m) / std::log(std::max(n, 2.0)) : std::pow(growth, 4.0 / 3.0);
+  finer.operations *= std::pow(growth, dim == 2 ? 1.5 : 2.0);
+  add_totals(finer);
+  return finer;
 }
 
 std::optional<std::string> memory_warning(const CostEstimate& cost) {

@@ -28,6 +28,14 @@ struct CostEstimate {
 /// The cost of a scene's run on its first mesh.
 [[nodiscard]] CostEstimate cost_estimate(const process::Scene& scene);
 
+/// The cost of the same run with elements half as long, and as many increments.
+///
+/// Unknowns grow by 2^dim; factors and operations as nested dissection has them, in the plane as
+/// N log N and N^1.5, in space as N^(4/3) and N^2 (George, SIAM J. Numer. Anal. 10 (1973) 345-363).
+///
+/// @param dim  2 or 3
+[[nodiscard]] CostEstimate finer_cost(const CostEstimate& cost, int dim);
+
 /// That the machine has too little memory, "warning: ..."; none: it has enough, or nobody knows.
 [[nodiscard]] std::optional<std::string> memory_warning(const CostEstimate& cost);
 
