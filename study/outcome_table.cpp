@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -65,9 +66,8 @@ std::string csv_text(const Study& study,
   header.emplace_back("folder");
   std::string text;
   const auto add = [&](const std::vector<std::string>& cells) {
-    std::vector<std::string> safe;
-    for (const std::string& each : cells)
-      safe.push_back(io::csv_cell(each));
+    std::vector<std::string> safe(cells.size());
+    std::transform(cells.begin(), cells.end(), safe.begin(), &io::csv_cell);
     text += fmt::format("{}\n", fmt::join(safe, ","));
   };
   add(header);

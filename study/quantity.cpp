@@ -23,7 +23,7 @@ void collect(const json& node, const std::string& path, std::map<std::string, do
     into[path] = node.get<double>();
   else if (node.is_object())
     for (const auto& [key, value] : node.items())
-      collect(value, path + "." + key, into);
+      collect(value, fmt::format("{}.{}", path, key), into);
   else if (node.is_array())
     for (std::size_t i = 0; i < node.size(); ++i)
       collect(node[i], fmt::format("{}.{}", path, i), into);
@@ -79,9 +79,9 @@ double mean(const Window& window) {
 }
 
 double evaluate_expression(const Quantity& quantity, const std::map<std::string, double>& before) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : before)
-    names.push_back(name);
+  std::vector<std::string> names(before.size());
+  std::transform(before.begin(), before.end(), names.begin(),
+                 [](const auto& each) { return each.first; });
   const Expression expression(quantity.expression, names);
   std::vector<double> values;
   for (const std::size_t i : expression.used())

@@ -210,9 +210,9 @@ void require_known(const At& at,
 }
 
 template <class Item> std::vector<std::string> names_of(const std::vector<Item>& items) {
-  std::vector<std::string> names;
-  for (const Item& item : items)
-    names.push_back(item.name);
+  std::vector<std::string> names(items.size());
+  std::transform(items.begin(), items.end(), names.begin(),
+                 [](const Item& item) { return item.name; });
   return names;
 }
 
