@@ -21,7 +21,7 @@ constexpr std::size_t most_included = 1000; ///< times that a file is read
 constexpr std::uintmax_t most_bytes = 2'000'000'000;
 
 /// A file's name without unprintable characters, short enough for a message.
-std::string printable(std::string_view name) {
+std::string shown_name(std::string_view name) {
   std::string clean(name.substr(0, 100));
   std::replace_if(
       clean.begin(), clean.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
@@ -68,21 +68,21 @@ void IncludedLines::require_allowed(const fs::path& path, std::string_view name)
   const fs::path own = folder_.empty() ? fs::path(".") : folder_;
   if (!bounds_.anywhere && !is_inside(path, own) &&
       (bounds_.folder.empty() || !is_inside(path, bounds_.folder)))
-    fail(fmt::format("\"{}\" is to be included, which is outside the folder of {}", printable(name),
+    fail(fmt::format("\"{}\" is to be included, which is outside the folder of {}", shown_name(name),
                      bounds_.folder.empty() ? "this file" : "this file and that of the case"),
          "move the file into the folder, or use --allow-outside");
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status))
-    fail(fmt::format("\"{}\" is to be included, but there is no such file", printable(name)),
+    fail(fmt::format("\"{}\" is to be included, but there is no such file", shown_name(name)),
          fmt::format("names are relative to the folder of {}",
                      sources_.front().real.filename().string()));
   if (!fs::is_regular_file(status))
-    fail(fmt::format("\"{}\" is to be included, but it is a folder or device", printable(name)));
+    fail(fmt::format("\"{}\" is to be included, but it is a folder or device", shown_name(name)));
   const fs::path same = real(path);
   if (std::any_of(sources_.begin(), sources_.end(),
                   [&](const Source& source) { return source.real == same; }))
-    fail(fmt::format("\"{}\" includes itself, by way of others or at once", printable(name)));
+    fail(fmt::format("\"{}\" includes itself, by way of others or at once", shown_name(name)));
 }
 
 void IncludedLines::require_budget(const fs::path& path) {
