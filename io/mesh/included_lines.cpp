@@ -68,7 +68,8 @@ void IncludedLines::require_allowed(const fs::path& path, std::string_view name)
   const fs::path own = folder_.empty() ? fs::path(".") : folder_;
   if (!bounds_.anywhere && !is_inside(path, own) &&
       (bounds_.folder.empty() || !is_inside(path, bounds_.folder)))
-    fail(fmt::format("\"{}\" is to be included, which is outside the folder of {}", shown_name(name),
+    fail(fmt::format("\"{}\" is to be included, which is outside the folder of {}",
+                     shown_name(name),
                      bounds_.folder.empty() ? "this file" : "this file and that of the case"),
          "move the file into the folder, or use --allow-outside");
   std::error_code error;
