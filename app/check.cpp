@@ -9,6 +9,7 @@
 #include "io/case/accuracy_preset.h"
 #include "io/case/material_library.h"
 #include "io/case/read_case.h"
+#include "io/case/setting_words.h"
 #include "io/case/toml_text.h"
 #include "mechanics/elements/mesh_check.h"
 #include "process/loop/process.h"
@@ -168,8 +169,8 @@ std::string readable(double seconds) {
 void print_accuracy(const io::Case& content) {
   const io::Increments& given = content.time.increments;
   const double share = io::preset_of(content.solver.accuracy).increments / given.refine;
-  fmt::print("accuracy: \"{}\": increments of at most {}, tolerance {:g}\n",
-             io::name_of(content.solver.accuracy),
+  fmt::print("accuracy: {}: increments of at most {}, tolerance {:g}\n",
+             io::word_text(content.solver.accuracy, io::accuracies),
              given.max ? fmt::format("{:.6g} {}", *given.max, content.units.time)
                        : fmt::format("1/{:.0f} of a stage", 1.0 / process::default_longest(share)),
              content.solver.tolerance);

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <string>
 
 #include "study/conduct.h"
 #include "study/pictures.h"
@@ -27,6 +29,25 @@ study::Conduct conduct_of(const Arguments& arguments, const std::filesystem::pat
               }};
 }
 
+namespace {
+
+/// Why rows failed, each reason once, with the number of its rows: never silent.
+void print_reasons(const std::vector<study::OutcomeRow>& rows) {
+  std::map<std::string, int> reasons;
+  for (const study::OutcomeRow& row : rows)
+    if (row.end && !row.good())
+      ++reasons[row.end->reason];
+  constexpr std::size_t most = 10;
+  std::size_t told = 0;
+  for (const auto& [reason, count] : reasons)
+    if (told++ < most)
+      fmt::print(stderr, "failed, {} row(s): {}\n", count, reason);
+  if (told > most)
+    fmt::print(stderr, "and {} other reasons: study.csv\n", told - most);
+}
+
+} // namespace
+
 int conduct_study(const Arguments& arguments) {
   study::Study study = study::read_study(arguments.file, arguments.overrides);
   if (arguments.processes)
@@ -42,7 +63,8 @@ int conduct_study(const Arguments& arguments) {
       std::count_if(result.rows.begin(), result.rows.end(),
                     [](const study::OutcomeRow& row) { return row.end && !row.good(); });
   fmt::print("{}", study::in_words(study, result.findings));
-  fmt::print("{} rows, {} of them failed{}\n", result.rows.size(), n_failed,
+  print_reasons(result.rows);
+  fmt::print("{} row(s), {} of them failed{}\n", result.rows.size(), n_failed,
              result.n_left > 0 ? fmt::format(", {} are left to be run", result.n_left) : "");
   if (result.n_left == 0)
     for (const study::Picture& picture : study::pictures_of(study, result, folder))

@@ -8,7 +8,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "study/chart.h"
@@ -78,6 +80,42 @@ ChartedLaw law_of_json(const json& from) {
   return law;
 }
 
+bool increases(const std::vector<double>& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+}
+
+bool has_shape(const Rows& rows, std::size_t n_rows, std::size_t n_columns) {
+  return rows.size() == n_rows &&
+         std::all_of(rows.begin(), rows.end(),
+                     [&](const std::vector<double>& row) { return row.size() == n_columns; });
+}
+
+/// Whether a law has values wherever others look for them.
+bool is_whole(const Chart& chart, const ChartedLaw& law) {
+  constexpr std::size_t most_parameters = 2, least_values = 2;
+  std::size_t n_points = 1;
+  for (const Parameter& parameter : law.parameters) {
+    if (parameter.values.size() < least_values || !increases(parameter.values))
+      return false;
+    n_points *= parameter.values.size();
+  }
+  const std::vector<ChartedQuantity>& first = chart.laws.front().quantities;
+  if (law.parameters.empty() || law.parameters.size() > most_parameters || law.quantities.empty() ||
+      law.quantities.size() != first.size())
+    return false;
+  for (std::size_t q = 0; q < first.size(); ++q) {
+    const ChartedQuantity& quantity = law.quantities[q];
+    const auto fits = [&](const Rows& rows) {
+      return has_shape(rows, n_points, chart.stations.size());
+    };
+    if (quantity.name != first[q].name || quantity.change.size() != chart.uncertain.size() ||
+        !fits(quantity.values) || !fits(quantity.model_error) ||
+        !std::all_of(quantity.change.begin(), quantity.change.end(), fits))
+      return false;
+  }
+  return true;
+}
+
 /// A row a point of a law's grid and station.
 std::string chart_csv(const Chart& chart) {
   std::string text = fmt::format("law,parameter_1,parameter_2,{}", io::csv_cell(chart.x));
@@ -139,6 +177,12 @@ void write_chart(const Chart& chart, const fs::path& folder) {
 
 Chart read_chart(const fs::path& file) {
   const json from = json::parse(text_of_file(file), nullptr, false);
+  const auto refuse = [&](const std::string& why) {
+    return Error(Fault::input_output, file.string(), "this is no chart: " + why,
+                 "make one with billet chart CHART.toml");
+  };
+  if (!from.is_object())
+    throw refuse("no JSON object");
   try {
     Chart chart;
     chart.title = from.at("title");
@@ -147,11 +191,13 @@ Chart read_chart(const fs::path& file) {
     chart.uncertain = from.at("uncertain").get<std::vector<std::string>>();
     for (const json& law : from.at("laws"))
       chart.laws.push_back(law_of_json(law));
+    if (chart.laws.empty() || chart.stations.empty() || !increases(chart.stations) ||
+        !std::all_of(chart.laws.begin(), chart.laws.end(),
+                     [&](const ChartedLaw& law) { return is_whole(chart, law); }))
+      throw refuse("parts of it are missing");
     return chart;
   } catch (const json::exception& error) {
-    throw Error(Fault::input_output, file.string(),
-                fmt::format("this is no chart: {}", error.what()),
-                "make one with billet chart CHART.toml");
+    throw refuse(error.what());
   }
 }
 

@@ -6,8 +6,6 @@
 
 #include "io/case/case.h"
 
-#include <string_view>
-
 namespace billet::io {
 
 struct AccuracyPreset {
@@ -25,19 +23,6 @@ struct AccuracyPreset {
     break;
   }
   return {1.0, 1e-6};
-}
-
-/// The word of the case file.
-[[nodiscard]] constexpr std::string_view name_of(Accuracy accuracy) {
-  switch (accuracy) {
-  case Accuracy::draft:
-    return "draft";
-  case Accuracy::fine:
-    return "fine";
-  case Accuracy::standard:
-    break;
-  }
-  return "standard";
 }
 
 } // namespace billet::io

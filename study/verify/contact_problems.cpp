@@ -97,7 +97,7 @@ void add_pressed_block(const CaseBench& bench,
 
 constexpr double mixed_young = 1000.0, mixed_penalty = 2.0, mixed_tilt = 0.01, mixed_stroke = 0.05;
 
-/// One quad8 of 2 x 1 beneath a die that is tilted a little: the face's nodes are pressed in by
+/// One quad8 of 2 x 1 under a die that is tilted a little: the face's nodes are pressed in by
 /// different amounts.
 std::string mixed_element_text() {
   return fmt::format(R"(title = "One mixed contact element"
@@ -137,7 +137,7 @@ constexpr double contact_radius = 0.75; // a [mm]
 /// A rigid cylinder or ball on the half of a block that is far larger than the contact.
 /// @param force  of the half in plane strain, of the full turn else [N]
 std::string hertz_text(const std::string& analysis, double force) {
-  // Cells of a/33 beneath the middle, of a/7 at the border of the contact. In plane strain a block
+  // Cells of a/33 under the middle, of a/7 at the border of the contact. In plane strain a block
   // of finite size adds stresses of the order of a / size to those of the half space.
   constexpr int cells = 66;
   constexpr double size = 300.0 * contact_radius, grading = 1000.0;
@@ -273,7 +273,7 @@ std::vector<Figure> hertz_line(const CaseBench& bench) {
                    of_mesh),
           relative("half width of contact, from the second moment of pressure", "mm",
                    std::sqrt(4.0 * fit.second_moment / force), a, of_mesh),
-          relative("largest shear stress beneath the surface, 0.300 p0", "MPa",
+          relative("largest shear stress below the surface, 0.300 p0", "MPa",
                    largest_shear_in_the_middle(process->view()), 0.300 * p0, of_shear)};
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double block_k = block_yield / std::numbers::sqrt3; // shear yield stress [MPa]
 
-/// alpha of asperities that share the metal beneath them (Bay 1987, after Wanheim and Bay).
+/// alpha of asperities that share the metal under them (Bay 1987, after Wanheim and Bay).
 /// @param p  pressure over sigma_0 [-]
 double real_contact_of_bay(double p, double f) {
   const double root = std::sqrt(1.0 - f);

@@ -82,7 +82,7 @@ TEST_F(StudyRun, TellsTheTradeAndTheExtrapolatedValues) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(outcome.prints("| [4, 6] | 0 % |")) << outcome.out;
   EXPECT_TRUE(outcome.prints("The cheapest within 1 %:"));
-  EXPECT_TRUE(outcome.prints("9 rows, 0 of them failed"));
+  EXPECT_TRUE(outcome.prints("9 row(s), 0 of them failed"));
   const nlohmann::json json = nlohmann::json::parse(whole_file(out() / "study.json"));
   EXPECT_EQ(json.at("rows").size(), 9U);
   EXPECT_EQ(json.at("convergence").size(), 3U);
@@ -112,7 +112,8 @@ TEST_F(StudyRun, HasARowWithItsReasonForARunThatFails) {
                                  "[\"force\"]\ncost       = \"iterations\"\n",
                                  ""}}));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(outcome.prints("9 rows, 3 of them failed")) << outcome.out;
+  EXPECT_TRUE(outcome.prints("9 row(s), 3 of them failed")) << outcome.out;
+  EXPECT_TRUE(outcome.says("failed, 3 row(s): ")) << outcome.err;
   EXPECT_NE(whole_file(out() / "study.csv").find("punch.friction.m: found -1"), std::string::npos);
 }
 
@@ -136,7 +137,7 @@ TEST_F(StudyRun, GoesOnAfterItWasKilled) {
   const Outcome after = study(longer);
   EXPECT_EQ(after.status, 0) << after.err;
   EXPECT_FALSE(after.says("9 runs to be made"));
-  EXPECT_TRUE(after.prints("9 rows, 0 of them failed")) << after.out;
+  EXPECT_TRUE(after.prints("9 row(s), 0 of them failed")) << after.out;
 }
 
 TEST_F(StudyRun, WritesCommandsForAnyOtherQueue) {
@@ -145,7 +146,7 @@ TEST_F(StudyRun, WritesCommandsForAnyOtherQueue) {
   EXPECT_TRUE(first.prints("9 are left to be run")) << first.out;
   ASSERT_EQ(std::system(("sh '" + (out() / "commands.txt").string() + "'").c_str()), 0);
   const Outcome second = study(study_text, {"--set", "run.engine=commands"});
-  EXPECT_TRUE(second.prints("9 rows, 0 of them failed")) << second.out;
+  EXPECT_TRUE(second.prints("9 row(s), 0 of them failed")) << second.out;
 }
 
 TEST_F(StudyRun, OfASlurmThatIsNotThereSaysSo) {

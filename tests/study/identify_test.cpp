@@ -193,6 +193,27 @@ TEST(Identify, HoldsTheTruthInNinetyFiveOfAHundredTests) {
   EXPECT_GE(told, 30);
 }
 
+TEST(ChartFile, IsReadBackAndRefusedWherePartsAreMissing) {
+  const test::TemporaryFolder folder;
+  write_chart(two_laws(), folder.path());
+  EXPECT_EQ(read_chart(folder.path() / "chart.json").laws[1].quantities[0].values,
+            two_laws().laws[1].quantities[0].values);
+  const auto spoilt = [&](const std::function<void(Chart&)>& spoil) {
+    Chart chart = two_laws();
+    spoil(chart);
+    write_chart(chart, folder.path());
+    EXPECT_THROW((void)read_chart(folder.path() / "chart.json"), Error);
+  };
+  spoilt([](Chart& chart) { chart.laws[0].quantities[0].values.pop_back(); });
+  spoilt([](Chart& chart) { chart.laws[0].quantities[0].model_error[2].pop_back(); });
+  spoilt([](Chart& chart) { chart.laws[1].parameters[0].values.front() = 9.0; });
+  spoilt([](Chart& chart) { chart.laws[1].quantities[0].name = "another"; });
+  spoilt([](Chart& chart) { chart.uncertain = {"n"}; });
+  spoilt([](Chart& chart) { chart.stations.pop_back(); });
+  for (const char* const text : {"", "7", "{}", "[1]", R"({"title": "", "x": "x", "laws": 3})"})
+    EXPECT_THROW((void)read_chart(folder.file("chart.json", text)), Error) << text;
+}
+
 class MeasurementFile : public testing::Test {
 protected:
   [[nodiscard]] std::vector<Measured> read(const std::string& text) const {
