@@ -31,7 +31,7 @@ against_the_arrow() {
 readonly orders='
 geometry: base . triangles curved repair collision surfaces mesh3d mesh2d late
 mechanics: numerics mesh elements linear equilibrium materials bulk transfer multifrontal loads
-contact: friction law surface faces corners tools term wear drives
+contact: friction law surface faces corners tools term self wear drives
 process: scene control setup tools presses reports state measures energy stages increment remeshing loop
 io: text mesh case tools scene slips advice results'
 

@@ -85,14 +85,14 @@ public:
     }
   }
 
-  void add_lines(vtkPolyData& lines, float width, double grey, double lift) {
+  void add_lines(vtkPolyData& lines, float width, double brightness, double lift) {
     const vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(&lines);
     mapper->ScalarVisibilityOff();
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -8.0);
     const vtkNew<vtkProperty> property;
-    property->SetColor(grey, grey, grey);
+    property->SetColor(brightness, brightness, brightness);
     property->SetLineWidth(width);
     property->LightingOff();
     add(*mapper, *property, lift);

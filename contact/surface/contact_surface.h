@@ -40,6 +40,7 @@ struct ContactSettings {
   Method method = Method::penalty;
   std::optional<double> max_penetration = std::nullopt; ///< of any point of a face [mm]
   SlipScheme scheme{};                                  ///< how sliding is integrated
+  std::optional<Friction> self = std::nullopt; ///< of the workpiece on itself; none: not looked at
 };
 
 /// How a contact point's traction is shared by the nodes of its face.

@@ -1,6 +1,6 @@
 // Which of many boxes overlap.
 //
-// Internal to geometry/. Boxes that only touch count. The order of the visits is not specified.
+// Boxes that only touch count. The order of the visits is not specified.
 
 #pragma once
 

@@ -148,16 +148,16 @@ buckling_advice(const Case& content, const Scene& scene, const NominalFlow& flow
       is_mirror(scene.part, flow.axis, End::low) || is_mirror(scene.part, flow.axis, End::high);
   return Advice{
       Advice::Kind::buckling,
-      fmt::format("{} {:.3g} {} high and {:.3g} {} {} is upset by {:.0f} %: at {:.2g} times its "
-                  "{}{} it buckles or folds (bars stay straight to 2.5){}, and metal does not feel "
-                  "its own contact",
-                  is_wall ? "a wall" : "a part", flow.height, content.units.length, flow.width,
-                  content.units.length, is_wall ? "thick" : "wide",
-                  100.0 * (1.0 - std::exp(-flow.strain)), ratio, is_wall ? "thickness" : "width",
-                  is_half ? ", twice that if it is a half," : "",
-                  content.analysis == Analysis::axisymmetric && !is_wall
-                      ? ", which an axisymmetric scene does not show"
-                      : "")};
+      fmt::format(
+          "{} {:.3g} {} high and {:.3g} {} {} is upset by {:.0f} %: at {:.2g} times its "
+          "{}{} it buckles or folds (bars stay straight to 2.5){}{}",
+          is_wall ? "a wall" : "a part", flow.height, content.units.length, flow.width,
+          content.units.length, is_wall ? "thick" : "wide", 100.0 * (1.0 - std::exp(-flow.strain)),
+          ratio, is_wall ? "thickness" : "width", is_half ? ", twice that if it is a half," : "",
+          content.analysis == Analysis::axisymmetric && !is_wall
+              ? ", which an axisymmetric scene does not show"
+              : "",
+          content.contact.self.on ? "" : ", and contact.self = false: it does not feel itself")};
 }
 
 } // namespace billet::io

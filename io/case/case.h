@@ -83,6 +83,14 @@ enum class ContactForm { mixed, compatible };
 enum class ContactMethod { penalty, augmented };
 enum class ContactIntegrator { radial, midpoint, exact };
 
+/// Contact of the workpiece with itself.
+struct SelfContact {
+  bool on = true;
+  Friction friction;
+
+  bool operator==(const SelfContact&) const = default;
+};
+
 struct ContactSettings {
   /// Absent, which no case is that was read: mixed, or compatible where the part is meshed anew in
   /// the plane.
@@ -94,6 +102,7 @@ struct ContactSettings {
   ContactIntegrator integrator = ContactIntegrator::radial;
   std::optional<int> substeps;  ///< of the midpoint integrator; absent: as many as needed
   std::optional<Where> surface; ///< where the workpiece may touch; absent: all free faces
+  SelfContact self;
 
   bool operator==(const ContactSettings&) const = default;
 };

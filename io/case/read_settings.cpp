@@ -154,6 +154,28 @@ std::optional<CheckpointInterval> as_checkpoint_interval(const At& at) {
   return std::nullopt;
 }
 
+/// true, false, or a table with the friction.
+std::optional<SelfContact> as_self_contact(const At& at) {
+  SelfContact self;
+  if (const bool* const on = at.node.as<bool>()) {
+    self.on = *on;
+    return self;
+  }
+  if (at.node.as<Table>() == nullptr) {
+    at.complain_found(
+        "true, false, or a table such as { friction = { law = \"coulomb\", mu = 0.1 } }");
+    return std::nullopt;
+  }
+  TableReader table(at);
+  table.optional("friction", self.friction, as_friction);
+  if (self.friction.tensor)
+    table.find("friction")
+        ->complain("contact of the workpiece with itself has isotropic friction: "
+                   "a tensor needs the directions of a tool");
+  table.finish();
+  return self;
+}
+
 } // namespace
 
 std::optional<ContactSettings> as_contact(const At& at) {
@@ -169,6 +191,7 @@ std::optional<ContactSettings> as_contact(const At& at) {
   if (contact.substeps && contact.integrator != ContactIntegrator::midpoint)
     table.find("substeps")->complain("only integrator = \"midpoint\" has sub-increments");
   table.optional("surface", contact.surface, as_where);
+  table.optional("self", contact.self, as_self_contact);
   table.finish();
   return contact;
 }

@@ -49,6 +49,7 @@ private:
 [[nodiscard]] std::string toml_text(const Material& material);
 [[nodiscard]] std::string toml_text(const Workpiece& workpiece, int size);
 [[nodiscard]] std::string toml_text(const Tool& tool, int size);
+[[nodiscard]] std::string toml_text(const Friction& friction, int size);
 [[nodiscard]] std::string toml_text(const Place& place, int size);
 
 } // namespace billet::io

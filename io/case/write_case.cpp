@@ -56,7 +56,13 @@ std::string load_text(const Load& load, int size) {
   return table.on_lines();
 }
 
-std::string contact_text(const ContactSettings& contact) {
+std::string self_contact_text(const SelfContact& self, int size) {
+  if (!self.on || self.friction == Friction{})
+    return self.on ? "true" : "false";
+  return TomlTable().add("friction", toml_text(self.friction, size)).on_one_line();
+}
+
+std::string contact_text(const ContactSettings& contact, int size) {
   TomlTable table;
   if (contact.form)
     table.add("form", word_text(*contact.form, contact_forms));
@@ -67,6 +73,7 @@ std::string contact_text(const ContactSettings& contact) {
   table.add("integrator", word_text(contact.integrator, contact_integrators));
   add_if(table, "substeps", contact.substeps);
   add_if(table, "surface", contact.surface);
+  table.add("self", self_contact_text(contact.self, size));
   return table.on_lines();
 }
 
@@ -186,7 +193,7 @@ std::string resolved_toml(const Case& content) {
     section("[[load]]", load_text(load, size));
   for (const Tool& tool : content.tools)
     section("[[tool]]", toml_text(tool, size));
-  section("[contact]", contact_text(content.contact));
+  section("[contact]", contact_text(content.contact, size));
   section("[time]", time_text(content.time));
   for (const Stage& stage : content.stages)
     section("[[stage]]", stage_text(stage));

@@ -225,7 +225,9 @@ std::string table_text(const FrictionTable& friction) {
   return table.add("values", nested(friction.values, sizes)).on_one_line();
 }
 
-std::string friction_text(const Friction& friction, int size) {
+} // namespace
+
+std::string toml_text(const Friction& friction, int size) {
   TomlTable table;
   const bool with_coefficient = friction.table.values.empty();
   std::visit([&](const auto& law) { write_law(table, law, with_coefficient); }, friction.law);
@@ -243,8 +245,6 @@ std::string friction_text(const Friction& friction, int size) {
   return table.on_one_line();
 }
 
-} // namespace
-
 std::string toml_text(const Tool& tool, int size) {
   TomlTable table;
   table.add("name", toml_text(std::string_view(tool.name)))
@@ -253,7 +253,7 @@ std::string toml_text(const Tool& tool, int size) {
       .add("place", toml_text(tool.place, size));
   if (tool.motion.translation || tool.motion.rotation)
     table.add("motion", motion_text(tool.motion, size));
-  table.add("touch", toml_text(tool.touch)).add("friction", friction_text(tool.friction, size));
+  table.add("touch", toml_text(tool.touch)).add("friction", toml_text(tool.friction, size));
   if (tool.wear) {
     TomlTable wear;
     wear.add("law", "\"archard\"")

@@ -1,5 +1,6 @@
 #include "io/results/frames.h"
 
+#include "contact/self/self_report.h"
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
@@ -125,12 +126,24 @@ void add_stress(const process::Run& run, const FrameSettings& s, WorkpieceFrame&
   frame.point_fields.push_back({"stress", 6, to_nodes(run, 6, tensor), s.units.stress});
 }
 
+/// What the points of the surface bear, on tools and on other faces of the part.
+std::vector<contact::PointResult> surface_results(const process::Run& run) {
+  contact::PointResult far;
+  far.gap = std::numeric_limits<double>::infinity();
+  std::vector<contact::PointResult> results(run.model.surface->n_points(), far);
+  if (run.contact() != nullptr)
+    results = contact::point_results(*run.contact());
+  if (run.model.self_contact)
+    contact::add_self_contact(run.model.self_contact->state(), results);
+  return results;
+}
+
 /// Contact values at the nodes: means over the contact points of the faces around them.
 void add_contact(const process::Run& run, const FrameSettings& s, WorkpieceFrame& frame) {
   if (run.contact() == nullptr)
     return;
   const contact::ContactSurface& surface = *run.model.surface;
-  const std::vector<contact::PointResult> results = contact::point_results(*run.contact());
+  const std::vector<contact::PointResult> results = surface_results(run);
   const std::size_t n = frame.points.size();
   std::vector<double> count(n, 0.0);
   std::vector<double> pressure(n, 0.0);
@@ -292,7 +305,7 @@ SurfaceFrame contact_frame(const process::Run& run,
   frame.time = run.state.time;
   frame.notes = notes_of(settings);
   const contact::ContactSurface& surface = *run.model.surface;
-  const std::vector<contact::PointResult> results = contact::point_results(*run.contact());
+  const std::vector<contact::PointResult> results = surface_results(run);
   const std::size_t n = idx(surface.points());
   std::vector<double> pressure;
   std::vector<double> shear;

@@ -152,8 +152,11 @@ void on_laps(const process::Run& run, const Case& content, Lines& lines) {
   for (const process::Lap& lap : process::laps(run))
     lines.push_back(fmt::format(
         "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "
-        "metal has folded over and does not feel itself; {}",
+        "{}; {}",
         lap.place, lap.depth, content.units.length,
+        run.model.self_contact
+            ? "the walls of the fold are finer there than the mesh"
+            : "contact.self = false, so metal that folds over does not feel itself",
         content.remesh ? "the next new mesh would have welded the lap"
                        : "a [remesh] section welds laps and says where"));
 }

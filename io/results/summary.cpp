@@ -1,5 +1,7 @@
 #include "io/results/summary.h"
 
+#include "contact/self/self_report.h"
+
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -89,6 +91,21 @@ ordered_json tools_json(const process::Run& run, std::span<const LargestForce> l
     tools[run.tools()[t].name]["process_window"] = window_json(run.state.record.window.tool(t));
   }
   return tools;
+}
+
+/// Where the workpiece touches itself.
+ordered_json self_contact_json(const process::Run& run) {
+  const contact::SelfContactState& state = run.model.self_contact->state();
+  ordered_json json{{"area", state.area}, {"deepest_point", state.depth}};
+  json["places"] = ordered_json::array();
+  for (const contact::MeetingWalls& walls :
+       contact::meeting_walls(*run.model.surface, state, run.positions()))
+    json["places"].push_back({{"at", {walls.place[0], walls.place[1], walls.place[2]}},
+                              {"since", walls.since},
+                              {"area", walls.area},
+                              {"length", walls.length},
+                              {"mean_pressure", walls.mean_pressure}});
+  return json;
 }
 
 ordered_json blows_json(const process::Run& run) {
@@ -208,6 +225,9 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
                                                         : 1.0},
                               {"how", "upper bound over every point of every face"}};
   }
+  if (run.model.self_contact)
+    if (ordered_json self = self_contact_json(run); !self["places"].empty())
+      summary["self_contact"] = std::move(self);
   summary["energy"] = energy_json(run.state.energy);
   if (!run.blows().empty()) {
     summary["blows"] = blows_json(run);

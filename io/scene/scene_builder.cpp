@@ -283,6 +283,19 @@ void add_tools(const Case& content, BuiltScene& built) {
   }
 }
 
+/// None: contact of the workpiece with itself is switched off.
+std::optional<contact::Friction> self_friction_of(const Case& content) {
+  if (!content.contact.self.on)
+    return std::nullopt;
+  contact::Friction friction = friction_of(content.contact.self.friction);
+  const Material& material = content.materials.at(content.workpiece.material);
+  if (friction.follows_material() && !material.flow)
+    throw Error(Fault::case_file, "[contact]",
+                "self: its friction follows the shear yield stress, but the workpiece is elastic",
+                "give k (or cap) as a stress, or the material a flow law");
+  return friction;
+}
+
 std::vector<process::Measure> measures_of(const Case& content) {
   std::vector<process::Measure> measures;
   for (const Measure& measure : content.measures) {
@@ -553,7 +566,8 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
                    content.contact.method == ContactMethod::augmented ? contact::Method::augmented
                                                                       : contact::Method::penalty,
                    content.contact.max_penetration,
-                   scheme_of(content.contact)};
+                   scheme_of(content.contact),
+                   self_friction_of(content)};
   scene.measures = measures_of(content);
   add_stages(content, scene);
   scene.increments = {

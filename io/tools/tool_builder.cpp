@@ -164,21 +164,6 @@ contact::CoefficientTable evolution_of(const Friction& friction) {
   return {{{{}, {}, std::move(sliding)}}, std::move(factors)};
 }
 
-contact::Friction friction_of(const Friction& friction) {
-  contact::Friction result = friction.law;
-  result.evolution = evolution_of(friction);
-  const FrictionTable& table = friction.table;
-  if (!table.values.empty())
-    result.table = {{{table.pressure, table.speed, table.sliding}}, table.values};
-  if (friction.tensor) {
-    const auto& q = *friction.tensor;
-    result.tensor =
-        contact::FrictionTensor{(contact::Mat2() << q[0][0], q[0][1], q[1][0], q[1][1]).finished(),
-                                friction.direction->normalized()};
-  }
-  return result;
-}
-
 /// What drives a press that strikes: of its energy the workpiece can have a share, which is that of
 /// a lighter mass at the same speed. (P.10)
 geometry::Drive drive_of(const StrikingPress& press, double mass, double speed) {
@@ -237,6 +222,21 @@ void check_direction(const Tool& tool) {
 }
 
 } // namespace
+
+contact::Friction friction_of(const Friction& friction) {
+  contact::Friction result = friction.law;
+  result.evolution = evolution_of(friction);
+  const FrictionTable& table = friction.table;
+  if (!table.values.empty())
+    result.table = {{{table.pressure, table.speed, table.sliding}}, table.values};
+  if (friction.tensor) {
+    const auto& q = *friction.tensor;
+    result.tensor =
+        contact::FrictionTensor{(contact::Mat2() << q[0][0], q[0][1], q[1][0], q[1][1]).finished(),
+                                friction.direction->normalized()};
+  }
+  return result;
+}
 
 geometry::Pose pose_of(const Place& place) {
   geometry::Pose pose;

@@ -19,6 +19,9 @@ namespace billet::io {
                                        double workpiece_size,
                                        std::vector<std::string>& notes);
 
+/// A friction of a case as one of contact.
+[[nodiscard]] contact::Friction friction_of(const Friction& friction);
+
 /// A place as a rigid placement.
 [[nodiscard]] geometry::Pose pose_of(const Place& place);
 

@@ -46,9 +46,10 @@ struct Border {
 /// Residual and tangent over the mesh's pattern.
 struct System {
   SparseMatrix tangent;
-  std::vector<double> residual;  ///< shape (n_dofs + n_extra) [N]
-  bool symmetric = true;         ///< every term said that its tangent is symmetric
-  std::vector<Border> borders{}; ///< shape (n_extra)
+  std::vector<double> residual;      ///< shape (n_dofs + n_extra) [N]
+  bool symmetric = true;             ///< every term said that its tangent is symmetric
+  std::vector<Border> borders{};     ///< shape (n_extra)
+  std::vector<Coupling> couplings{}; ///< parts of the tangent beside its pattern
   int contact_changes = 0; ///< contact points that opened, closed, stuck or slid since the last
                            ///< trial: the iteration is not smooth where there are any
 
@@ -59,6 +60,7 @@ struct System {
     if (!forces_only)
       std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
     tangent.unsymmetric.clear();
+    couplings.clear();
     std::fill(residual.begin(), residual.end(), 0.0);
     for (Border& border : borders)
       for (std::vector<double>* part : {&border.column, &border.row, &border.corner})

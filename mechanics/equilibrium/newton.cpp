@@ -214,6 +214,12 @@ Outcome<SolveReport> Newton::correct(const Prescribed& prescribed,
   std::erase_if(system_.tangent.unsymmetric, [&](const EntryPart& part) {
     return fixed_[idx(part.row)] != 0 || fixed_[idx(pattern_->columns[idx(part.entry)])] != 0;
   });
+  std::erase_if(system_.couplings, [&](const Coupling& coupling) {
+    const auto i = idx(coupling.row), j = idx(coupling.column);
+    if (fixed_[i] == 0 && fixed_[j] != 0)
+      rhs_[i] -= coupling.value * correction_[j];
+    return fixed_[i] != 0 || fixed_[j] != 0;
+  });
   return solve_bordered(options);
 }
 
@@ -222,7 +228,8 @@ Outcome<SolveReport> Newton::solve_bordered(const SolveOptions& options) {
   const std::size_t n = rhs_.size();
   const std::size_t m = system_.borders.size();
   const std::span<double> nodal = std::span(correction_).first(n);
-  auto solved = solver_.solve(system_.tangent, system_.symmetric, rhs_, nodal, options);
+  auto solved =
+      solver_.solve(system_.tangent, system_.couplings, system_.symmetric, rhs_, nodal, options);
   const bool held = std::all_of(fixed_.begin() + static_cast<std::ptrdiff_t>(n), fixed_.end(),
                                 [](char fixed) { return fixed != 0; });
   if (!solved || held) // they are where they have been told to be: none follows its load

@@ -9,7 +9,7 @@
 
 #include "geometry/base/outcome.h"
 #include "mechanics/equilibrium/force_term.h"
-#include "mechanics/linear/linear_solver.h"
+#include "mechanics/linear/coupled_solver.h"
 
 #include <cmath>
 #include <cstddef>
@@ -104,7 +104,7 @@ public:
   /// Residual of the last trial [N]; at prescribed unknowns: the force of the support.
   [[nodiscard]] std::span<const double> residual() const { return system_.residual; }
   [[nodiscard]] const NewtonTimes& times() const { return times_; }
-  [[nodiscard]] const SolverWork& solver_work() const { return solver_.work(); }
+  [[nodiscard]] SolverWork solver_work() const { return solver_.work(); }
   /// Free unknown of a node with the largest residual of the last trial (for a post-mortem).
   [[nodiscard]] Index worst_unknown() const;
 
@@ -155,7 +155,7 @@ private:
 
   const BlockPattern* pattern_;
   NewtonSettings settings_;
-  LinearSolver solver_;
+  CoupledSolver solver_;
   System system_;
   std::vector<char> fixed_;
   std::vector<char> beside_fixed_; ///< rows with a prescribed unknown in them

@@ -164,12 +164,15 @@ Index BlockPattern::entry(Index row, Index column) const {
   return row_start[idx(row)] + offset(row / dim, column / dim) * dim + column % dim;
 }
 
-BlockPattern block_pattern(const Mesh& mesh) {
+namespace {
+
+/// @param neighbours  of every node, sorted, the node itself included
+BlockPattern pattern_of(int dim, const std::vector<std::vector<Index>>& neighbours) {
   BlockPattern pattern;
-  pattern.dim = mesh.dimension();
+  pattern.dim = dim;
   pattern.neighbour_start.push_back(0);
   pattern.row_start.push_back(0);
-  for (const auto& list : adjacency(mesh)) {
+  for (const auto& list : neighbours) {
     pattern.neighbours.insert(pattern.neighbours.end(), list.begin(), list.end());
     pattern.neighbour_start.push_back(static_cast<Index>(pattern.neighbours.size()));
     for (int i = 0; i < pattern.dim; ++i) {
@@ -180,6 +183,32 @@ BlockPattern block_pattern(const Mesh& mesh) {
     }
   }
   return pattern;
+}
+
+} // namespace
+
+BlockPattern block_pattern(const Mesh& mesh) {
+  return pattern_of(mesh.dimension(), adjacency(mesh));
+}
+
+BlockPattern with_pairs(const BlockPattern& pattern, std::span<const NodePair> pairs) {
+  std::vector<std::vector<Index>> neighbours(idx(pattern.n_nodes()));
+  for (std::size_t a = 0; a < neighbours.size(); ++a)
+    neighbours[a].assign(pattern.neighbours.begin() + pattern.neighbour_start[a],
+                         pattern.neighbours.begin() + pattern.neighbour_start[a + 1]);
+  std::vector<char> grown(neighbours.size(), 0);
+  for (const auto& [a, b] : pairs)
+    for (const auto& [from, to] : {NodePair{a, b}, NodePair{b, a}}) {
+      neighbours[idx(from)].push_back(to);
+      grown[idx(from)] = 1;
+    }
+  for (std::size_t a = 0; a < neighbours.size(); ++a)
+    if (grown[a] != 0) {
+      auto& list = neighbours[a];
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+  return pattern_of(pattern.dim, neighbours);
 }
 
 Scatter::Scatter(const BlockPattern& pattern, std::vector<Index> groups, int size, Index together)

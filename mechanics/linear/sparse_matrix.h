@@ -1,8 +1,9 @@
 // The sparsity of a mesh, and a matrix over it that elements write to at known positions.
 //
-// Tools are rigid, so contact couples only nodes of one face: the pattern is the mesh's own and is
-// made once per mesh. Unknown i of node a has number a * dim + i. Rows are compressed; the pattern
-// is symmetric, its values need not be. Constrained unknowns stay in it as rows of the identity.
+// Tools are rigid, so contact with them couples only nodes of one face: the pattern is the mesh's
+// own and is made once per mesh. What couples faces of the part that meet stands beside it
+// (Coupling). Unknown i of node a has number a * dim + i. Rows are compressed; the pattern is
+// symmetric, its values need not be. Constrained unknowns stay in it as rows of the identity.
 
 #pragma once
 
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace billet::mechanics {
@@ -36,10 +38,26 @@ struct BlockPattern {
 /// Pattern of a mesh whose every cell couples all its nodes.
 [[nodiscard]] BlockPattern block_pattern(const Mesh& mesh);
 
+/// Two nodes, the smaller number first.
+using NodePair = std::pair<Index, Index>;
+
+/// A pattern with further pairs of nodes coupled.
+///
+/// @param pairs  sorted
+[[nodiscard]] BlockPattern with_pairs(const BlockPattern& pattern, std::span<const NodePair> pairs);
+
 /// A part of one entry of a matrix.
 struct EntryPart {
   Index row;
   Index entry; ///< index into the values
+  double value;
+};
+
+/// A part of an entry that the mesh's pattern may have no place for: it couples nodes that no
+/// element has in common.
+struct Coupling {
+  Index row;
+  Index column;
   double value;
 };
 

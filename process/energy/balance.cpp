@@ -13,8 +13,11 @@ namespace billet::process {
 namespace {
 
 /// The sums of the run with these energies of the metal and this contact.
-EnergyBalance
-balance_of(const Run& run, double elastic, double plastic, const contact::ContactTerm* contact) {
+EnergyBalance balance_of(const Run& run,
+                         double elastic,
+                         double plastic,
+                         const contact::ContactTerm* contact,
+                         const contact::SelfContactTerm* self_contact) {
   EnergyBalance energy = run.state.energy;
   energy.elastic = elastic;
   energy.plastic = plastic;
@@ -29,6 +32,15 @@ balance_of(const Run& run, double elastic, double plastic, const contact::Contac
     energy.penalty_update = contact->work().penalty_update;
     energy.friction = contact->work().friction;
     energy.contact = contact->work().stored;
+  } else {
+    energy.penalty_update = energy.friction = energy.contact = 0.0;
+  }
+  if (self_contact != nullptr) {
+    const contact::ContactWork& work = self_contact->work();
+    energy.external += work.penalty_update + work.unseen;
+    energy.penalty_update += work.penalty_update;
+    energy.friction += work.friction;
+    energy.contact += work.stored;
   }
   return energy;
 }
@@ -45,7 +57,8 @@ double work_of_supports(const Run& run, double dt) {
 
 void update_energy(Run& run) {
   run.state.energy = balance_of(run, run.model.bulk->elastic_energy(run.state.x).sum(),
-                                run.model.bulk->plastic_work(), run.model.contact.get());
+                                run.model.bulk->plastic_work(), run.model.contact.get(),
+                                run.model.self_contact.get());
   run.state.energy.most = run.state.energy.scale();
   run.state.works.most = std::max({run.state.works.most, std::abs(run.state.energy.external),
                                    run.state.energy.plastic, run.state.energy.elastic});
@@ -58,10 +71,15 @@ EnergyBalance energy_after(const Run& run, double dt) {
     contact = *run.model.contact;
     contact->commit(trial);
   }
+  std::optional<contact::SelfContactTerm> self_contact;
+  if (run.model.self_contact) {
+    self_contact = *run.model.self_contact;
+    self_contact->commit(trial);
+  }
   EnergyBalance energy =
       balance_of(run, run.model.bulk->trial_elastic_energy(run.attempt.x).sum(),
                  run.model.bulk->plastic_work() + run.model.bulk->trial_plastic_work(),
-                 contact ? &*contact : nullptr);
+                 contact ? &*contact : nullptr, self_contact ? &*self_contact : nullptr);
   energy.external += work_of_supports(run, dt);
   for (const auto* loads : {&run.model.loads, &run.model.decaying})
     for (const auto& load : *loads)

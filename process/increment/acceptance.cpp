@@ -91,10 +91,28 @@ Outcome<Done> check_passages(const Run& run, double dt) {
   return Done{};
 }
 
+namespace {
+
+/// No point of the surface may have gone through another face of the part.
+Outcome<Done> check_self_passages(const Run& run, double dt) {
+  if (!run.model.self_contact)
+    return Done{};
+  const auto passage = run.model.self_contact->passage(run.trial(dt));
+  if (!passage)
+    return Done{};
+  return Failure{fmt::format("the workpiece goes through itself on the way of the increment, at "
+                             "({:.6g}, {:.6g}, {:.6g})",
+                             passage->place[0], passage->place[1], passage->place[2])};
+}
+
+} // namespace
+
 Outcome<Done> check_solution(Run& run, double dt, double force_scale) {
   run.attempt.inside_out = false;
   if (Outcome<Done> sound = plausible(run, dt, force_scale); !sound)
     return sound;
+  if (Outcome<Done> outside = check_self_passages(run, dt); !outside)
+    return outside;
   if (Outcome<Done> outside = check_passages(run, dt); !outside)
     return outside;
   if (Outcome<Done> within_limit = limit_penetration(run, dt); !within_limit)

@@ -55,6 +55,8 @@ Snapshot snapshot(const Run& run) {
   s.plastic_rate = run.state.plastic_rate;
   if (run.model.contact)
     s.contact = contact::snapshot(run.model.contact->state());
+  if (run.model.self_contact)
+    s.self_contact = run.model.self_contact->snapshot(run.state.x);
   s.reference_volume = run.model.bulk->reference_volume();
   s.plastic_work = run.model.bulk->plastic_work();
   s.support_work = run.state.works.supports;

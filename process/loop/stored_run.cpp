@@ -64,10 +64,10 @@ std::string stored(const Run& run) {
     archive(*load);
   for (const auto& load : run.model.decaying)
     archive(*load);
-  archive(has(run.model.stabilization), has(run.model.contact), has(run.model.blows),
-          has(run.model.wear));
-  archive_present(archive, run.model.stabilization, run.model.contact, run.model.blows,
-                  run.model.wear);
+  archive(has(run.model.stabilization), has(run.model.contact), has(run.model.self_contact),
+          has(run.model.blows), has(run.model.wear));
+  archive_present(archive, run.model.stabilization, run.model.contact, run.model.self_contact,
+                  run.model.blows, run.model.wear);
   const mechanics::SolverWork work = run.solver_work();
   work_fields(archive, work);
   archive(run.clock.times, run.clock.before + seconds_now() - run.clock.started);
@@ -100,13 +100,14 @@ void restore_model(Run& run, ArchiveReader& archive) {
     add_decaying(run, forces);
   for (const auto& load : run.model.decaying)
     archive(*load);
-  bool grounded = false, touches = false, strikes = false, wears = false;
-  archive(grounded, touches, strikes, wears);
+  bool grounded = false, touches = false, touches_itself = false, strikes = false, wears = false;
+  archive(grounded, touches, touches_itself, strikes, wears);
   if (grounded != has(run.model.stabilization) || touches != has(run.model.contact) ||
-      strikes != has(run.model.blows) || wears != has(run.model.wear))
+      touches_itself != has(run.model.self_contact) || strikes != has(run.model.blows) ||
+      wears != has(run.model.wear))
     another_scene("supports, tools, presses or laws of wear");
-  archive_present(archive, run.model.stabilization, run.model.contact, run.model.blows,
-                  run.model.wear);
+  archive_present(archive, run.model.stabilization, run.model.contact, run.model.self_contact,
+                  run.model.blows, run.model.wear);
 }
 
 /// What refers to the scene is no part of the bytes.

@@ -1,6 +1,7 @@
 #include "process/remeshing/laps.h"
 
 #include "process/remeshing/part_boundary.h"
+#include "process/remeshing/parted_walls.h"
 #include "process/remeshing/solid_part.h"
 #include "process/reports/lap.h"
 #include "process/state/mesh_quality.h"
@@ -14,13 +15,16 @@ std::vector<Lap> laps(const Run& run) {
   constexpr double noticed = 0.25; // of an element: in a hollow corner of a die sides touch
   const std::vector<int> none(run.part().contact_faces.size(), -1);
   const double element = mean_side(run.mesh());
+  // Walls that contact holds lie in each other by what its penalty needs: that is no crossing.
+  constexpr double held = 1e-3; // of an element
+  const std::vector<double> x = positions_with_parted_walls(run, held * element);
   std::vector<Lap> found;
   if (run.mesh().dimension() == 2) {
-    PartBoundary boundary = part_boundary(run.part(), run.positions(), none, {});
+    PartBoundary boundary = part_boundary(run.part(), x, none, {});
     for (const geometry::ClosedFold& fold : weld_folds(boundary, 0.0, 0.0))
       found.push_back(lap(fold));
   } else {
-    SolidPart part = solid_part(run.part(), run.positions(), none, {});
+    SolidPart part = solid_part(run.part(), x, none, {});
     for (const geometry::ClosedCrease& crease :
          geometry::flatten_creases(part.boundary, 0.0, noticed * element))
       found.push_back(lap(crease));

@@ -6,6 +6,7 @@
 #include "process/remeshing/laps.h"
 #include "process/remeshing/onto_tools.h"
 #include "process/remeshing/part_boundary.h"
+#include "process/remeshing/parted_walls.h"
 #include "process/remeshing/remeshing.h"
 #include "process/remeshing/sizes.h"
 #include "process/remeshing/solid_part.h"
@@ -147,7 +148,40 @@ NewPart new_plane_part_within(const Run& run,
           {}};
 }
 
+/// With walls that touch each other kept apart, if there is such a mesh. At the root of a crease,
+/// where no mesh is fine enough, what crosses is welded.
+std::optional<NewPart> new_plane_part_with_walls(const Run& run,
+                                                 const std::vector<geometry::SizeAt>& at) {
+  if (!touches_itself(run))
+    return std::nullopt;
+  const double shortest = usual_sizes(run).min;
+  for (const double share : {0.03, 0.1, 0.3}) {
+    PartBoundary boundary =
+        part_boundary(run.part(), positions_with_parted_walls(run, share * shortest),
+                      touching_tools(run), run.scene.remesh->keep);
+    std::vector<Lap> roots;
+    // Nearer to each other than the walls that have been parted.
+    for (const geometry::ClosedFold& fold : weld_folds(boundary, 0.5 * share * shortest, shortest))
+      roots.push_back({lap(fold).place, fold.depth(), true});
+    constexpr double deepest_root = 4.0; // sides
+    if (std::any_of(roots.begin(), roots.end(),
+                    [&](const Lap& root) { return root.depth > deepest_root * shortest; }))
+      continue;
+    try {
+      NewPart part = new_plane_part_within(run, boundary, at);
+      part.laps = std::move(roots);
+      return part;
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry)
+        throw;
+    }
+  }
+  return std::nullopt;
+}
+
 NewPart new_plane_part(const Run& run, const std::vector<geometry::SizeAt>& at) {
+  if (std::optional<NewPart> part = new_plane_part_with_walls(run, at))
+    return std::move(*part);
   PartBoundary boundary =
       part_boundary(run.part(), run.positions(), touching_tools(run), run.scene.remesh->keep);
   return welded_where_needed(

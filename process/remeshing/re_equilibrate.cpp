@@ -57,7 +57,8 @@ void start_from(Run& run,
   const Snapshot& to = at.state;
   run.state.time = to.time;
   run.state.x = to.x;
-  if (report.laps.empty()) // what lay in a lap that has been welded is gone
+  if (std::all_of(report.laps.begin(), report.laps.end(), [](const Lap& lap) { return lap.root; }))
+    // What lay in a lap that has been welded is gone.
     restore_part_volume(run, at.before.volume, to.contact, sources);
   run.attempt.x = run.state.x;
   run.state.velocity = to.velocity;
@@ -76,6 +77,8 @@ void start_from(Run& run,
     run.model.contact->start(run.state.x, run.state.time);
     run.model.contact->go_on_from(to.contact, {sources, run.state.x, run.state.time});
   }
+  if (run.model.self_contact)
+    run.model.self_contact->go_on_from(to.self_contact, sources, run.state.x);
   FieldIntegrals after = field_integrals(*run.model.bulk, to);
   after.volume = run.model.bulk->volume(run.state.x);
   report.returned = at.returned;

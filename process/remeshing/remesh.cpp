@@ -47,7 +47,7 @@ exchange_mesh(Run& run, NewPart anew, const MappedStates& mapped) {
     }
   rebuild(run, std::move(part), mapped.now.state.x);
   run.model.newton->set_force_floor(force_floor(run, run.state.time));
-  if (!run.model.contact)
+  if (!run.model.surface)
     return {};
   std::vector<contact::PointSource> sources = anew.sources(*run.model.surface, run.positions());
   if (run.model.wear)

@@ -5,12 +5,12 @@
 namespace billet::process {
 
 Lap lap(const geometry::ClosedFold& fold) {
-  return {fmt::format("({:.6g}, {:.6g})", fold.at.x(), fold.at.y()), fold.depth()};
+  return {fmt::format("({:.6g}, {:.6g})", fold.at.x(), fold.at.y()), fold.depth(), false};
 }
 
 Lap lap(const geometry::ClosedCrease& crease) {
   return {fmt::format("({:.6g}, {:.6g}, {:.6g})", crease.at.x(), crease.at.y(), crease.at.z()),
-          crease.depth};
+          crease.depth, false};
 }
 
 } // namespace billet::process

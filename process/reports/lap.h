@@ -14,8 +14,10 @@ namespace billet::process {
 struct Lap {
   std::string place; ///< where the walls met, as messages say it
   double depth;      ///< of the crease [mm]
+  /// No more than the root of a crease whose walls go on touching each other. (G.54a)
+  bool root = false;
 
-  template <class Archive> void fields(Archive& archive) { archive(place, depth); }
+  template <class Archive> void fields(Archive& archive) { archive(place, depth, root); }
 };
 
 /// What is said of a fold, or of a crease, that has closed.

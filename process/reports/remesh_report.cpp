@@ -50,9 +50,13 @@ std::vector<std::string> RemeshReport::complaints() const {
   check("plastic work", work_change(), work_budget);
   for (const Lap& lap : laps)
     lines.push_back(
-        fmt::format("warning: remeshing {} welded a fold, {:.3g} deep, whose walls met near {}: "
-                    "the part there is a lap, which the mesh no longer shows",
-                    number, lap.depth, lap.place));
+        lap.root
+            ? fmt::format("note: remeshing {} closed the root of a crease, {:.3g} deep, near {}: "
+                          "no mesh was fine enough for it; its walls go on touching each other",
+                          number, lap.depth, lap.place)
+            : fmt::format("warning: remeshing {} welded a fold, {:.3g} deep, whose walls met "
+                          "near {}: the part there is a lap, which the mesh no longer shows",
+                          number, lap.depth, lap.place));
   if (balanced)
     check("force on a tool", force_jump(), force_budget);
   else

@@ -24,6 +24,7 @@ void clear(Model& model) {
   model.newton.reset();
   model.narrow.reset();
   model.blows.reset();
+  model.self_contact.reset();
   model.contact.reset();
   model.surface.reset();
   model.bulk.reset();
@@ -42,11 +43,19 @@ void build_loads(Model& model, const Part& part) {
 }
 
 void build_contact(Model& model, const Scene& scene, const Part& part, std::span<const double> x) {
-  if (model.tools.empty())
+  if (model.tools.empty() && !scene.contact.self)
     return;
   constexpr double reach = 4.0; // sizes of the body
   model.surface = std::make_unique<contact::ContactSurface>(part.mesh, *model.bulk, model.pattern,
                                                             part.contact_faces, scene.contact);
+  if (scene.contact.self) {
+    model.self_contact = std::make_unique<contact::SelfContactTerm>(*model.surface, *model.bulk,
+                                                                    *scene.contact.self);
+    model.self_contact->start(x);
+    model.terms.push_back(model.self_contact.get());
+  }
+  if (model.tools.empty())
+    return;
   model.contact = std::make_unique<contact::ContactTerm>(*model.surface, *model.bulk, model.pattern,
                                                          model.tools, reach * body_size(part.mesh),
                                                          drive_scale(scene, part));

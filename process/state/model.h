@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "contact/self/self_contact_term.h"
 #include "contact/term/contact_term.h"
 #include "contact/wear/wear.h"
 #include "geometry/base/owned.h"
@@ -37,9 +38,10 @@ struct Model {
   std::vector<Retreating> retreating;
   mechanics::BlockPattern pattern;
   Owned<mechanics::Bulk> bulk;
-  Owned<contact::ContactSurface> surface;                 ///< empty: there are no tools
-  Owned<contact::ContactTerm> contact;                    ///< likewise
-  Owned<NarrowTools> narrow;                              ///< likewise
+  Owned<contact::ContactSurface> surface;                 ///< empty: nothing can touch
+  Owned<contact::ContactTerm> contact;                    ///< empty: there are no tools
+  Owned<contact::SelfContactTerm> self_contact;           ///< empty: not looked at
+  Owned<NarrowTools> narrow;                              ///< empty: there are no tools
   Owned<Blows> blows;                                     ///< empty: no press strikes
   Owned<contact::Wear> wear;                              ///< empty: no tool has a law of wear
   std::vector<std::unique_ptr<mechanics::Load>> loads;    ///< in the order of the part's

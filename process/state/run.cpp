@@ -39,7 +39,7 @@ void rebuild(Run& run, Part part, std::vector<double> x) {
 }
 
 void take_times(Run& run) {
-  const mechanics::SolverWork& work = run.model.newton->solver_work();
+  const mechanics::SolverWork work = run.model.newton->solver_work();
   const double search = run.model.contact ? run.model.contact->times().search : 0.0;
   const double contact = run.model.contact ? run.model.contact->times().elements : 0.0;
   const double elements = run.model.bulk->assembly_time();

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "contact/self/self_state.h"
 #include "contact/term/contact_term.h"
 #include "contact/wear/process_window.h"
 #include "geometry/base/time_function.h"
@@ -38,6 +39,7 @@ struct Snapshot {
   double last_dt = 0.0;             ///< its length [s]
   std::vector<double> plastic_rate; ///< of the points [1/s]
   contact::ContactSnapshot contact;
+  contact::SelfContactSnapshot self_contact;
   double reference_volume = 0.0; ///< the part's without pressure [mm^3]
   double plastic_work = 0.0;     ///< done so far [N mm]
   double support_work = 0.0;     ///< likewise
@@ -46,7 +48,8 @@ struct Snapshot {
 
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, x, states, temperatures, velocity, last_step, last_dt, plastic_rate,
-            contact, reference_volume, plastic_work, support_work, load_work, stabilization);
+            contact, self_contact, reference_volume, plastic_work, support_work, load_work,
+            stabilization);
   }
 };
 
