@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""Writes pipe.inp, the right half of the pipe's section: quad8 between two arcs.
+
+usage: make_pipe.py [ACROSS AROUND]     (elements; 4 72)
+"""
+
+import math
+import pathlib
+import sys
+
+INSIDE, OUTSIDE = 48.28, 57.15 # mm
+
+
+def write(path, across, around):
+    def place(i, j): # of a node, in half elements
+        radius, turn = INSIDE + (OUTSIDE - INSIDE) * i / (2 * across), math.pi * (j / (2 * around) - 0.5)
+        return (0.0 if j in (0, 2 * around) else radius * math.cos(turn)), radius * math.sin(turn)
+
+    nodes = {(i, j): 0 for j in range(2 * around + 1) for i in range(2 * across + 1) if i % 2 == 0 or j % 2 == 0}
+    for number, at in enumerate(nodes, 1):
+        nodes[at] = number
+    ring = [(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)]
+    with open(path, "w", encoding="utf-8") as out:
+        out.write("*NODE\n")
+        for at, number in nodes.items():
+            out.write("%d, %.9g, %.9g\n" % (number, *place(*at)))
+        out.write("*ELEMENT, TYPE=CPE8, ELSET=PIPE\n")
+        cells = [(2 * i, 2 * j) for j in range(around) for i in range(across)]
+        for number, (i, j) in enumerate(cells, 1):
+            out.write(f"{number}, {', '.join(str(nodes[i + di, j + dj]) for di, dj in ring)}\n")
+
+
+if __name__ == "__main__":
+    counts = [int(word) for word in sys.argv[1:]] or [4, 72]
+    write(pathlib.Path(__file__).with_name("pipe.inp"), *counts)
