@@ -21,29 +21,54 @@ constexpr double rounding_inside = 1e-6;
 /// it.
 constexpr double beside = 1e-3;
 
-/// The points and normals of all faces.
+/// The points and normals of all faces. It is made before every increment, whether or not anything
+/// meets: no more than sums over nodes.
 struct Outline {
-  std::vector<std::vector<Vec3>> nodes; ///< of each face
-  std::vector<Vec3> points;             ///< contact points
-  std::vector<Vec3> normals;            ///< of the faces at them, outward
+  std::vector<Vec3> nodes;   ///< of each face in turn
+  std::size_t nodes_of_face; ///< each has as many
+  std::vector<Vec3> points;  ///< contact points
+  std::vector<Vec3> normals; ///< of the faces at them, outward
   std::vector<Box> boxes;
 
   Outline(const ContactSurface& surface, std::span<const double> x) {
     const auto n = idx(surface.n_faces());
-    points.resize(surface.n_points());
-    surface.positions(x, points);
     const bool plane = surface.analysis() != mechanics::Analysis::solid;
-    const std::vector<Vec2> at = coordinates(surface);
+    const std::size_t dim = plane ? 2 : 3;
+    std::vector<FaceShapes> shapes;
+    for (const Vec2& xi : coordinates(surface))
+      shapes.emplace_back(surface.kind(), xi);
+    nodes_of_face = shapes.front().nodes;
+    nodes.resize(n * nodes_of_face, Vec3::Zero());
+    points.resize(surface.n_points());
+    normals.resize(surface.n_points());
+    boxes.resize(n);
+    // An arc bulges from the chord between two of its nodes by no more than this share of its box.
+    const double bulge = surface.linear() ? 0.0 : 0.125;
     for (std::size_t f = 0; f < n; ++f) {
-      nodes.push_back(nodes_of_face(surface, x, static_cast<Index>(f)));
-      // The control points of an arc lie beyond it: its hull is that of the patch.
-      const geometry::BezierPatch patch = surface.patch(x, static_cast<Index>(f));
-      boxes.push_back(box_of(patch.control()));
-      for (const Vec2& xi : at)
-        normals.push_back(FaceFrame(FaceShapes(surface.kind(), xi), nodes[f], plane).normal());
+      const std::span<const Index> numbers = surface.scatter().nodes(static_cast<Index>(f));
+      Box& box = boxes[f];
+      for (std::size_t a = 0; a < nodes_of_face; ++a) {
+        Vec3& node = nodes[f * nodes_of_face + a];
+        for (std::size_t d = 0; d < dim; ++d)
+          node[static_cast<Index>(d)] = x[idx(numbers[a]) * dim + d];
+        box.add(node);
+      }
+      const double margin = bulge * box.size();
+      box.low.array() -= margin;
+      box.high.array() += margin;
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const std::size_t k = f * shapes.size() + i;
+        points[k] = shapes[i].sum(shapes[i].N, face(f));
+        const Vec3 a1 = shapes[i].sum(shapes[i].d1, face(f));
+        const Vec3 a2 = plane ? Vec3(Vec3::UnitZ()) : shapes[i].sum(shapes[i].d2, face(f));
+        normals[k] = a1.cross(a2).normalized();
+      }
     }
   }
 
+  [[nodiscard]] std::span<const Vec3> face(std::size_t f) const {
+    return std::span(nodes).subspan(f * nodes_of_face, nodes_of_face);
+  }
   /// Coordinates of the points of a face.
   static std::vector<Vec2> coordinates(const ContactSurface& surface) {
     if (surface.analysis() == mechanics::Analysis::solid)
@@ -134,7 +159,7 @@ void look_ahead(const ContactSurface& surface,
   visit_facing(surface, outline, distance, [&](std::size_t k, Index face) {
     const Index own = static_cast<Index>(k / idx(surface.points()));
     const SelfPoint& point = state.points[k];
-    const Against at = against(surface, outline.nodes[idx(face)], outline.points[k]);
+    const Against at = against(surface, outline.face(idx(face)), outline.points[k]);
     const bool met = first || point.closed() ||
                      std::find(before[k].begin(), before[k].end(), face) != before[k].end();
     const double inside =
@@ -176,10 +201,10 @@ std::optional<SelfPassage> find_passage(const ContactSurface& surface,
     const std::vector<Index>& known = state.ahead[k];
     if (found || std::find(known.begin(), known.end(), face) != known.end())
       return;
-    const Against was = against(surface, before.nodes[idx(face)], before.points[k]);
+    const Against was = against(surface, before.face(idx(face)), before.points[k]);
     if (was.gap < 0.0 || was.normal.dot(before.normals[k]) >= least_facing)
       return;
-    const Against is = against(surface, now.nodes[idx(face)], now.points[k]);
+    const Against is = against(surface, now.face(idx(face)), now.points[k]);
     if (is.gap < 0.0 && is.beside <= std::abs(is.gap) && is.distance <= distance)
       found = SelfPassage{now.points[k]};
   });
