@@ -41,8 +41,8 @@ std::string smoothing_note(const geometry::Smoothing& s, double feature_angle) {
 }
 
 /// A profile, or the same one run the other way.
-return flip ? geometry::reversed(profile) : std::move(profile);
-return flip ? geometry::reversed(profile) : profile;
+geometry::Profile turned(geometry::Profile profile, bool flip) {
+  return flip ? geometry::reversed(profile) : std::move(profile);
 }
 
 /// A roll of facets lifts off along its flats and digs in with its edges as it turns.
