@@ -1,13 +1,16 @@
 #include "io/tools/profile.h"
 
 #include "geometry/base/error.h"
+#include "io/case/document.h"
+#include "io/text/toml_library.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,12 +49,20 @@ private:
       complaints_.push_back({path_.string(), "there is no such file", ""});
       return std::nullopt;
     }
+    std::ifstream in(path_, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
     try {
-      return toml::parse_file(path_.string());
+      guard_text(text, path_.string());
+      return toml::parse(text, path_.string());
+    } catch (const BrokenInvariant& broken) {
+      complaints_.push_back(
+          {path_.string(), fmt::format("not valid TOML (parser: {})", broken.condition), ""});
+    } catch (const Error& refusal) {
+      complaints_ = refusal.complaints();
     } catch (const toml::parse_error& e) {
       complain(e.source(), std::string(e.description()));
-      return std::nullopt;
     }
+    return std::nullopt;
   }
 
   Profile read(const toml::table& file) {

@@ -120,6 +120,13 @@ TEST_F(ProfileFile, BadTomlAndMissingFilesAreRefused) {
       contains(complaints("start = [0, 0]\n[[segment]]\nto = [1, 0]\nradius = 0").at(0), "line"));
 }
 
+/// It asserts, runs into code that it holds to be out of reach, or overflows its stack.
+TEST_F(ProfileFile, TextsThatTheTomlLibraryIsNotPreparedForAreRefused) {
+  for (const std::string& text : {std::string("[=]\n"), std::string("\"\u00e9\" = 1\n"),
+                                  "points = " + std::string(100'000, '[')})
+    EXPECT_FALSE(complaints(text).empty()) << text.substr(0, 20);
+}
+
 TEST_F(ProfileFile, AChainThatCrossesItselfIsRefused) {
   const std::vector<std::string> all =
       complaints("closed = true\npoints = [[0, 0], [1, 1], [1, 0], [0, 1]]");
