@@ -141,6 +141,8 @@ void print_activity(const process::Scene& scene, const process::Run& run, const 
             : fmt::format(", brought to touch by ({:.6g}, {:.6g}, {:.6g})", tool.motion.offset[0],
                           tool.motion.offset[1], tool.motion.offset[2]));
   }
+  if (scene.contact.self)
+    fmt::print("contact pair: workpiece - itself, friction {}\n", describe(*scene.contact.self));
   if (!scene.tools.empty())
     fmt::print("  {} of the boundary faces may be touched, {} points each\n",
                scene.part.contact_faces.size(), run.model.surface->points());

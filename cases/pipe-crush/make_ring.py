@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes ring.inp, a quarter of the pipe's section: quad8 between two arcs.
+"""Writes ring.inp, a quarter of the pipe's section, or ../pipe-flat/pipe.inp, its right half: quad8 between two arcs.
 
-usage: make_ring.py [ACROSS AROUND]     (elements; 4 36)
+usage: make_ring.py [--half] [ACROSS AROUND]     (elements; 4 36, of a half 4 72)
 """
 
 import math
@@ -11,10 +11,12 @@ import sys
 INSIDE, OUTSIDE = 48.28, 57.15 # mm
 
 
-def write(path, across, around):
+def write(path, across, around, half):
     def place(i, j): # of a node, in half elements
-        radius, turn = INSIDE + (OUTSIDE - INSIDE) * i / (2 * across), math.pi * j / (4 * around)
-        return (0.0 if j == 2 * around else radius * math.cos(turn)), radius * math.sin(turn)
+        radius, share = INSIDE + (OUTSIDE - INSIDE) * i / (2 * across), j / (2 * around)
+        turn = math.pi * (share - 0.5 if half else 0.5 * share)
+        on_plane = j == 2 * around or (half and j == 0)
+        return (0.0 if on_plane else radius * math.cos(turn)), radius * math.sin(turn)
 
     nodes = {(i, j): 0 for j in range(2 * around + 1) for i in range(2 * across + 1) if i % 2 == 0 or j % 2 == 0}
     for number, at in enumerate(nodes, 1):
@@ -35,5 +37,7 @@ def write(path, across, around):
 
 
 if __name__ == "__main__":
-    counts = [int(word) for word in sys.argv[1:]] or [4, 36]
-    write(pathlib.Path(__file__).with_name("ring.inp"), *counts)
+    halved = "--half" in sys.argv
+    counts = [int(word) for word in sys.argv[1:] if word != "--half"] or ([4, 72] if halved else [4, 36])
+    here = pathlib.Path(__file__).parent
+    write(here.parent / "pipe-flat" / "pipe.inp" if halved else here / "ring.inp", *counts, halved)

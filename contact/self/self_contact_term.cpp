@@ -17,8 +17,10 @@ using mechanics::Coupling;
 constexpr double rounding = 1e-10;
 /// Faces are looked for as far ahead as this many of the last increment's ways, ...
 constexpr double ways_ahead = 4.0;
-/// ... and this share of a face's depth.
+/// ... and this share of a face's depth, ...
 constexpr double depths_ahead = 0.5;
+/// ... but no farther than this many: what comes from beyond in one increment is a passage.
+constexpr double most_depths_ahead = 4.0;
 
 bool is_plane(const ContactSurface& surface) {
   return surface.analysis() != mechanics::Analysis::solid;
@@ -40,8 +42,6 @@ struct NodeVariables {
 /// What the traction at a point puts on the nodes of both faces, and its derivative.
 class PairEquations {
 public:
-  using RowVariables = Eigen::Matrix<double, 1, n_self_variables>;
-
   PairEquations(const ContactSurface& surface, const SelfTraction& traction, std::size_t point)
       : traction_(traction), dim_(is_plane(surface) ? 2 : 3),
         shapes_(surface.kind(), traction.foot.place.xi),
@@ -184,6 +184,7 @@ SelfContactSnapshot SelfContactTerm::snapshot(std::span<const double> x) const {
     in_space.history = point.history;
     in_space.closed = point.closed();
     in_space.since = point.since;
+    in_space.shear_yield = point.shear_yield;
     if (point.closed()) {
       const std::vector<Vec3> nodes = nodes_of_face(*surface_, x, point.face);
       const FaceFrame frame(FaceShapes(surface_->kind(), point.xi), nodes, is_plane(*surface_));
@@ -215,6 +216,7 @@ void SelfContactTerm::go_on_from(const SelfContactSnapshot& before,
     point.face = foot.face;
     point.xi = foot.place.xi;
     point.since = from.since;
+    point.shear_yield = from.shear_yield;
     point.history.pressure = old.pressure;
     // The pressure goes on, whatever the gap of the new mesh.
     point.history.offset = -foot.gap - old.pressure / penalty(1.0).normal;
@@ -263,9 +265,12 @@ SelfTraction SelfContactTerm::evaluate(std::size_t k,
 
 Outcome<mechanics::Assembled> SelfContactTerm::assemble(const mechanics::Trial& trial,
                                                         mechanics::System& system) {
-  if (!state_.looked)
+  if (!state_.looked) {
+    const double depth = mean_depth(*surface_);
     look_ahead(*surface_, trial.x_old,
-               depths_ahead * mean_depth(*surface_) + ways_ahead * state_.way, false, state_);
+               std::min(depths_ahead * depth + ways_ahead * state_.way, most_depths_ahead * depth),
+               false, state_);
+  }
   if (!state_.any_ahead)
     return mechanics::Assembled{};
   surface_->positions(trial.x, positions_);

@@ -29,6 +29,8 @@ struct Outline {
   std::vector<Vec3> points;  ///< contact points
   std::vector<Vec3> normals; ///< of the faces at them, outward
   std::vector<Box> boxes;
+  /// An arc bulges from the chord between two of its nodes by no more than this share of its box.
+  double bulge;
 
   Outline(const ContactSurface& surface, std::span<const double> x) {
     const auto n = idx(surface.n_faces());
@@ -42,8 +44,7 @@ struct Outline {
     points.resize(surface.n_points());
     normals.resize(surface.n_points());
     boxes.resize(n);
-    // An arc bulges from the chord between two of its nodes by no more than this share of its box.
-    const double bulge = surface.linear() ? 0.0 : 0.125;
+    bulge = surface.linear() ? 0.0 : 0.125;
     for (std::size_t f = 0; f < n; ++f) {
       const std::span<const Index> numbers = surface.scatter().nodes(static_cast<Index>(f));
       Box& box = boxes[f];
@@ -66,6 +67,14 @@ struct Outline {
     }
   }
 
+  /// Whether a face has any place before the plane of a point, or no more than `inside` behind it:
+  /// where it has none, as the other side of a wall, the closest place need not be known.
+  [[nodiscard]] bool may_lie_ahead(std::size_t point, std::size_t f, double inside) const {
+    const std::span<const Vec3> at = face(f);
+    return std::any_of(at.begin(), at.end(), [&](const Vec3& node) {
+      return (node - points[point]).dot(normals[point]) >= -inside - bulge * boxes[f].size();
+    });
+  }
   [[nodiscard]] std::span<const Vec3> face(std::size_t f) const {
     return std::span(nodes).subspan(f * nodes_of_face, nodes_of_face);
   }
@@ -159,12 +168,14 @@ void look_ahead(const ContactSurface& surface,
   visit_facing(surface, outline, distance, [&](std::size_t k, Index face) {
     const Index own = static_cast<Index>(k / idx(surface.points()));
     const SelfPoint& point = state.points[k];
+    const double depth = std::min(surface.depth(own), surface.depth(face));
+    if (point.face != face && !outline.may_lie_ahead(k, idx(face), most_inside * depth))
+      return;
     const Against at = against(surface, outline.face(idx(face)), outline.points[k]);
     const bool met = first || point.closed() ||
                      std::find(before[k].begin(), before[k].end(), face) != before[k].end();
     const double inside =
         met && !have_a_node_in_common(surface, own, face) ? most_inside : rounding_inside;
-    const double depth = std::min(surface.depth(own), surface.depth(face));
     if (point.face != face && (at.distance > distance || at.gap < -inside * depth ||
                                at.normal.dot(outline.normals[k]) >= least_facing))
       return;
@@ -199,7 +210,8 @@ std::optional<SelfPassage> find_passage(const ContactSurface& surface,
   std::optional<SelfPassage> found;
   visit_facing(surface, before, distance, [&](std::size_t k, Index face) {
     const std::vector<Index>& known = state.ahead[k];
-    if (found || std::find(known.begin(), known.end(), face) != known.end())
+    if (found || std::find(known.begin(), known.end(), face) != known.end() ||
+        !before.may_lie_ahead(k, idx(face), 0.0))
       return;
     const Against was = against(surface, before.face(idx(face)), before.points[k]);
     if (was.gap < 0.0 || was.normal.dot(before.normals[k]) >= least_facing)

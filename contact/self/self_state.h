@@ -36,9 +36,12 @@ struct SelfPoint {
 struct SelfPointInSpace {
   PointHistory history; ///< its shear in space
   bool closed = false;
-  double since = 0.0; ///< [s]
+  double since = 0.0;       ///< [s]
+  double shear_yield = 0.0; ///< [MPa]
 
-  template <class Archive> void fields(Archive& archive) { archive(history, closed, since); }
+  template <class Archive> void fields(Archive& archive) {
+    archive(history, closed, since, shear_yield);
+  }
 };
 
 /// What a term on another mesh of the same part needs to go on.

@@ -138,8 +138,7 @@ public:
       for (int j = 0; j < 2; ++j)
         shear[i].derivatives() +=
             end.d_shear(i, j) * shear_[j].derivatives() + end.d_path(i, j) * path_[j].derivatives();
-      if (state.pressure == pressure.value())
-        shear[i].derivatives() += end.d_pressure[i] * pressure.derivatives();
+      shear[i].derivatives() += end.d_pressure[i] * pressure.derivatives();
     }
     traction += e1_ * shear[0] + e2_ * shear[1];
     law.status = end.status;

@@ -155,7 +155,7 @@ void on_laps(const process::Run& run, const Case& content, Lines& lines) {
         "{}; {}",
         lap.place, lap.depth, content.units.length,
         run.model.self_contact
-            ? "the walls of the fold are finer there than the mesh"
+            ? "a crease there is narrower than the elements at its root"
             : "contact.self = false, so metal that folds over does not feel itself",
         content.remesh ? "the next new mesh would have welded the lap"
                        : "a [remesh] section welds laps and says where"));
