@@ -112,7 +112,8 @@ Against against(const ContactSurface& surface, std::span<const Vec3> face, const
 }
 
 /// Calls `visit(point, face)` for every point and face that turn to each other, their faces' boxes
-/// within a distance.
+/// within a distance, and the face not wholly behind the point. Where nothing meets that leaves
+/// hardly any.
 template <class Visit>
 void visit_facing(const ContactSurface& surface,
                   const Outline& outline,
@@ -131,18 +132,29 @@ void visit_facing(const ContactSurface& surface,
           return true;
     return false;
   };
+  constexpr double safety = 2.0; // what touches may lie a little deeper than it began
+  const auto may_meet = [&](std::size_t k, std::size_t g) {
+    return outline.may_lie_ahead(k, g, safety * most_inside * surface.depth(static_cast<Index>(g)));
+  };
+  const auto any_may_meet = [&](std::size_t f, std::size_t g) {
+    for (std::size_t i = 0; i < points; ++i)
+      if (may_meet(f * points + i, g))
+        return true;
+    return false;
+  };
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   geometry::visit_box_pairs(boxes, [&](std::int32_t f, std::int32_t g) {
-    if (faces_turn(idx(f), idx(g)))
+    if (faces_turn(idx(f), idx(g)) &&
+        (any_may_meet(idx(f), idx(g)) || any_may_meet(idx(g), idx(f))))
       pairs.emplace_back(std::min(f, g), std::max(f, g));
     return true;
   });
   std::sort(pairs.begin(), pairs.end()); // the order of the visits is not specified
-  for (const auto& [f, g] : pairs)
-    for (std::size_t i = 0; i < points; ++i) {
-      visit(idx(f) * points + i, static_cast<Index>(g));
-      visit(idx(g) * points + i, static_cast<Index>(f));
-    }
+  for (const auto& [first, second] : pairs)
+    for (const auto& [f, g] : {std::pair{first, second}, std::pair{second, first}})
+      for (std::size_t k = idx(f) * points; k < (idx(f) + 1) * points; ++k)
+        if (may_meet(k, idx(g)))
+          visit(k, static_cast<Index>(g));
 }
 
 bool have_a_node_in_common(const ContactSurface& surface, Index a, Index b) {
@@ -169,8 +181,6 @@ void look_ahead(const ContactSurface& surface,
     const Index own = static_cast<Index>(k / idx(surface.points()));
     const SelfPoint& point = state.points[k];
     const double depth = std::min(surface.depth(own), surface.depth(face));
-    if (point.face != face && !outline.may_lie_ahead(k, idx(face), most_inside * depth))
-      return;
     const Against at = against(surface, outline.face(idx(face)), outline.points[k]);
     const bool met = first || point.closed() ||
                      std::find(before[k].begin(), before[k].end(), face) != before[k].end();
@@ -210,8 +220,7 @@ std::optional<SelfPassage> find_passage(const ContactSurface& surface,
   std::optional<SelfPassage> found;
   visit_facing(surface, before, distance, [&](std::size_t k, Index face) {
     const std::vector<Index>& known = state.ahead[k];
-    if (found || std::find(known.begin(), known.end(), face) != known.end() ||
-        !before.may_lie_ahead(k, idx(face), 0.0))
+    if (found || std::find(known.begin(), known.end(), face) != known.end())
       return;
     const Against was = against(surface, before.face(idx(face)), before.points[k]);
     if (was.gap < 0.0 || was.normal.dot(before.normals[k]) >= least_facing)
