@@ -54,11 +54,11 @@ struct Friction {
 
 /// State of a point that its slip limit depends on.
 struct SlipState {
-  double pressure;         ///< [MPa]
-  double shear_yield;      ///< k of the parent element [MPa]
-  double sliding = 0.0;    ///< distance before the increment [mm]
-  double dt = 1.0;         ///< of the increment, as far as the point touches [s]
-  double steepest = 100.0; ///< no more shear than this times the pressure (F.3) [-]
+  double pressure;      ///< [MPa]
+  double shear_yield;   ///< k of the parent element [MPa]
+  double sliding = 0.0; ///< distance before the increment [mm]
+  double dt = 1.0;      ///< of the increment, as far as the point touches [s]
+  bool limited = false; ///< no more shear than pressure (F.3)
 };
 
 /// Slip limit with its derivatives by what changes within an increment.
@@ -69,7 +69,7 @@ struct LimitAtSlip {
   double d_slip;        ///< [MPa/mm]
 };
 
-/// The limit after sliding by `slip` in the increment, below the steep cone. (F.1), (F.3)
+/// The limit after sliding by `slip` in the increment, below the cone. (F.1), (F.3)
 [[nodiscard]] LimitAtSlip limit_at(const Friction& friction, const SlipState& at, double slip);
 
 } // namespace billet::contact

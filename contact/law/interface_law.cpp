@@ -288,8 +288,7 @@ Traction traction(const Friction& friction,
   SlipState state{holding, at.shear_yield, old.sliding, at.dt};
   if (!old.closed() && rubs)
     state.dt *= at.touching;
-  if ((!old.closed() && rubs) || at.friction_limited)
-    state.steepest = 1.0;
+  state.limited = (!old.closed() && rubs) || at.friction_limited;
   out.limit = limit_at(friction, state, 0.0).shear;
   if (!rubs)
     return out;

@@ -21,6 +21,20 @@ constexpr double rounding_inside = 1e-6;
 /// it.
 constexpr double beside = 1e-3;
 
+/// An arc bulges from the chord between two of its nodes by no more than this share of its box.
+double bulge_of(const ContactSurface& surface) { return surface.linear() ? 0.0 : 0.125; }
+
+/// Holds a face with these nodes.
+Box box_of(std::span<const Vec3> nodes, double bulge) {
+  Box box;
+  for (const Vec3& node : nodes)
+    box.add(node);
+  const double margin = bulge * box.size();
+  box.low.array() -= margin;
+  box.high.array() += margin;
+  return box;
+}
+
 /// The points and normals of all faces. It is made before every increment, whether or not anything
 /// meets: no more than sums over nodes.
 struct Outline {
@@ -29,7 +43,6 @@ struct Outline {
   std::vector<Vec3> points;  ///< contact points
   std::vector<Vec3> normals; ///< of the faces at them, outward
   std::vector<Box> boxes;
-  /// An arc bulges from the chord between two of its nodes by no more than this share of its box.
   double bulge;
 
   Outline(const ContactSurface& surface, std::span<const double> x) {
@@ -44,19 +57,15 @@ struct Outline {
     points.resize(surface.n_points());
     normals.resize(surface.n_points());
     boxes.resize(n);
-    bulge = surface.linear() ? 0.0 : 0.125;
+    bulge = bulge_of(surface);
     for (std::size_t f = 0; f < n; ++f) {
       const std::span<const Index> numbers = surface.scatter().nodes(static_cast<Index>(f));
-      Box& box = boxes[f];
       for (std::size_t a = 0; a < nodes_of_face; ++a) {
         Vec3& node = nodes[f * nodes_of_face + a];
         for (std::size_t d = 0; d < dim; ++d)
           node[static_cast<Index>(d)] = x[idx(numbers[a]) * dim + d];
-        box.add(node);
       }
-      const double margin = bulge * box.size();
-      box.low.array() -= margin;
-      box.high.array() += margin;
+      boxes[f] = box_of(face(f), bulge);
       for (std::size_t i = 0; i < shapes.size(); ++i) {
         const std::size_t k = f * shapes.size() + i;
         points[k] = shapes[i].sum(shapes[i].N, face(f));
@@ -157,6 +166,13 @@ void visit_facing(const ContactSurface& surface,
           visit(k, static_cast<Index>(g));
 }
 
+/// No place of a face is nearer to a point than this: a bound that costs next to nothing [mm].
+double
+least_distance(const ContactSurface& surface, const std::vector<Vec3>& nodes, const Vec3& point) {
+  const Box box = box_of(nodes, bulge_of(surface));
+  return (point - point.cwiseMax(box.low).cwiseMin(box.high)).norm();
+}
+
 bool have_a_node_in_common(const ContactSurface& surface, Index a, Index b) {
   const std::span<const Index> first = surface.scatter().nodes(a),
                                second = surface.scatter().nodes(b);
@@ -184,8 +200,9 @@ void look_ahead(const ContactSurface& surface,
     const Against at = against(surface, outline.face(idx(face)), outline.points[k]);
     const bool met = first || point.closed() ||
                      std::find(before[k].begin(), before[k].end(), face) != before[k].end();
-    const double inside =
-        met && !have_a_node_in_common(surface, own, face) ? most_inside : rounding_inside;
+    const double inside = met && !(first && have_a_node_in_common(surface, own, face))
+                              ? most_inside
+                              : rounding_inside;
     if (point.face != face && (at.distance > distance || at.gap < -inside * depth ||
                                at.normal.dot(outline.normals[k]) >= least_facing))
       return;
@@ -201,7 +218,10 @@ SelfFoot find_foot(const ContactSurface& surface,
   SelfFoot best;
   double least = HUGE_VAL;
   for (const Index face : ahead) {
-    const Against at = against(surface, nodes_of_face(surface, x, face), point);
+    const std::vector<Vec3> nodes = nodes_of_face(surface, x, face);
+    if (least_distance(surface, nodes, point) >= least)
+      continue;
+    const Against at = against(surface, nodes, point);
     if (at.beside > std::abs(at.gap) + beside * surface.depth(face) || at.distance >= least)
       continue;
     least = at.distance;

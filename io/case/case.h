@@ -162,6 +162,15 @@ struct Remesh {
   bool operator==(const Remesh&) const = default;
 };
 
+/// What ends a run before `time.end`.
+struct StopSettings {
+  bool on_full_cavity = true;
+  bool on_tools_overloaded = true;
+  bool on_tools_together = true; ///< but for a film of metal
+
+  bool operator==(const StopSettings&) const = default;
+};
+
 enum class FieldSet { standard, all };
 
 /// When a run is stored to go on from.
@@ -214,6 +223,7 @@ struct Case {
   SolverSettings solver;
   std::optional<Remesh> remesh;
   std::vector<Measure> measures; ///< names are unique
+  StopSettings stop;
   OutputSettings output;
 
   bool operator==(const Case&) const = default;

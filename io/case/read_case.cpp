@@ -90,6 +90,7 @@ Case read_root(TableReader& root) {
   root.optional("solver", content.solver, as_solver);
   root.optional("remesh", content.remesh, as_remesh);
   content.measures = read_items<Measure>(root, "measure", as_measure);
+  root.optional("stop", content.stop, as_stop);
   root.optional("output", content.output, as_output);
   root.finish();
   if (!content.contact.form)

@@ -29,6 +29,7 @@ void refuse_radial(TableReader& table, const Vec3& direction);
 [[nodiscard]] std::optional<SolverSettings> as_solver(const At& at);
 [[nodiscard]] std::optional<Remesh> as_remesh(const At& at);
 [[nodiscard]] std::optional<Measure> as_measure(const At& at);
+[[nodiscard]] std::optional<StopSettings> as_stop(const At& at);
 [[nodiscard]] std::optional<OutputSettings> as_output(const At& at);
 
 /// Checks what no part can check alone: names that refer to other parts, times that must fit.

@@ -245,6 +245,16 @@ std::optional<Remesh> as_remesh(const At& at) {
   return remesh;
 }
 
+std::optional<StopSettings> as_stop(const At& at) {
+  TableReader table(at);
+  StopSettings stop;
+  table.optional("on_full_cavity", stop.on_full_cavity, as_flag);
+  table.optional("on_tools_overloaded", stop.on_tools_overloaded, as_flag);
+  table.optional("on_tools_together", stop.on_tools_together, as_flag);
+  table.finish();
+  return stop;
+}
+
 std::optional<OutputSettings> as_output(const At& at) {
   TableReader table(at);
   OutputSettings output;

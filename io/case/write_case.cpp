@@ -158,6 +158,14 @@ std::string measure_text(const Measure& measure, int size) {
   return table.on_lines();
 }
 
+std::string stop_text(const StopSettings& stop) {
+  return TomlTable()
+      .add("on_full_cavity", toml_text(stop.on_full_cavity))
+      .add("on_tools_overloaded", toml_text(stop.on_tools_overloaded))
+      .add("on_tools_together", toml_text(stop.on_tools_together))
+      .on_lines();
+}
+
 std::string output_text(const OutputSettings& output) {
   TomlTable table;
   add_if(table, "every", output.every);
@@ -202,6 +210,7 @@ std::string resolved_toml(const Case& content) {
     section("[remesh]", remesh_text(*content.remesh));
   for (const Measure& measure : content.measures)
     section("[[measure]]", measure_text(measure, size));
+  section("[stop]", stop_text(content.stop));
   section("[output]", output_text(content.output));
   return text;
 }

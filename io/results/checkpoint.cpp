@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view beginning = "billet checkpoint\n";
-constexpr std::uint32_t layout = 2; ///< raised where the meaning of bytes changes
+constexpr std::uint32_t layout = 3; ///< raised where the meaning of bytes changes
 constexpr std::string_view ending = ".checkpoint";
 constexpr std::size_t most_kept = 2;
 constexpr std::array<std::string_view, 4> section_names{"about", "case", "run", "results"};
@@ -116,7 +116,8 @@ std::size_t stage_in(const std::string& key) {
 }
 
 bool may_change(const std::string& key, std::size_t stage) {
-  if (key == "title" || key == "time.end" || key == "solver.threads" || key.starts_with("output."))
+  if (key == "title" || key == "time.end" || key == "solver.threads" ||
+      key.starts_with("output.") || key.starts_with("stop."))
     return true;
   const std::size_t number = stage_in(key);
   return number > stage + 1 || (number == stage + 1 && key.ends_with("].end"));

@@ -1,7 +1,8 @@
 // What a run says of itself at its end: figures that are off, and what mends them.
 
-#include "io/results/full_cavity.h"
 #include "io/results/run_writer.h"
+#include "process/measures/film.h"
+#include "process/measures/squeeze.h"
 #include "process/remeshing/contact_zones.h"
 #include "process/remeshing/laps.h"
 #include "process/remeshing/remeshing.h"
@@ -221,11 +222,52 @@ void RunWriter::warn_of_elements(const process::Run& run, std::vector<std::strin
             : "no new mesh could be made in time: the log says why"));
 }
 
+/// Why a run ended before its time; empty: it did not.
+std::string RunWriter::early_end(const process::Run& run) const {
+  const UnitSystem& units = content_->units;
+  const auto ended = [&](const std::string& why, std::string_view key) {
+    return fmt::format("warning: the run ended at t = {:.6g} {}, before its time: {}. stop.{} = "
+                       "false goes on",
+                       run.state.time, units.time, why, key);
+  };
+  const auto squeezed = [&](std::string_view what) {
+    const process::Squeeze now = process::squeeze_of(run, record_.last->volume);
+    return fmt::format(
+        "{}; the metal is squeezed by {:.2g} % of its volume, under {:.3g} {} on "
+        "average, {:.2g} times its flow stress, and a tool presses with {:.3g} {} on "
+        "average",
+        what, 100.0 * now.volume_lost, now.pressure, units.stress, now.pressure / now.flow_stress,
+        now.tool_pressure, units.stress);
+  };
+  switch (run.state.ended_by) {
+  case process::EndedBy::full_cavity:
+    return ended(squeezed("the cavity is full, or leaves too little way out"), "on_full_cavity");
+  case process::EndedBy::tools_overloaded:
+    return ended(squeezed("no tool bears what the tools would have to"), "on_tools_overloaded");
+  case process::EndedBy::tools_together:
+    if (const auto film = process::closing_film(run, run.state.last_dt))
+      return ended(
+          fmt::format("tools '{}' and '{}' lie on each other near ({:.6g}, {:.6g}, {:.6g}), "
+                      "but for a film of metal {:.3g} {} thick",
+                      run.tools()[film->first].name, run.tools()[film->second].name,
+                      film->place.x(), film->place.y(), film->place.z(), film->thickness,
+                      units.length),
+          "on_tools_together");
+    break;
+  case process::EndedBy::end_of_time:
+  case process::EndedBy::energy_used_up:
+    break;
+  }
+  return "";
+}
+
 void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>& lines) const {
-  if (record_.squeezed_at) {
-    const Squeeze now = squeeze_of(run, record_.last->volume);
+  if (const std::string end = early_end(run); !end.empty())
+    lines.push_back(end);
+  else if (record_.squeezed_at) {
+    const process::Squeeze now = process::squeeze_of(run, record_.last->volume);
     lines.push_back(fmt::format(
-        "warning: from t = {:.6g} {} on the metal is squeezed by more than 2 % of its volume, at "
+        "warning: from t = {:.6g} {} on the metal is squeezed by more than 1 % of its volume, at "
         "the end by {:.2g} %, under {:.3g} {} on average, {:.2g} times its flow stress: the cavity "
         "is full, or leaves too little way out",
         *record_.squeezed_at, content_->units.time, 100.0 * now.volume_lost, now.pressure,

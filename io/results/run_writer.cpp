@@ -8,8 +8,8 @@
 #include "io/results/advice.h"
 #include "io/results/atomic_file.h"
 #include "io/results/earlier_results.h"
-#include "io/results/full_cavity.h"
 #include "process/measures/shape_measures.h"
+#include "process/measures/squeeze.h"
 #include "process/remeshing/part_boundary.h"
 
 #include <fmt/chrono.h>
@@ -278,7 +278,7 @@ void RunWriter::incremented(const process::Run& run, const process::IncrementRep
   if (!record_.worn && report.min_quality < bad)
     record_.worn = report;
   if (!record_.squeezed_at && report.max_plastic_strain > 0.0 &&
-      squeeze_of(run, report.volume).is_full())
+      process::squeeze_of(run, report.volume).is_full())
     record_.squeezed_at = report.time;
   const double missed =
       report.energy.missing() - (record_.last ? record_.last->energy.missing() : 0.0);

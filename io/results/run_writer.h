@@ -81,6 +81,7 @@ private:
   void warn_of_unmet_tools(const process::Run& run, std::vector<std::string>& lines) const;
   void warn_of_penetration(std::vector<std::string>& lines) const;
   void warn_of_elements(const process::Run& run, std::vector<std::string>& lines) const;
+  [[nodiscard]] std::string early_end(const process::Run& run) const;
   void warn_of_metal(const process::Run& run, std::vector<std::string>& lines) const;
   void write_frame(const process::Run& run);
   void write_list();

@@ -108,6 +108,22 @@ ordered_json self_contact_json(const process::Run& run) {
   return json;
 }
 
+std::string_view words_of(process::EndedBy reason) {
+  switch (reason) {
+  case process::EndedBy::energy_used_up:
+    return "energy used up";
+  case process::EndedBy::full_cavity:
+    return "full cavity";
+  case process::EndedBy::tools_overloaded:
+    return "tools overloaded";
+  case process::EndedBy::tools_together:
+    return "tools together";
+  case process::EndedBy::end_of_time:
+    break;
+  }
+  return "end of time";
+}
+
 ordered_json blows_json(const process::Run& run) {
   ordered_json blows = ordered_json::array();
   for (const process::BlowReport& blow : run.blows())
@@ -229,10 +245,9 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
     if (ordered_json self = self_contact_json(run); !self["places"].empty())
       summary["self_contact"] = std::move(self);
   summary["energy"] = energy_json(run.state.energy);
-  if (!run.blows().empty()) {
+  summary["ended_by"] = words_of(run.state.ended_by);
+  if (!run.blows().empty())
     summary["blows"] = blows_json(run);
-    summary["ended_by"] = run.state.energy_used_up ? "energy used up" : "end of time";
-  }
   if (run.scene.remesh)
     summary["remeshings"] = remeshings_json(run);
   summary["grounded_rigid_motions"] = run.model.free_motions;

@@ -4,6 +4,7 @@
 #include "geometry/base/error.h"
 #include "geometry/mesh2d/mesher_2d.h"
 #include "io/case/accuracy_preset.h"
+#include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
 #include "io/scene/material_builder.h"
 #include "io/scene/selector.h"
@@ -296,6 +297,17 @@ std::optional<contact::Friction> self_friction_of(const Case& content) {
   return friction;
 }
 
+process::StopRules stop_rules_of(const Case& content) {
+  process::StopRules rules{.on_full_cavity = content.stop.on_full_cavity,
+                           .on_tools_overloaded = content.stop.on_tools_overloaded,
+                           .on_tools_together = content.stop.on_tools_together};
+  // Tool steels yield at 2.2 GPa at the most (advice on dies), and bear more of it where metal
+  // around holds them.
+  if (const Outcome<double> bearable = converted("3 GPa", quantity::stress, content.units))
+    rules.bearable = *bearable;
+  return rules;
+}
+
 std::vector<process::Measure> measures_of(const Case& content) {
   std::vector<process::Measure> measures;
   for (const Measure& measure : content.measures) {
@@ -578,6 +590,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
     require_remeshable(content, scene, place);
     scene.remesh = remesh_settings(*content.remesh);
   }
+  scene.stop = stop_rules_of(content);
   scene.tolerance = content.solver.tolerance;
   scene.solver.choice = content.solver.linear;
   return built;

@@ -3,6 +3,7 @@
 #include "geometry/base/box.h"
 #include "geometry/base/stopwatch.h"
 #include "process/increment/force_floor.h"
+#include "process/loop/early_end.h"
 #include "process/loop/stage_loop.h"
 #include "process/loop/stored_run.h"
 #include "process/remeshing/remeshing_due.h"
@@ -65,9 +66,9 @@ RunStatus Process::run(const std::vector<Observer*>& observers) {
     write_checkpoint(run_, observers,
                      status == RunStatus::stopped         ? CheckpointReason::stopped
                      : status == RunStatus::not_converged ? CheckpointReason::failed
-                     : last                               ? CheckpointReason::end
+                     : last || has_ended(run_)            ? CheckpointReason::end
                                                           : CheckpointReason::new_stage);
-    if (status != RunStatus::done || last)
+    if (status != RunStatus::done || last || has_ended(run_))
       break;
     progress.begun = false;
   }
@@ -85,6 +86,8 @@ std::string Process::store() {
 
 void Process::resume(std::string_view stored) {
   restore(run_, stored);
+  if (!has_ended(run_)) // the case asks to go on
+    run_.state.ended_by = EndedBy::end_of_time;
   resumed_ = true;
 }
 

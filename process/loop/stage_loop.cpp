@@ -9,6 +9,7 @@
 #include "process/increment/penalty_control.h"
 #include "process/increment/up_to_touch.h"
 #include "process/increment/work_criteria.h"
+#include "process/loop/early_end.h"
 #include "process/loop/stored_run.h"
 #include "process/loop/verdict.h"
 #include "process/remeshing/remesh.h"
@@ -71,12 +72,12 @@ RunStatus StageLoop::go(double start) {
       return RunStatus::stopped;
     if (goes_through_flight())
       continue;
-    if (comes_to_rest())
+    if (has_ended(run_) || comes_to_rest())
       break;
     const Step step = next_step();
     if (const Outcome<Done> solved = solve(step))
       follow(judge(run_, step.length, progress_.length, progress_.limits.min), step);
-    else if (!goes_on_after(step, solved.error()))
+    else if (!goes_on_after(step, solved.error()) && !has_ended(run_))
       return RunStatus::not_converged;
   }
   put_tools_back(run_);
@@ -102,9 +103,10 @@ bool StageLoop::goes_through_flight() {
 bool StageLoop::comes_to_rest() {
   if (progress_.failures > 0 || progress_.rested || !rests(run_, stage_))
     return false;
-  run_.state.energy_used_up = &stage_ == &run_.scene.stages.back();
-  if (run_.state.energy_used_up)
+  if (&stage_ == &run_.scene.stages.back()) {
+    run_.state.ended_by = EndedBy::energy_used_up;
     return true;
+  }
   progress_.control.set_next(progress_.length);
   progress_.rested = true; // an increment that is refused all the same gets shorter
   return false;
@@ -183,7 +185,9 @@ void StageLoop::take(const Step& step) {
     run_.state.time = step.landing;
   for (const std::string& line : progress_.tried)
     run_.state.record.events.push_back("  cut back from " + line);
-  notify(run_, observers_, report(run_, step.length, static_cast<int>(progress_.tried.size())));
+  const IncrementReport said = report(run_, step.length, static_cast<int>(progress_.tried.size()));
+  notify(run_, observers_, said);
+  run_.state.ended_by = early_end(run_, said);
   const bool failed_before = progress_.failures > 0;
   const bool easy = !failed_before && run_.attempt.iterations <= IncrementControl::easy_iterations;
   adapt_penalty(run_, easy ? Progress::easy : Progress::laboured);
@@ -248,9 +252,12 @@ bool StageLoop::goes_on_after(const Step& step, const Failure& failure) {
   }
   const bool in_vain = progress_.control.exhausted() || progress_.refusals == most_refusals ||
                        run_.state.mesh.turned_inside_out >= most_turned;
-  if (in_vain)
+  if (!in_vain)
+    return true;
+  run_.state.ended_by = end_after_failure(run_);
+  if (!has_ended(run_))
     tell_of_failure(step.length, failure.reason);
-  return !in_vain;
+  return false;
 }
 
 void StageLoop::tell_of_failure(double length, std::string why) {

@@ -13,6 +13,7 @@
 #include "process/scene/measure.h"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <variant>
@@ -105,6 +106,14 @@ struct Part {
   }
 };
 
+/// What ends a run before its time.
+struct StopRules {
+  bool on_full_cavity = true;
+  bool on_tools_overloaded = true;
+  double bearable = HUGE_VAL;    ///< mean pressure of a tool, over it that is [MPa]
+  bool on_tools_together = true; ///< but for a film of metal
+};
+
 struct Scene {
   std::string title;
   Part part; ///< at the start
@@ -117,6 +126,7 @@ struct Scene {
   std::vector<double> landing_times;    ///< times an increment must end at, sorted [s]
   std::vector<Measure> measures;        ///< columns of history.csv
   std::optional<RemeshSettings> remesh; ///< none: the mesh of the start serves to the end
+  StopRules stop;
   double tolerance = 1e-6;
   mechanics::SolverSettings solver;
 };

@@ -227,6 +227,15 @@ struct Record {
   }
 };
 
+/// Why a run ended.
+enum class EndedBy {
+  end_of_time,
+  energy_used_up, ///< of its presses
+  full_cavity,
+  tools_overloaded, ///< more than any tool bears
+  tools_together    ///< but for a film of metal
+};
+
 struct State {
   explicit State(std::size_t n_tools = 0) : record(n_tools) {}
 
@@ -252,14 +261,14 @@ struct State {
   StageProgress progress;
   Counters counters;
   Record record;
-  bool springs_back = false;   ///< the last increment took work out of the metal
-  bool energy_used_up = false; ///< the run has ended since its presses have no energy left
+  bool springs_back = false; ///< the last increment took work out of the metal
+  EndedBy ended_by = EndedBy::end_of_time;
 
   /// But for the part: only a new mesh makes another one than the scene's.
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, last_dt, longest, origins, x, last_step, velocity, plastic_rate,
             reactions, energy, works, forces, stabilization, leaving, flights, mesh, snapshots,
-            progress, counters, record, springs_back, energy_used_up);
+            progress, counters, record, springs_back, ended_by);
   }
 };
 

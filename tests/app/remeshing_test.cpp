@@ -262,7 +262,8 @@ move = { x = [[0, 0], [1, -1.5]] }
 [time]
 end = )" + end;
   };
-  EXPECT_TRUE(warns(run(pressed("0.3\n"), "kept"), "the boundary of the part crosses itself near"));
+  EXPECT_TRUE(warns(run(pressed("0.3\n[contact]\nself = false\n"), "kept"),
+                    "the boundary of the part crosses itself near"));
   const auto anew = run(
       pressed("0.45\n[remesh]\nwhen = { interval = 0.25 }\nsize = { default = 1.2 }\n"), "anew");
   EXPECT_TRUE(warns(anew, "remeshing 1 welded a fold"));

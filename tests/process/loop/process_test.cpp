@@ -181,6 +181,7 @@ TEST(Process, EndsAnImpossibleCaseWithAPostMortem) {
   // The die would have to go through the anvil: 99.9 % with sticking.
   Scene scene = small_billet(0.999, contact::Sticking{});
   scene.increments.min = 0.02;
+  scene.stop = {.on_full_cavity = false, .on_tools_together = false};
   const FinishedRun done = run(std::move(scene));
   EXPECT_EQ(done.status, RunStatus::not_converged);
   ASSERT_EQ(done.recorder.failures.size(), 1u);

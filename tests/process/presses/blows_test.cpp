@@ -88,7 +88,7 @@ TEST(Blow, stops_on_an_elastic_block_where_its_energy_is_stored) {
               report.stroke, exact, report.time / quarter, report.speed / blow.speed,
               done.process->view().state.increment);
   EXPECT_TRUE(report.over);
-  EXPECT_TRUE(done.process->view().state.energy_used_up);
+  EXPECT_TRUE(done.process->view().state.ended_by == EndedBy::energy_used_up);
   EXPECT_NEAR(report.stroke, exact, 1e-3 * exact);
   EXPECT_NEAR(report.time, quarter, 0.01 * quarter);
   EXPECT_NEAR(done.process->view().state.energy.elastic, blow.energy(), 1e-3 * blow.energy());

@@ -3,25 +3,29 @@
 // Under the pressures of forming metal gives up little of its volume, and more of it the softer its
 // elasticity is beside its strength: a loss of volume alone says nothing. In an open die the
 // average pressure is some flow stresses, by friction; where the cavity is full it rises without
-// limit.
+// limit. (P.43)
 
 #pragma once
 
-#include "process/loop/process.h"
+#include "process/state/run.h"
 
-namespace billet::io {
+namespace billet::process {
 
 /// What the metal is under as a whole.
 struct Squeeze {
   double volume_lost = 0.0; ///< share of its volume without pressure [-]
   double pressure = 0.0;    ///< that takes, on average over the part [MPa]
   double flow_stress = 0.0; ///< likewise [MPa]
+  /// Largest of the tools, each on average where it touches [MPa].
+  double tool_pressure = 0.0;
+
+  static constexpr double little = 0.01; ///< share of the volume: what does no harm
 
   /// Whether the metal has no way out, or too little.
   [[nodiscard]] bool is_full() const;
 };
 
 /// @param volume  of the workpiece now [mm^3]
-[[nodiscard]] Squeeze squeeze_of(const process::Run& run, double volume);
+[[nodiscard]] Squeeze squeeze_of(const Run& run, double volume);
 
-} // namespace billet::io
+} // namespace billet::process

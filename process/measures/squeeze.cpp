@@ -1,0 +1,46 @@
+#include "process/measures/squeeze.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+double mean_pressure(std::span<const contact::ClosedPoint> points) {
+  double force = 0.0, area = 0.0;
+  for (const contact::ClosedPoint& point : points) {
+    force += point.area * point.pressure;
+    area += point.area;
+  }
+  return area > 0.0 ? force / area : 0.0;
+}
+
+} // namespace
+
+bool Squeeze::is_full() const {
+  // Flow stresses: a sticking disc twenty times as wide as high has five of them.
+  constexpr double open = 5.0, wide_open = 10.0;
+  return (volume_lost > 2.0 * little && pressure > open * flow_stress) ||
+         (volume_lost > little && pressure > wide_open * flow_stress);
+}
+
+Squeeze squeeze_of(const Run& run, double volume) {
+  const mechanics::Bulk& bulk = *run.model.bulk;
+  const double share = volume / bulk.reference_volume();
+  Squeeze squeeze{1.0 - share, -bulk.material().elasticity.bulk() * std::log(share), 0.0, 0.0};
+  for (std::size_t k = 0; k < bulk.states().size(); ++k)
+    squeeze.flow_stress +=
+        bulk.volumes()[k] / bulk.reference_volume() *
+        mechanics::yield_stress(
+            bulk.material().flow,
+            {bulk.states()[k].plastic_strain, run.state.plastic_rate[k], bulk.temperature(k)});
+  if (run.contact() != nullptr)
+    for (const std::vector<contact::ClosedPoint>& points : run.contact()->closed())
+      squeeze.tool_pressure = std::max(squeeze.tool_pressure, mean_pressure(points));
+  return squeeze;
+}
+
+} // namespace billet::process
