@@ -1,5 +1,6 @@
 #include "contact/self/self_contact_term.h"
 
+#include "contact/self/laps.h"
 #include "contact/term/penalty_factors.h"
 #include "mechanics/equilibrium/faces.h"
 
@@ -175,9 +176,9 @@ void SelfContactTerm::start(std::span<const double> x) {
 }
 
 SelfContactSnapshot SelfContactTerm::snapshot(std::span<const double> x) const {
-  SelfContactSnapshot made{{}, state_.work};
+  SelfContactSnapshot made{{}, state_.laps_since, state_.work};
   if (std::none_of(state_.points.begin(), state_.points.end(),
-                   [](const SelfPoint& point) { return point.closed(); }))
+                   [](const SelfPoint& point) { return point.closed() || point.lap >= 0; }))
     return made;
   for (const SelfPoint& point : state_.points) {
     SelfPointInSpace& in_space = made.points.emplace_back();
@@ -185,6 +186,7 @@ SelfContactSnapshot SelfContactTerm::snapshot(std::span<const double> x) const {
     in_space.closed = point.closed();
     in_space.since = point.since;
     in_space.shear_yield = point.shear_yield;
+    in_space.lap = point.lap;
     if (point.closed()) {
       const std::vector<Vec3> nodes = nodes_of_face(*surface_, x, point.face);
       const FaceFrame frame(FaceShapes(surface_->kind(), point.xi), nodes, is_plane(*surface_));
@@ -199,6 +201,7 @@ void SelfContactTerm::go_on_from(const SelfContactSnapshot& before,
                                  std::span<const double> x) {
   start(x);
   state_.work = before.work;
+  state_.laps_since = before.laps_since;
   if (before.points.empty())
     return;
   surface_->positions(x, positions_);
@@ -206,6 +209,7 @@ void SelfContactTerm::go_on_from(const SelfContactSnapshot& before,
     const SelfPointInSpace& from = before.points[sources[k].nearest()];
     SelfPoint& point = state_.points[k];
     point.history.sliding = from.history.sliding;
+    point.lap = from.lap;
     if (!from.closed)
       continue;
     const SelfFoot foot = find_foot(*surface_, x, state_.ahead[k], positions_[k]);
@@ -334,6 +338,7 @@ void SelfContactTerm::commit_point(std::size_t k, const mechanics::Trial& trial,
   SelfPoint old = std::exchange(point, SelfPoint{});
   point.history.sliding = sliding;
   point.history.offset = old.history.offset;
+  point.lap = old.lap;
   point.shear_yield = shear_yield(k);
   if (!trial_[k].closed())
     return;
@@ -361,6 +366,7 @@ void SelfContactTerm::commit(const mechanics::Trial& trial) {
     for (std::size_t k = 0; k < trial_.size(); ++k)
       if (!state_.ahead[k].empty() || state_.points[k].closed())
         commit_point(k, trial, weight * areas[k]);
+    mark_laps(*surface_, state_);
   }
   state_.way = relative_way(*surface_, trial.x_old, trial.x);
   state_.looked = false;

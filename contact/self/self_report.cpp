@@ -1,56 +1,18 @@
 #include "contact/self/self_report.h"
 
+#include "contact/self/wall_groups.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 namespace billet::contact {
-
-namespace {
-
-/// Faces that hang together, by the lowest of them.
-class Groups {
-public:
-  explicit Groups(Index n) : parent_(idx(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index of(Index face) {
-    while (parent_[idx(face)] != face) {
-      parent_[idx(face)] = parent_[idx(parent_[idx(face)])];
-      face = parent_[idx(face)];
-    }
-    return face;
-  }
-  void join(Index a, Index b) {
-    const Index first = of(a), second = of(b);
-    parent_[idx(std::max(first, second))] = std::min(first, second);
-  }
-
-private:
-  std::vector<Index> parent_;
-};
-
-} // namespace
 
 std::vector<MeetingWalls> meeting_walls(const ContactSurface& surface,
                                         const SelfContactState& state,
                                         std::span<const double> x) {
-  const auto own = [&](std::size_t k) { return static_cast<Index>(k / idx(surface.points())); };
-  Groups groups(surface.n_faces());
-  std::map<Index, Index> face_at; // of a node, one that touches
-  const auto touches = [&](Index face) {
-    for (const Index node : surface.scatter().nodes(face)) {
-      const auto [known, is_new] = face_at.try_emplace(node, face);
-      if (!is_new)
-        groups.join(known->second, face);
-    }
-  };
-  for (std::size_t k = 0; k < state.points.size(); ++k)
-    if (const SelfPoint& point = state.points[k]; point.closed()) {
-      touches(own(k));
-      touches(point.face);
-      groups.join(own(k), point.face);
-    }
+  const std::vector<Index> groups = wall_groups(surface, state);
   std::vector<Vec3> positions(surface.n_points());
   std::vector<double> areas(surface.n_points());
   surface.positions(x, positions);
@@ -61,7 +23,7 @@ std::vector<MeetingWalls> meeting_walls(const ContactSurface& surface,
     const SelfPoint& point = state.points[k];
     if (!point.closed())
       continue;
-    const Index group = groups.of(own(k));
+    const Index group = groups[k];
     const auto [entry, is_new] = walls.try_emplace(group);
     MeetingWalls& wall = entry->second;
     const double area = 0.5 * areas[k]; // each wall is half of what touches

@@ -24,11 +24,12 @@ struct SelfPoint {
   PointHistory history;       ///< normal in space; position is not used
   double since = 0.0;         ///< touches since then [s]
   double shear_yield = 0.0;   ///< k of the parent element when the increment begins [MPa]
+  int lap = -1;               ///< that its wall is part of; -1: it has met no other
 
   [[nodiscard]] bool closed() const { return face >= 0; }
 
   template <class Archive> void fields(Archive& archive) {
-    archive(face, xi, offset, shear, history, since, shear_yield);
+    archive(face, xi, offset, shear, history, since, shear_yield, lap);
   }
 };
 
@@ -38,34 +39,37 @@ struct SelfPointInSpace {
   bool closed = false;
   double since = 0.0;       ///< [s]
   double shear_yield = 0.0; ///< [MPa]
+  int lap = -1;
 
   template <class Archive> void fields(Archive& archive) {
-    archive(history, closed, since, shear_yield);
+    archive(history, closed, since, shear_yield, lap);
   }
 };
 
 /// What a term on another mesh of the same part needs to go on.
 struct SelfContactSnapshot {
-  std::vector<SelfPointInSpace> points; ///< shape (n_points); empty: nothing touches
+  std::vector<SelfPointInSpace> points; ///< shape (n_points); empty: nothing touches or has met
+  std::vector<double> laps_since;       ///< [s]
   ContactWork work;
 
-  template <class Archive> void fields(Archive& archive) { archive(points, work); }
+  template <class Archive> void fields(Archive& archive) { archive(points, laps_since, work); }
 };
 
 struct SelfContactState {
   std::vector<SelfPoint> points; ///< committed, shape (n_points)
   /// Faces that each point may meet in the next increment, shape (n_points).
   std::vector<std::vector<Index>> ahead;
-  bool any_ahead = false;  ///< any point may meet any
-  double way = 0.0;        ///< of the last increment, relative to what all go together [mm]
-  bool looked = false;     ///< `ahead` is that of the committed state
-  double look_ahead = 0.0; ///< as far as faces have been looked for [mm]
-  ContactWork work;        ///< since the start
-  double area = 0.0;       ///< where the part touches itself, of one of both sides [mm^2]
-  double depth = 0.0;      ///< of the deepest point [mm]
+  bool any_ahead = false;         ///< any point may meet any
+  double way = 0.0;               ///< of the last increment, relative to what all go together [mm]
+  bool looked = false;            ///< `ahead` is that of the committed state
+  double look_ahead = 0.0;        ///< as far as faces have been looked for [mm]
+  ContactWork work;               ///< since the start
+  double area = 0.0;              ///< where the part touches itself, of one of both sides [mm^2]
+  double depth = 0.0;             ///< of the deepest point [mm]
+  std::vector<double> laps_since; ///< of each lap the time at which its first walls met [s]
 
   template <class Archive> void fields(Archive& archive) {
-    archive(points, ahead, any_ahead, way, looked, look_ahead, work, area, depth);
+    archive(points, ahead, any_ahead, way, looked, look_ahead, work, area, depth, laps_since);
   }
 };
 

@@ -158,6 +158,7 @@ struct Remesh {
   std::optional<double> size_contact; ///< [mm]
   std::optional<std::string> element; ///< of the new mesh
   std::vector<std::string> keep;      ///< names of sets, without "set:"
+  std::optional<bool> weld;           ///< folds, in the plane; absent: where no self-contact is
 
   bool operator==(const Remesh&) const = default;
 };
@@ -167,6 +168,7 @@ struct StopSettings {
   bool on_full_cavity = true;
   bool on_tools_overloaded = true;
   bool on_tools_together = true; ///< but for a film of metal
+  std::optional<double> on_lap;  ///< deeper than this [mm]
 
   bool operator==(const StopSettings&) const = default;
 };

@@ -99,6 +99,7 @@ std::vector<std::string> field_names() {
           "plastic_strain_rate",
           "friction_stress",
           "gap",
+          "lap_depth",
           "contact_status",
           "sliding_distance",
           "wear_depth",
@@ -241,6 +242,7 @@ std::optional<Remesh> as_remesh(const At& at) {
   read_remesh_size(table, remesh);
   table.optional("element", remesh.element, as_element);
   table.optional("keep", remesh.keep, as_set_names);
+  table.optional("weld", remesh.weld, as_flag);
   table.finish();
   return remesh;
 }
@@ -250,6 +252,7 @@ std::optional<StopSettings> as_stop(const At& at) {
   StopSettings stop;
   table.optional("on_full_cavity", stop.on_full_cavity, as_flag);
   table.optional("on_tools_overloaded", stop.on_tools_overloaded, as_flag);
+  table.optional("on_lap", stop.on_lap, as_number, positive_length);
   table.optional("on_tools_together", stop.on_tools_together, as_flag);
   table.finish();
   return stop;

@@ -126,6 +126,7 @@ std::string remesh_text(const Remesh& remesh) {
     keep.push_back("set:" + name);
   if (!keep.empty())
     table.add("keep", toml_text(keep));
+  add_if(table, "weld", remesh.weld);
   return table.on_lines();
 }
 
@@ -159,11 +160,12 @@ std::string measure_text(const Measure& measure, int size) {
 }
 
 std::string stop_text(const StopSettings& stop) {
-  return TomlTable()
-      .add("on_full_cavity", toml_text(stop.on_full_cavity))
+  TomlTable table;
+  table.add("on_full_cavity", toml_text(stop.on_full_cavity))
       .add("on_tools_overloaded", toml_text(stop.on_tools_overloaded))
-      .add("on_tools_together", toml_text(stop.on_tools_together))
-      .on_lines();
+      .add("on_tools_together", toml_text(stop.on_tools_together));
+  add_if(table, "on_lap", stop.on_lap);
+  return table.on_lines();
 }
 
 std::string output_text(const OutputSettings& output) {

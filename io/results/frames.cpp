@@ -1,5 +1,6 @@
 #include "io/results/frames.h"
 
+#include "contact/self/laps.h"
 #include "contact/self/self_report.h"
 #include "geometry/base/box.h"
 #include "geometry/base/error.h"
@@ -140,7 +141,7 @@ std::vector<contact::PointResult> surface_results(const process::Run& run) {
 
 /// Contact values at the nodes: means over the contact points of the faces around them.
 void add_contact(const process::Run& run, const FrameSettings& s, WorkpieceFrame& frame) {
-  if (run.contact() == nullptr)
+  if (!run.model.surface)
     return;
   const contact::ContactSurface& surface = *run.model.surface;
   const std::vector<contact::PointResult> results = surface_results(run);
@@ -153,6 +154,10 @@ void add_contact(const process::Run& run, const FrameSettings& s, WorkpieceFrame
   const std::vector<double> worn =
       run.model.wear.get() != nullptr ? run.model.wear->workpiece_depth() : std::vector<double>{};
   std::vector<double> wear(worn.empty() ? 0 : n, 0.0);
+  std::vector<double> in_laps;
+  if (run.model.self_contact)
+    in_laps = contact::lap_depths(surface, run.model.self_contact->state(), run.positions());
+  std::vector<double> lap_depth(in_laps.empty() ? 0 : n, 0.0);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const Index face = static_cast<Index>(k / idx(surface.points()));
     for (const Index node : surface.scatter().nodes(face)) {
@@ -163,6 +168,8 @@ void add_contact(const process::Run& run, const FrameSettings& s, WorkpieceFrame
       if (!worn.empty())
         wear[a] += worn[k];
       status[a] = std::max(status[a], static_cast<double>(results[k].status));
+      if (!in_laps.empty())
+        lap_depth[a] = std::max(lap_depth[a], in_laps[k]);
       for (std::size_t d = 0; d < 3; ++d)
         shear[3 * a + d] += results[k].shear[static_cast<Index>(d)];
     }
@@ -180,6 +187,8 @@ void add_contact(const process::Run& run, const FrameSettings& s, WorkpieceFrame
   frame.point_fields.push_back({"friction_stress", 3, std::move(shear), s.units.stress});
   frame.point_fields.push_back({"sliding_distance", 1, std::move(sliding), s.units.length});
   frame.point_fields.push_back({"contact_status", 1, std::move(status), "0 open 1 stick 2 slip"});
+  if (!lap_depth.empty())
+    frame.point_fields.push_back({"lap_depth", 1, std::move(lap_depth), s.units.length});
   if (!wear.empty())
     frame.point_fields.push_back({"wear_depth", 1, std::move(wear), s.units.length});
 }
@@ -212,22 +221,12 @@ void keep_points_in_use(std::span<const Vec3> points, SurfaceFrame& frame) {
 } // namespace
 
 const std::vector<std::string>& known_fields() {
-  static const std::vector<std::string> names{"displacement",
-                                              "velocity",
-                                              "plastic_strain",
-                                              "plastic_strain_rate",
-                                              "temperature",
-                                              "von_mises",
-                                              "stress",
-                                              "contact_pressure",
-                                              "friction_stress",
-                                              "sliding_distance",
-                                              "contact_status",
-                                              "gap",
-                                              "element_quality",
-                                              "wear_depth",
-                                              "wear_depth_extrapolated",
-                                              "mean_stress"};
+  static const std::vector<std::string> names{
+      "displacement",    "velocity",         "plastic_strain", "plastic_strain_rate",
+      "temperature",     "von_mises",        "stress",         "contact_pressure",
+      "friction_stress", "sliding_distance", "contact_status", "gap",
+      "lap_depth",       "element_quality",  "wear_depth",     "wear_depth_extrapolated",
+      "mean_stress"};
   return names;
 }
 

@@ -1,5 +1,6 @@
 // What a run says of itself at its end: figures that are off, and what mends them.
 
+#include "contact/self/laps.h"
 #include "io/results/run_writer.h"
 #include "process/measures/film.h"
 #include "process/measures/squeeze.h"
@@ -9,6 +10,7 @@
 #include "process/remeshing/remeshing_due.h"
 #include "process/setup/tool_meetings.h"
 #include "process/stages/overlap.h"
+#include "process/state/mesh_quality.h"
 
 #include <fmt/format.h>
 
@@ -149,6 +151,32 @@ void on_initial_penetrations(const process::Run& run, const UnitSystem& units, L
                                            : "it was pushed out in one increment"));
 }
 
+/// Walls that have met remain a defect, whether or not they touch now.
+void on_walls_that_met(const process::Run& run, const Case& content, Lines& lines) {
+  if (!run.model.self_contact)
+    return;
+  std::vector<contact::Lap> laps =
+      contact::laps(*run.model.surface, run.model.self_contact->state(), run.positions());
+  constexpr double noticed = 0.25; // of an element
+  std::erase_if(laps, [&](const contact::Lap& lap) {
+    return lap.depth < noticed * process::mean_side(run.mesh());
+  });
+  if (laps.empty())
+    return;
+  const contact::Lap& deepest =
+      *std::max_element(laps.begin(), laps.end(), [](const contact::Lap& a, const contact::Lap& b) {
+        return a.depth < b.depth;
+      });
+  lines.push_back(fmt::format(
+      "warning: walls of the part have met: {}, {:.3g} {} deep near ({:.6g}, {:.6g}, {:.6g}), "
+      "since "
+      "t = {:.6g} {}, at the end {}; lap_depth in the frames shows it, laps of summary.json lists "
+      "all",
+      laps.size() == 1 ? "a lap" : fmt::format("{} laps, the deepest", laps.size()), deepest.depth,
+      content.units.length, deepest.place.x(), deepest.place.y(), deepest.place.z(), deepest.since,
+      content.units.time, deepest.closed ? "closed" : "open"));
+}
+
 void on_laps(const process::Run& run, const Case& content, Lines& lines) {
   for (const process::Lap& lap : process::laps(run))
     lines.push_back(fmt::format(
@@ -254,6 +282,11 @@ std::string RunWriter::early_end(const process::Run& run) const {
                       units.length),
           "on_tools_together");
     break;
+  case process::EndedBy::lap:
+    return fmt::format("warning: the run ended at t = {:.6g} {}, before its time: a lap is deeper "
+                       "than stop.on_lap = {:.6g} {}; laps of summary.json tells where",
+                       run.state.time, units.time, run.scene.stop.on_lap.value_or(0.0),
+                       units.length);
   case process::EndedBy::end_of_time:
   case process::EndedBy::energy_used_up:
     break;
@@ -301,6 +334,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   on_resolution(run, *content_, lines);
   on_overlapping_tools(run, content_->units, lines);
   on_initial_penetrations(run, content_->units, lines);
+  on_walls_that_met(run, *content_, lines);
   on_laps(run, *content_, lines);
   warn_of_elements(run, lines);
   warn_of_metal(run, lines);

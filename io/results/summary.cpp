@@ -1,5 +1,6 @@
 #include "io/results/summary.h"
 
+#include "contact/self/laps.h"
 #include "contact/self/self_report.h"
 
 #include <nlohmann/json.hpp>
@@ -108,6 +109,25 @@ ordered_json self_contact_json(const process::Run& run) {
   return json;
 }
 
+/// Walls that have met: those that are there, and those that new meshes have welded.
+ordered_json laps_json(const process::Run& run) {
+  ordered_json all = ordered_json::array();
+  if (run.model.self_contact)
+    for (const contact::Lap& lap :
+         contact::laps(*run.model.surface, run.model.self_contact->state(), run.positions()))
+      all.push_back({{"at", {lap.place[0], lap.place[1], lap.place[2]}},
+                     {"since", lap.since},
+                     {"depth", lap.depth},
+                     {"area", lap.area},
+                     {"state", lap.closed ? "closed" : "open"}});
+  for (const process::RemeshReport& report : run.state.record.remeshings)
+    for (const process::Lap& lap : report.laps)
+      if (!lap.root)
+        all.push_back(
+            {{"at", lap.place}, {"since", report.time}, {"depth", lap.depth}, {"state", "welded"}});
+  return all;
+}
+
 std::string_view words_of(process::EndedBy reason) {
   switch (reason) {
   case process::EndedBy::energy_used_up:
@@ -118,6 +138,8 @@ std::string_view words_of(process::EndedBy reason) {
     return "tools overloaded";
   case process::EndedBy::tools_together:
     return "tools together";
+  case process::EndedBy::lap:
+    return "lap";
   case process::EndedBy::end_of_time:
     break;
   }
@@ -244,6 +266,8 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
   if (run.model.self_contact)
     if (ordered_json self = self_contact_json(run); !self["places"].empty())
       summary["self_contact"] = std::move(self);
+  if (ordered_json laps = laps_json(run); !laps.empty())
+    summary["laps"] = std::move(laps);
   summary["energy"] = energy_json(run.state.energy);
   summary["ended_by"] = words_of(run.state.ended_by);
   if (!run.blows().empty())

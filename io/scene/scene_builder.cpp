@@ -300,7 +300,8 @@ std::optional<contact::Friction> self_friction_of(const Case& content) {
 process::StopRules stop_rules_of(const Case& content) {
   process::StopRules rules{.on_full_cavity = content.stop.on_full_cavity,
                            .on_tools_overloaded = content.stop.on_tools_overloaded,
-                           .on_tools_together = content.stop.on_tools_together};
+                           .on_tools_together = content.stop.on_tools_together,
+                           .on_lap = content.stop.on_lap};
   // Tool steels yield at 2.2 GPa at the most (advice on dies), and bear more of it where metal
   // around holds them.
   if (const Outcome<double> bearable = converted("3 GPa", quantity::stress, content.units))
@@ -394,7 +395,7 @@ void require_remeshable(const Case& content,
                   fmt::format("remesh.keep: the mesh has no set named '{}'", name));
 }
 
-process::RemeshSettings remesh_settings(const Remesh& remesh) {
+process::RemeshSettings remesh_settings(const Remesh& remesh, bool feels_itself) {
   process::RemeshSettings settings;
   settings.quality = remesh.quality;
   settings.strain = remesh.strain;
@@ -405,6 +406,7 @@ process::RemeshSettings remesh_settings(const Remesh& remesh) {
   settings.size_max = remesh.size_max;
   settings.size_contact = remesh.size_contact;
   settings.keep = remesh.keep;
+  settings.weld = remesh.weld.value_or(!feels_itself);
   return settings;
 }
 
@@ -588,7 +590,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   scene.landing_times = landing_times(content, scene);
   if (content.remesh) {
     require_remeshable(content, scene, place);
-    scene.remesh = remesh_settings(*content.remesh);
+    scene.remesh = remesh_settings(*content.remesh, content.contact.self.on);
   }
   scene.stop = stop_rules_of(content);
   scene.tolerance = content.solver.tolerance;

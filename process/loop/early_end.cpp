@@ -1,45 +1,60 @@
 #include "process/loop/early_end.h"
 
+#include "contact/self/laps.h"
 #include "process/measures/film.h"
 #include "process/measures/squeeze.h"
+
+#include <algorithm>
 
 namespace billet::process {
 
 namespace {
 
-/// By pressures under which tools break or no metal is left to flow; shares of the part's volume
-/// that is gone: with less of it pressures are local, as under an indenter.
-///
-/// @param share  of the volume from which on overloaded tools end the run
-EndedBy end_by_pressure(const Run& run, double volume, double share) {
+/// By pressures under which no metal is left to flow or tools break. Where an increment cannot be
+/// solved less of it is enough.
+EndedBy end_by_pressure(const Run& run, double volume, bool failed) {
   if (volume > (1.0 - Squeeze::little) * run.model.bulk->reference_volume())
     return EndedBy::end_of_time;
   const Squeeze squeeze = squeeze_of(run, volume);
   const StopRules& stop = run.scene.stop;
-  if (stop.on_full_cavity && squeeze.is_full())
+  if (stop.on_full_cavity && (failed ? squeeze.is_nearly_full() : squeeze.is_full()))
     return EndedBy::full_cavity;
-  return stop.on_tools_overloaded && squeeze.volume_lost > share &&
+  // With less of the part's volume gone pressures are local, as under an indenter.
+  const double squeezed = failed ? 0.02 : 0.05;
+  return stop.on_tools_overloaded && squeeze.volume_lost > squeezed &&
                  squeeze.tool_pressure > stop.bearable
              ? EndedBy::tools_overloaded
              : EndedBy::end_of_time;
 }
 
+/// Of those whose walls are there, and of those that new meshes have welded [mm].
+double deepest_lap(const Run& run) {
+  double deepest = 0.0;
+  if (run.model.self_contact)
+    for (const contact::Lap& lap :
+         contact::laps(*run.model.surface, run.model.self_contact->state(), run.positions()))
+      deepest = std::max(deepest, lap.depth);
+  for (const RemeshReport& report : run.state.record.remeshings)
+    for (const Lap& lap : report.laps)
+      if (!lap.root)
+        deepest = std::max(deepest, lap.depth);
+  return deepest;
+}
+
 } // namespace
 
 EndedBy early_end(const Run& run, const IncrementReport& report) {
-  constexpr double far_squeezed = 0.05;
   if (report.max_plastic_strain > 0.0)
-    if (const EndedBy end = end_by_pressure(run, report.volume, far_squeezed);
-        end != EndedBy::end_of_time)
+    if (const EndedBy end = end_by_pressure(run, report.volume, false); end != EndedBy::end_of_time)
       return end;
   if (run.scene.stop.on_tools_together && closing_film(run, report.dt))
     return EndedBy::tools_together;
-  return EndedBy::end_of_time;
+  return run.scene.stop.on_lap && deepest_lap(run) > *run.scene.stop.on_lap ? EndedBy::lap
+                                                                            : EndedBy::end_of_time;
 }
 
 EndedBy end_after_failure(const Run& run) {
-  constexpr double squeezed = 0.02;
-  return end_by_pressure(run, run.model.bulk->volume(run.state.x), squeezed);
+  return end_by_pressure(run, run.model.bulk->volume(run.state.x), true);
 }
 
 bool has_ended(const Run& run) {
@@ -50,6 +65,8 @@ bool has_ended(const Run& run) {
     return run.scene.stop.on_tools_overloaded;
   case EndedBy::tools_together:
     return run.scene.stop.on_tools_together;
+  case EndedBy::lap:
+    return run.scene.stop.on_lap && deepest_lap(run) > *run.scene.stop.on_lap;
   case EndedBy::end_of_time:
   case EndedBy::energy_used_up:
     break;

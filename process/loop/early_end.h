@@ -10,7 +10,8 @@
 namespace billet::process {
 
 /// Whether the increment that has been accepted is the last, as far as the case asks to end there:
-/// the cavity is full, or two tools lie on each other but for a film of metal.
+/// the cavity is full, tools press harder than tools can, two of them lie on each other but for a
+/// film of metal, or a lap is too deep.
 [[nodiscard]] EndedBy early_end(const Run& run, const IncrementReport& report);
 
 /// Likewise after an increment that cannot be solved: the last good one is taken for the end where

@@ -3,6 +3,7 @@
 #include "geometry/base/box.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace billet::process {
@@ -16,8 +17,11 @@ constexpr double facing = -0.9;
 
 double least_extent(const Run& run) {
   const mechanics::Mesh& mesh = run.scene.part.mesh;
-  const Vec3 extents = box_of(mesh.points).high - box_of(mesh.points).low;
-  return extents.head(mesh.dimension()).minCoeff();
+  const Box box = box_of(mesh.points);
+  double least = HUGE_VAL;
+  for (Index d = 0; d < mesh.dimension(); ++d)
+    least = std::min(least, box.high[d] - box.low[d]);
+  return least;
 }
 
 /// A tool at the end of the last increment and at its beginning.

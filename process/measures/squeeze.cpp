@@ -21,10 +21,14 @@ double mean_pressure(std::span<const contact::ClosedPoint> points) {
 } // namespace
 
 bool Squeeze::is_full() const {
-  // Flow stresses: a sticking disc twenty times as wide as high has five of them.
-  constexpr double open = 5.0, wide_open = 10.0;
-  return (volume_lost > 2.0 * little && pressure > open * flow_stress) ||
+  constexpr double wide_open = 10.0; // flow stresses
+  return (volume_lost > 2.0 * little && is_nearly_full()) ||
          (volume_lost > little && pressure > wide_open * flow_stress);
+}
+
+bool Squeeze::is_nearly_full() const {
+  constexpr double open = 5.0; // flow stresses: a sticking disc twenty times as wide as high
+  return volume_lost > little && pressure > open * flow_stress;
 }
 
 Squeeze squeeze_of(const Run& run, double volume) {

@@ -23,6 +23,8 @@ struct Squeeze {
 
   /// Whether the metal has no way out, or too little.
   [[nodiscard]] bool is_full() const;
+  /// Whether it has hardly any left.
+  [[nodiscard]] bool is_nearly_full() const;
 };
 
 /// @param volume  of the workpiece now [mm^3]

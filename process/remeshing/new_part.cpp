@@ -65,9 +65,10 @@ RemeshedPart remesh_finely_enough(const Part& part,
 /// What `make` gives. A fold is welded only where there is no mesh otherwise: first where its walls
 /// cross, then where it is narrower than sides of a new mesh are long.
 ///
-/// @param weld  (near, shortest) -> folds that were welded; shortest side of the new mesh
+/// @param weld      (near, shortest) -> folds that were welded; shortest side of the new mesh
+/// @param deepest   that may be welded [mm]
 template <class Make, class Weld>
-NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest) {
+NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest, double deepest) {
   constexpr std::array<double, 4> nears{0.0, 0.1, 0.3, 1.0}; // of the shortest
   std::vector<Lap> laps;
   std::size_t tried = 0;
@@ -83,7 +84,9 @@ NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest)
       while (laps.size() == before && tried < nears.size())
         for (const auto& fold : weld(nears[tried++] * shortest, shortest))
           laps.push_back(lap(fold));
-      if (laps.size() == before)
+      if (laps.size() == before || std::any_of(laps.begin(), laps.end(), [&](const Lap& each) {
+            return each.depth > deepest;
+          }))
         throw;
     }
 }
@@ -148,6 +151,8 @@ NewPart new_plane_part_within(const Run& run,
           {}};
 }
 
+constexpr double deepest_root = 4.0; ///< of a crease, in shortest sides of a new mesh
+
 /// With walls that touch each other kept apart, if there is such a mesh. At the root of a crease,
 /// where no mesh is fine enough, what crosses is welded.
 std::optional<NewPart> new_plane_part_with_walls(const Run& run,
@@ -163,7 +168,6 @@ std::optional<NewPart> new_plane_part_with_walls(const Run& run,
     // Nearer to each other than the walls that have been parted.
     for (const geometry::ClosedFold& fold : weld_folds(boundary, 0.5 * share * shortest, shortest))
       roots.push_back({lap(fold).place, fold.depth(), true});
-    constexpr double deepest_root = 4.0; // sides
     if (std::any_of(roots.begin(), roots.end(),
                     [&](const Lap& root) { return root.depth > deepest_root * shortest; }))
       continue;
@@ -179,6 +183,11 @@ std::optional<NewPart> new_plane_part_with_walls(const Run& run,
   return std::nullopt;
 }
 
+/// What is no more than the root of a crease, unless the case lets folds be welded.
+double deepest_weld(const Run& run) {
+  return run.scene.remesh->weld ? HUGE_VAL : deepest_root * usual_sizes(run).min;
+}
+
 NewPart new_plane_part(const Run& run, const std::vector<geometry::SizeAt>& at) {
   if (std::optional<NewPart> part = new_plane_part_with_walls(run, at))
     return std::move(*part);
@@ -187,7 +196,7 @@ NewPart new_plane_part(const Run& run, const std::vector<geometry::SizeAt>& at) 
   return welded_where_needed(
       [&] { return new_plane_part_within(run, boundary, at); },
       [&](double near, double shortest) { return weld_folds(boundary, near, shortest); },
-      usual_sizes(run).min);
+      usual_sizes(run).min, deepest_weld(run));
 }
 
 NewPart new_solid_part_within(const Run& run, const SolidPart& old) {
@@ -240,7 +249,7 @@ NewPart new_solid_part(const Run& run) {
                              [&](double near, double shortest) {
                                return geometry::flatten_creases(old.boundary, near, shortest);
                              },
-                             usual_sizes(run).min);
+                             usual_sizes(run).min, HUGE_VAL);
 }
 
 } // namespace

@@ -12,9 +12,10 @@
 
 namespace billet::process {
 
-/// Committed positions of the nodes, those of faces that touch another face of the part drawn back.
+/// Committed positions of the nodes, those of faces that touch another face of the part, or nearly,
+/// drawn back.
 ///
-/// @param gap  that is left between walls [mm]
+/// @param gap  that is left between walls that touch, at least; nearer ones are drawn back [mm]
 /// @return shape (n_nodal) [mm]
 [[nodiscard]] std::vector<double> positions_with_parted_walls(const Run& run, double gap);
 

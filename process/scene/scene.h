@@ -90,6 +90,7 @@ struct RemeshSettings {
   std::optional<double> size_max;     ///< [mm]
   std::optional<double> size_contact; ///< where a tool touches [mm]
   std::vector<std::string> keep;      ///< node sets whose nodes stay corners
+  bool weld = true; ///< folds may be welded that no mesh is fine enough for, in the plane
 };
 
 /// The workpiece: its mesh, and what refers to nodes and faces of it. A new mesh makes a new part.
@@ -110,8 +111,9 @@ struct Part {
 struct StopRules {
   bool on_full_cavity = true;
   bool on_tools_overloaded = true;
-  double bearable = HUGE_VAL;    ///< mean pressure of a tool, over it that is [MPa]
-  bool on_tools_together = true; ///< but for a film of metal
+  double bearable = HUGE_VAL;        ///< mean pressure of a tool, over it that is [MPa]
+  bool on_tools_together = true;     ///< but for a film of metal
+  std::optional<double> on_lap = {}; ///< deeper than this [mm]
 };
 
 struct Scene {

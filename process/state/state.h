@@ -233,7 +233,8 @@ enum class EndedBy {
   energy_used_up, ///< of its presses
   full_cavity,
   tools_overloaded, ///< more than any tool bears
-  tools_together    ///< but for a film of metal
+  tools_together,   ///< but for a film of metal
+  lap               ///< as deep as the case says
 };
 
 struct State {

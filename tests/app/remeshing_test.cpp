@@ -208,12 +208,32 @@ move = { x = [[0, 0], [1, -1]] }
 end = 1
 )";
   EXPECT_TRUE(warns(run(pressed, "kept"), "the boundary of the part crosses itself near"));
-  const auto anew = run(pressed + "[remesh]\nwhen = { interval = 0.25 }\n", "anew");
+  const std::string remesh = "[remesh]\nwhen = { interval = 0.25 }\n";
+  EXPECT_FALSE(warns(run(pressed + remesh, "two"), "welded a fold, 4")) << "not unasked";
+  const auto anew = run(pressed + remesh + "weld = true\n", "anew");
   EXPECT_TRUE(warns(anew, "welded a fold, 4.1")) << "4 deep";
   EXPECT_FALSE(warns(anew, "crosses itself"));
 }
 
 using RemeshingLong = Remeshing;
+
+/// A pipe crushed flat, meshed anew all the time: the walls that meet stay two, and are one lap.
+TEST_F(RemeshingLong, WallsThatMeetStayApart) {
+  const std::filesystem::path pipe =
+      std::filesystem::path(BILLET_SOURCE_DIR) / "cases" / "pipe-flat";
+  write_text(folder_.path() / "pipe.inp", whole_file(pipe / "pipe.inp"));
+  const std::filesystem::path results = run(edited(
+      whole_file(pipe / "case.toml"), {{"[time]", "[remesh]\nwhen = { interval = 1 }\n[time]"}}));
+  const nlohmann::json laps = summary(results).at("laps");
+  EXPECT_EQ(laps.at(0).at("state"), "closed");
+  // Of the half pipe's inner wall, 76 mm long when it is flat, and its root.
+  EXPECT_NEAR(laps.at(0).at("depth"), 80.0, 2.0);
+  EXPECT_NEAR(laps.at(0).at("since"), 93.3, 0.2);
+  for (const nlohmann::json& lap : laps)
+    if (lap.at("state") == "welded") {
+      EXPECT_LT(lap.at("depth"), 0.5);
+    }
+}
 
 TEST_F(RemeshingLong, ANotchInSpaceThatClosesIsDrawnFlatOrTold) {
   // A block of 6 x 6 x 3 with a notch of 0.6 x 1 across its top.

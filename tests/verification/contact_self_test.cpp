@@ -1,6 +1,7 @@
 // Parts that touch themselves: a stack of two pieces of one part, a C that is closed twice, a pipe
 // that is crushed flat on one mesh and on new ones.
 
+#include "contact/self/laps.h"
 #include "geometry/surfaces/analytic_surfaces.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/figures.h"
@@ -129,16 +130,33 @@ TEST(SelfContactRun, ACClosedTwiceBearsTheSameForceTwice) {
   Process process(std::move(scene));
   std::vector<double> force;
   double largest_area = 0.0;
+  std::vector<contact::Lap> opened;
   support::Recorder recorder([&](const process::Run& now, const IncrementReport& report) {
     if (std::abs(report.time - 1.0) < 1e-9 || std::abs(report.time - 3.0) < 1e-9)
       force.push_back(now.contact()->loads()[0].force.norm());
     largest_area = std::max(largest_area, now.model.self_contact->state().area);
+    if (std::abs(report.time - 2.0) < 1e-9)
+      opened = contact::laps(*now.model.surface, now.model.self_contact->state(), now.positions());
   });
   support::run_to_end(process, recorder);
   ASSERT_EQ(force.size(), 2U);
   EXPECT_GT(largest_area, 0.0);
   EXPECT_NEAR(force[1], force[0], 1e-4 * force[0]);
   EXPECT_LT(process.view().state.energy.error(), 5e-3);
+  // Its ends have met: a lap between the slit's walls at x = 8 to 10, open in between, closed at
+  // the end, and one and the same.
+  ASSERT_EQ(opened.size(), 1U);
+  EXPECT_FALSE(opened[0].closed);
+  EXPECT_NEAR(opened[0].place.y(), 0.0, 0.05);
+  const auto closed =
+      contact::laps(*process.view().model.surface, process.view().model.self_contact->state(),
+                    process.view().positions());
+  ASSERT_EQ(closed.size(), 1U);
+  EXPECT_TRUE(closed[0].closed);
+  EXPECT_EQ(closed[0].since, opened[0].since);
+  EXPECT_LT(closed[0].since, 1.0);
+  EXPECT_NEAR(closed[0].depth, opened[0].depth, 0.1 * opened[0].depth);
+  EXPECT_LE(closed[0].depth, 2.0);
 }
 
 } // namespace

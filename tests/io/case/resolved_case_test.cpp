@@ -110,7 +110,7 @@ Case full_case() {
   content.contact.method = ContactMethod::augmented;
   content.contact.max_penetration = 1e-3;
   content.solver.accuracy = Accuracy::draft;
-  content.remesh = Remesh{0.1, 1, 2, 0.5, 5, 4, 6, 4.5, "tet10", {"top"}};
+  content.remesh = Remesh{0.1, 1, 2, 0.5, 5, 4, 6, 4.5, "tet10", {"top"}, true};
   content.output.checkpoint_every = {1.5, false};
   return content;
 }
@@ -159,7 +159,17 @@ TEST(ResolvedCase, keeps_remeshing) {
   Case content = read(plane_case);
   content.remesh = Remesh{};
   expect_round_trip(content);
-  content.remesh = Remesh{0.1 + 0.2, 1.0 / 3.0, 2, 0.25, 4, 3, 6, 5, "tri6", {"top", "a rim"}};
+  content.remesh =
+      Remesh{0.1 + 0.2, 1.0 / 3.0, 2, 0.25, 4, 3, 6, 5, "tri6", {"top", "a rim"}, false};
+  expect_round_trip(content);
+}
+
+TEST(ResolvedCase, keeps_what_ends_a_run) {
+  Case content = read(plane_case);
+  content.stop = {.on_full_cavity = false,
+                  .on_tools_overloaded = false,
+                  .on_tools_together = false,
+                  .on_lap = 0.1};
   expect_round_trip(content);
 }
 
