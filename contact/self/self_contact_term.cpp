@@ -164,6 +164,11 @@ SelfContactTerm::SelfContactTerm(const ContactSurface& surface,
 }
 
 void SelfContactTerm::start(std::span<const double> x) {
+  // On a new mesh the way to the present may be gone several times, each from another beginning.
+  state_ = SelfContactState{};
+  state_.points.resize(surface_->n_points());
+  state_.ahead.resize(surface_->n_points());
+  std::fill(trial_.begin(), trial_.end(), SelfTraction{});
   look_ahead(*surface_, x, mean_depth(*surface_), true, state_);
   if (!state_.any_ahead)
     return;
