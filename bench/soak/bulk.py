@@ -238,7 +238,8 @@ def spike(draw):
     scene.box(draw.plane_element(), (0, 0), (radius, height), 220)
     scene.support("x = 0", "x")
     scene.plate("lower", 0)
-    line = rounded([(-hole, deep, 0), (pole, deep, 0.3 * pole), (hole, 0, draw.between(0.1, 0.25) * radius), (FAR * radius, 0, 0)])
+    fillet = draw.between(0.1, 0.25) * radius
+    line = rounded([(-hole, deep, 0), (pole, deep, 0.3 * pole), (hole, 0, fillet), (FAR * radius, 0, 0)])
     scene.falling_die("upper", line, height, way / end)
     scene.remesh()
     return scene.job(f"hole {hole / radius:.2f} R, H/D {slender:.2f}, down by {share:.0%}", end)

@@ -54,8 +54,9 @@ def metal(draw):
     if draw.chance(0.25):
         name = draw.one(*LIBRARY)
         return name, f'library = "{name}"', *LIBRARY[name]
-    law, strength = draw.one("perfect", "linear", "swift", "swift", "ludwik", "voce", "hockett-sherby", "table", "norton-hoff",
-                             "perzyna", "johnson-cook"), draw.log(100, 700)
+    law = draw.one("perfect", "linear", "swift", "swift", "ludwik", "voce", "hockett-sherby", "table", "norton-hoff",
+                   "perzyna", "johnson-cook")
+    strength = draw.log(100, 700)
     if law == "norton-hoff":
         strength = draw.log(30, 120)
     s, share = strength, draw.between(0.1, 1)
@@ -69,8 +70,8 @@ def metal(draw):
         "table": f"points = [[0, {0.6 * s:.4g}], [0.05, {0.8 * s:.4g}], [0.3, {s}], [1, {1.2 * s:.4g}]]",
         "norton-hoff": f"K = {s / math.sqrt(3):.4g}, m = {0.25 * share:.3g}, n = {draw.one(0, 0.1)}, eps0 = 0.02",
         "perzyna": f'eta = 1e-3, m = {0.3 * share:.3g}, base = {{ law = "swift", K = {s}, eps0 = 0.01, n = 0.15 }}',
-        "johnson-cook": f"A = {0.5 * s:.4g}, B = {0.6 * s:.4g}, n = 0.3, C = {0.03 * share:.3g}, rate0 = 1, m = 1, T_room = 20, "
-                        "T_melt = 1400",
+        "johnson-cook": f"A = {0.5 * s:.4g}, B = {0.6 * s:.4g}, n = 0.3, C = {0.03 * share:.3g}, rate0 = 1, m = 1, "
+                        "T_room = 20, T_melt = 1400",
     }
     young = 70e3 if s < 200 else draw.one(110e3, 210e3)
     text = f'elastic = {{ young = {young:g}, poisson = {draw.one(0.3, 0.34)} }}\nflow = {{ law = "{law}", {keys[law]} }}'
@@ -88,7 +89,8 @@ def friction(draw, strength, speed, oiled):
         f'{{ law = "coulomb", mu = {mu}, cap = "shear-yield" }}',
         f'{{ law = "coulomb", mu = {mu}, cap = "shear-yield", evolution = [[0, 1], [5, 1.5]] }}',
         f'{{ law = "tresca", m = {m} }}', f'{{ law = "tresca", m = {m} }}', f'{{ law = "levanov", m = {m} }}',
-        f'{{ law = "shaw", k = "shear-yield", f = {m} }}', f'{{ law = "asperity", m_local = {m}, k = "shear-yield", f = {m} }}',
+        f'{{ law = "shaw", k = "shear-yield", f = {m} }}',
+        f'{{ law = "asperity", m_local = {m}, k = "shear-yield", f = {m} }}',
         f'{{ law = "thick-film", viscosity = {0.02 * m * strength / speed:.3g}, film = 0.1 }}',
         f'{{ law = "viscoplastic", beta = {shear}, v0 = {speed:.3g}, mv = 0.2 }}',
         '{ law = "frictionless" }' if oiled else '{ law = "sticking" }', '{ law = "frictionless" }')

@@ -112,7 +112,8 @@ def mapped_mesh(kind, cells, place):
         if kind == "quad8" and node[0] % 2 and node[1] % 2:
             continue
         number[node] = len(number) + 1
-        lines.append(f"{number[node]}, " + ", ".join(f"{x:.9g}" for x in place(*(i / step / n for i, n in zip(node, cells)))))
+        point = place(*(i / step / n for i, n in zip(node, cells)))
+        lines.append(f"{number[node]}, " + ", ".join(f"{x:.9g}" for x in point))
     ring = [(0, 0), (step, 0), (step, step), (0, step)]
     corners = ring if len(cells) == 2 else [(*c, 0) for c in ring] + [(*c, 1) for c in ring]
     corners = corners + ([(1, 0), (2, 1), (1, 2), (0, 1)] if kind == "quad8" else [])

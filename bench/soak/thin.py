@@ -16,20 +16,22 @@ def bending(draw):
     left, right = (0.0, span + 0.7 * way + 2 * thick) if air else (-6 * thick, edge + way)
     cells = [max(8, round((right - left) / (0.6 * thick))), layers]
     scene.mesh("quad8", f"box = [[{left}, 0], [{right:.6g}, {thick}]], cells = {cells}")
-    motion = f"velocity = [0, {-way / end:.6g}]"
     if air:
         scene.support("x = 0", "x")
         scene.tool("die", f"circle = {{ centre = [{span:.6g}, {-edge}], radius = {edge} }}")
-        scene.tool("punch", f"circle = {{ centre = [0, {thick + nose:.8g}], radius = {nose} }}", motion)
+        scene.tool("punch", f"circle = {{ centre = [0, {thick + nose:.8g}], radius = {nose} }}",
+                   f"velocity = [0, {-way / end:.6g}]")
     else:
         scene.support(f"x = {left}", "xy")
         scene.die("die", rounded([(edge, -20 * thick, 0), (edge, 0, edge), (left - thick, 0, 0)]))
         scene.die("pad", rounded([(left - thick, thick, 0), (0, thick, 0.3 * thick), (0, 4 * thick, 0)]))
         gap = edge + thick * draw.between(1.05, 1.3)
-        scene.falling_die("punch", rounded([(gap, 10 * thick, 0), (gap, 0, nose), (gap + 30 * thick, 0, 0)]), 1.0001 * thick, way / end)
+        edge_line = rounded([(gap, 10 * thick, 0), (gap, 0, nose), (gap + 30 * thick, 0, 0)])
+        scene.falling_die("punch", edge_line, 1.0001 * thick, way / end)
     scene.stage("bend", end)
     scene.stage("spring back", 1.1 * end, "unload = true")
-    return scene.job(f"{'air' if air else 'wiping'}, t {thick}, radius {nose / thick:.1f} t, by {way / thick:.1f} t", 1.1 * end, True)
+    return scene.job(f"{'air' if air else 'wiping'}, t {thick}, radius {nose / thick:.1f} t, by {way / thick:.1f} t",
+                     1.1 * end, True)
 
 
 def folding(draw):
@@ -75,7 +77,8 @@ def tube(draw):
     scene.support(f"y = {-length}", "xy")
     if kind == "curl":
         pin = inner - 0.01 * thick
-        line = [(-pin, -length / 3, 0), (pin - 0.3 * thick, -length / 3, 0), (pin, -length / 3 + 0.3 * thick, 0), (pin, 0, 0),
+        low, blunt = -length / 3, 0.3 * thick
+        line = [(-pin, low, 0), (pin - blunt, low, 0), (pin, low + blunt, 0), (pin, 0, 0),
                 (pin + groove, groove, -groove), (pin + 2 * groove, 0, -groove),
                 (pin + 2 * groove + 0.5 * thick, -0.5 * thick, 0.5 * thick), (pin + 9 * groove, -0.5 * thick, 0)]
     else:
@@ -94,14 +97,15 @@ def cup(draw):
     hole, flange = radius + 1.3 * thick, thick * draw.between(7, 12)
     blank, way = hole + edge + flange, draw.way(0.4, 0.9) * (edge + flange)   # the holder keeps a part of the flange
     scene = Scene(draw, "axisymmetric", way / end, oiled=True)
-    scene.mesh("quad8", f"box = [[0, 0], [{blank:.6g}, {thick}]], cells = [{round(blank / thick * (0.7 if draw.small else 1.2))}, {layers}]")
+    along = round(blank / thick * (0.7 if draw.small else 1.2))
+    scene.mesh("quad8", f"box = [[0, 0], [{blank:.6g}, {thick}]], cells = [{along}, {layers}]")
     scene.support("x = 0", "x")
     scene.die("die", rounded([(FAR * blank, 0, 0), (hole, 0, edge), (hole, -5 * radius, 0)]))
-    scene.die("punch", rounded([(-radius, 0, 0), (radius, 0, nose), (radius, 5 * radius, 0)]), f"velocity = [0, {-way / end:.6g}]",
-              more=f"place = {{ translate = [0, {thick}] }}")
+    scene.falling_die("punch", rounded([(-radius, 0, 0), (radius, 0, nose), (radius, 5 * radius, 0)]), thick, way / end)
     force = 0.005 * scene.strength * math.pi * (blank ** 2 - (hole + edge) ** 2)
     scene.die("holder", rounded([(hole + edge / 2, 9 * thick, 0), (hole + edge / 2, thick, thick), (FAR * blank, thick, 0)]),
               f"force = {{ direction = [0, -1], value = {force:.4g} }}", more="touch = true")
     scene.stage("draw", end)
     scene.stage("spring back", 1.1 * end, "unload = true")
-    return scene.job(f"ratio {blank / radius:.2f}, R/t {radius / thick:.0f}, by {way / radius:.0%} of radius", 1.1 * end, True)
+    return scene.job(f"ratio {blank / radius:.2f}, R/t {radius / thick:.0f}, by {way / radius:.0%} of radius", 1.1 * end,
+                     True)
