@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <gmp.h>
 #include <pthread.h>
+#include <signal.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -63,7 +64,25 @@ void* reallocated(void* block, std::size_t, std::size_t size) {
   return found(std::realloc(block, size));
 }
 
+/// VTK uses what it could not allocate, and its destructors what was not made. Where there is
+/// memory a fault ends the program as it would have without this.
+void end_after_fault(int signal) noexcept {
+  constexpr std::size_t little = 4096;
+  if (std::malloc(little) == nullptr)
+    end_without_memory();
+  ::signal(signal, SIG_DFL); // and once more
+}
+
+void watch_faults() noexcept {
+#ifndef __SANITIZE_ADDRESS__ // which tells more of them
+  struct sigaction action {};
+  action.sa_handler = &end_after_fault;
+  ::sigaction(SIGSEGV, &action, nullptr);
+#endif
+}
+
 void prepare(int, char**, char**) {
+  watch_faults();
   std::set_terminate(&end_after_exception);
   mp_set_memory_functions(&allocated, &reallocated, nullptr);
 }

@@ -253,6 +253,8 @@ def hammer(draw):
     scene.box(draw.plane_element(), (0, 0), (radius, height), 200)
     scene.support("x = 0", "x")
     scene.plate("anvil", 0)
+    if draw.chance(0.5):
+        scene.remesh()
     scene.plane("tup", (0, height), (0, -1), f'press = {{ kind = "hammer", direction = [0, -1], energy = {energy:.5g}, '
                                              f"velocity = {speed}, efficiency = {draw.one(1.0, 0.9)} }}")
     for blow in range(1, blows + 1):

@@ -44,7 +44,11 @@ double RamTerm::accelerating(std::size_t tool, double time) const {
 
 void RamTerm::strike(std::size_t tool, double time) {
   const geometry::Blow& blow = *tools_[tool].motion.force->blow;
-  flight(tool).ram = Ram{blow.mass, blow.speed, accelerating(tool, time)};
+  go_on(tool, blow.mass, blow.speed, time);
+}
+
+void RamTerm::go_on(std::size_t tool, double mass, double speed, double time) {
+  flight(tool).ram = Ram{mass, speed, accelerating(tool, time)};
   contact_->activity().hold(tool, false);
 }
 

@@ -27,6 +27,8 @@ public:
 
   /// Lets a tool fly at the speed of its blow from the committed state on.
   void strike(std::size_t tool, double time);
+  /// Lets a tool go on with a mass and a speed from the committed state on.
+  void go_on(std::size_t tool, double mass, double speed, double time);
   /// Stops it where it is: it holds its place from now on.
   void stop(std::size_t tool);
   /// The ram of a tool that is under way.

@@ -40,6 +40,7 @@ gaps_of(const contact::Tool& tool, double time, std::span<const Vec3> points, do
   std::vector<geometry::Projection> feet(places.size());
   tool.surface->project(places, reach, feet);
   std::vector<double> gaps;
+  gaps.reserve(feet.size());
   for (const geometry::Projection& foot : feet)
     gaps.push_back(foot.gap);
   return gaps;

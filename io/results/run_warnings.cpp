@@ -177,6 +177,18 @@ void on_walls_that_met(const process::Run& run, const Case& content, Lines& line
       content.units.time, deepest.closed ? "closed" : "open"));
 }
 
+void on_met_walls(const process::Run& run, const Case& content, Lines& lines) {
+  for (const process::Wall& wall : run.state.walls)
+    if (wall.met)
+      lines.push_back(fmt::format(
+          "warning: metal came to {} from outside, between ({:.6g}, {:.6g}, {:.6g}) and ({:.6g}, "
+          "{:.6g}, {:.6g}) {}, first at t = {:.6g} {}: {}",
+          process::name_of_wall(wall), wall.met->box.low.x(), wall.met->box.low.y(),
+          wall.met->box.low.z(), wall.met->box.high.x(), wall.met->box.high.y(),
+          wall.met->box.high.z(), content.units.length, wall.met->since, content.units.time,
+          wall.axis ? "a bore is closed there" : "there it has met its image, a lap"));
+}
+
 void on_laps(const process::Run& run, const Case& content, Lines& lines) {
   for (const process::Lap& lap : process::laps(run))
     lines.push_back(fmt::format(
@@ -335,6 +347,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   on_overlapping_tools(run, content_->units, lines);
   on_initial_penetrations(run, content_->units, lines);
   on_walls_that_met(run, *content_, lines);
+  on_met_walls(run, *content_, lines);
   on_laps(run, *content_, lines);
   warn_of_elements(run, lines);
   warn_of_metal(run, lines);

@@ -146,6 +146,19 @@ std::string_view words_of(process::EndedBy reason) {
   return "end of time";
 }
 
+ordered_json met_walls_json(const process::Run& run) {
+  ordered_json all = ordered_json::array();
+  for (const process::Wall& wall : run.state.walls)
+    if (wall.met) {
+      const auto& [low, high] = wall.met->box;
+      all.push_back({{"wall", process::name_of_wall(wall)},
+                     {"since", wall.met->since},
+                     {"from", {low[0], low[1], low[2]}},
+                     {"to", {high[0], high[1], high[2]}}});
+    }
+  return all;
+}
+
 ordered_json blows_json(const process::Run& run) {
   ordered_json blows = ordered_json::array();
   for (const process::BlowReport& blow : run.blows())
@@ -268,6 +281,8 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
       summary["self_contact"] = std::move(self);
   if (ordered_json laps = laps_json(run); !laps.empty())
     summary["laps"] = std::move(laps);
+  if (ordered_json walls = met_walls_json(run); !walls.empty())
+    summary["met_walls"] = std::move(walls);
   summary["energy"] = energy_json(run.state.energy);
   summary["ended_by"] = words_of(run.state.ended_by);
   if (!run.blows().empty())

@@ -219,16 +219,20 @@ void add_loads(const Case& content, Selector& select, process::Scene& scene) {
     if (const auto* pressure = std::get_if<PressureLoad>(&load.kind))
       scene.part.loads.emplace_back(
           process::PressureOn{select.faces(load.where), pressure->pressure});
-    else if (const auto* traction = std::get_if<TractionLoad>(&load.kind))
+    else if (const auto* traction = std::get_if<TractionLoad>(&load.kind)) {
+      const std::vector<Face> faces = select.faces(load.where);
       scene.part.loads.emplace_back(process::DeadForces{
-          mechanics::traction_forces(scene.part.mesh, scene.part.analysis, select.faces(load.where),
+          mechanics::traction_forces(scene.part.mesh, scene.part.analysis, faces,
                                      traction->traction),
-          traction->amplitude});
-    else
+          traction->amplitude,
+          {.faces = faces, .tractions = std::vector<Vec3>(faces.size(), traction->traction)}});
+    } else {
+      const Vec3 force = std::get<BodyForce>(load.kind).force;
       scene.part.loads.emplace_back(
-          process::DeadForces{mechanics::body_forces(scene.part.mesh, scene.part.analysis,
-                                                     std::get<BodyForce>(load.kind).force),
-                              TimeFunction(1.0)});
+          process::DeadForces{mechanics::body_forces(scene.part.mesh, scene.part.analysis, force),
+                              TimeFunction(1.0),
+                              {.faces = {}, .tractions = {}, .body = force}});
+    }
   }
 }
 
@@ -341,15 +345,18 @@ void add_stages(const Case& content, process::Scene& scene) {
   }
 }
 
-/// Whether nodes are all there are, or faces, edges and corners of the boundary: those a new mesh
-/// has, too.
-bool on_boundary(const Mesh& mesh,
-                 const std::vector<Face>& boundary,
-                 const std::vector<Index>& nodes) {
+/// Whether nodes lie inside the part, or are faces, edges and corners of its boundary: those a new
+/// mesh has, too.
+bool can_be_carried(const Mesh& mesh,
+                    const std::vector<Face>& boundary,
+                    const std::vector<Index>& nodes) {
   std::vector<char> wanted(mesh.points.size(), 0);
   for (const Index node : nodes)
     wanted[idx(node)] = 1;
-  std::vector<char> found(mesh.points.size(), 0);
+  std::vector<char> found(mesh.points.size(), 1);
+  for (const Face& face : boundary)
+    for (const Index node : face.nodes)
+      found[idx(node)] = 0;
   for (const Face& face : boundary) {
     const bool whole = std::all_of(face.nodes.begin(), face.nodes.end(),
                                    [&](Index a) { return wanted[idx(a)] != 0; });
@@ -378,17 +385,11 @@ void require_remeshable(const Case& content,
   if (content.remesh->element && *content.remesh->element != element)
     refuse(fmt::format("element = \"{}\" is", *content.remesh->element),
            fmt::format("element = \"{}\"", element));
-  for (const Load& load : content.loads)
-    if (!std::holds_alternative<PressureLoad>(load.kind))
-      refuse("tractions and body forces are", "use pressure, or leave [remesh] out");
-  for (const contact::Tool& tool : scene.tools)
-    if (tool.motion.force && tool.motion.force->blow)
-      refuse(fmt::format("tool '{}', a press that strikes, is", tool.name), "leave [remesh] out");
   const std::vector<Face> boundary = mechanics::boundary_faces(scene.part.mesh);
   for (const process::Support& support : scene.part.supports)
-    if (!on_boundary(scene.part.mesh, boundary, support.nodes))
-      refuse("a support of nodes inside the part, or of the middle of a side alone, is",
-             "support whole sides, corners or all nodes");
+    if (!can_be_carried(scene.part.mesh, boundary, support.nodes))
+      refuse("a support of the middle of a side alone is",
+             "support whole sides, corners, nodes inside the part or all nodes");
   for (const std::string& name : content.remesh->keep)
     if (!scene.part.mesh.node_sets.contains(name))
       throw Error(Fault::case_file, place,

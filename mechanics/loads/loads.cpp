@@ -169,28 +169,60 @@ std::unique_ptr<Load> make_dead_load(std::vector<double> forces, TimeFunction am
   return std::make_unique<DeadLoad>(std::move(forces), std::move(amplitude));
 }
 
-std::vector<double> traction_forces(const Mesh& mesh,
-                                    Analysis analysis,
-                                    const std::vector<Face>& faces,
-                                    const Vec3& traction) {
-  const std::vector<double> x = node_positions(mesh);
-  std::vector<double> forces(x.size(), 0.0);
+namespace {
+
+/// Calls `at_point(f, point)` for the points of the full rule on each of several faces.
+template <class AtPoint>
+void integrate(const Mesh& mesh,
+               Analysis analysis,
+               const std::vector<Face>& faces,
+               std::span<const double> x,
+               const AtPoint& at_point) {
   visit_face(mesh.kind, [&](auto shape) {
     using Shape = decltype(shape);
     using Rule = typename FaceRules<Shape>::Full;
     constexpr int dim = Shape::dim + 1;
     std::array<double, static_cast<std::size_t>(Shape::nodes * dim)> local{};
-    for (const Face& face : faces) {
-      gather(x, face.nodes, dim, local.data());
-      for (int i = 0; i < Rule::points; ++i) {
-        const FacePoint<Shape> at(analysis, local.data(), Rule::point(i), Rule::weight(i));
-        for (std::size_t a = 0; a < Shape::nodes; ++a)
-          for (int d = 0; d < dim; ++d)
-            forces[idx(face.nodes[a] * dim + d)] += at.N[a] * at.measure * traction[d];
-      }
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      gather(x, faces[f].nodes, dim, local.data());
+      for (int i = 0; i < Rule::points; ++i)
+        at_point(f, FacePoint<Shape>(analysis, local.data(), Rule::point(i), Rule::weight(i)));
     }
   });
+}
+
+} // namespace
+
+std::vector<double> traction_forces(const Mesh& mesh,
+                                    Analysis analysis,
+                                    const std::vector<Face>& faces,
+                                    std::span<const Vec3> tractions) {
+  const std::vector<double> x = node_positions(mesh);
+  std::vector<double> forces(x.size(), 0.0);
+  const int dim = mesh.dimension();
+  integrate(mesh, analysis, faces, x, [&](std::size_t f, const auto& at) {
+    for (std::size_t a = 0; a < at.nodes; ++a)
+      for (int d = 0; d < dim; ++d)
+        forces[idx(faces[f].nodes[a] * dim + d)] += at.N[a] * at.measure * tractions[f][d];
+  });
   return forces;
+}
+
+std::vector<double> traction_forces(const Mesh& mesh,
+                                    Analysis analysis,
+                                    const std::vector<Face>& faces,
+                                    const Vec3& traction) {
+  return traction_forces(mesh, analysis, faces, std::vector<Vec3>(faces.size(), traction));
+}
+
+std::vector<double> face_areas(const Mesh& mesh,
+                               Analysis analysis,
+                               const std::vector<Face>& faces,
+                               std::span<const double> x) {
+  std::vector<double> areas(faces.size(), 0.0);
+  integrate(mesh, analysis, faces, x,
+            [&](std::size_t f, const auto& at) { areas[f] += at.measure; });
+  return areas;
 }
 
 std::vector<double> body_forces(const Mesh& mesh, Analysis analysis, const Vec3& force) {

@@ -47,11 +47,27 @@ private:
 [[nodiscard]] std::unique_ptr<Load> make_dead_load(std::vector<double> forces,
                                                    TimeFunction amplitude);
 
-/// Nodal forces of a traction per initial area of faces [N]; shape (n_dofs).
+/// Nodal forces of tractions per initial area of faces [N]; shape (n_dofs).
+///
+/// @param tractions  of each face [MPa]
+[[nodiscard]] std::vector<double> traction_forces(const Mesh& mesh,
+                                                  Analysis analysis,
+                                                  const std::vector<Face>& faces,
+                                                  std::span<const Vec3> tractions);
+
+/// Likewise, the same traction on all of them.
 [[nodiscard]] std::vector<double> traction_forces(const Mesh& mesh,
                                                   Analysis analysis,
                                                   const std::vector<Face>& faces,
                                                   const Vec3& traction);
+
+/// Areas of faces; in plane strain lengths, in axisymmetry of the whole turn [mm^2].
+///
+/// @param x  positions of the nodes, shape (n_dofs) [mm]
+[[nodiscard]] std::vector<double> face_areas(const Mesh& mesh,
+                                             Analysis analysis,
+                                             const std::vector<Face>& faces,
+                                             std::span<const double> x);
 
 /// Nodal forces of a body force per initial volume [N]; shape (n_dofs).
 [[nodiscard]] std::vector<double>

@@ -49,7 +49,7 @@ EnergyBalance balance_of(const Run& run,
 
 double work_of_supports(const Run& run, double dt) {
   double work = 0.0;
-  for (const Index i : prescribed(run, run.state.time + dt).unknowns)
+  for (const Index i : prescribed_by_supports(run, run.state.time + dt).unknowns)
     work += 0.5 * (run.state.reactions[idx(i)] + run.model.newton->residual()[idx(i)]) *
             (run.attempt.x[idx(i)] - run.state.x[idx(i)]);
   return work;

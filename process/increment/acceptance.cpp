@@ -3,6 +3,7 @@
 #include "geometry/base/outcome.h"
 #include "mechanics/elements/mesh_check.h"
 #include "process/increment/penetration_limit.h"
+#include "process/increment/symmetry_walls.h"
 #include "process/scene/scene.h"
 #include "process/state/mesh_quality.h"
 #include "process/state/model.h"
@@ -111,6 +112,8 @@ Outcome<Done> check_solution(Run& run, double dt, double force_scale) {
   run.attempt.inside_out = false;
   if (Outcome<Done> sound = plausible(run, dt, force_scale); !sound)
     return sound;
+  if (Outcome<Done> outside = check_walls(run); !outside)
+    return outside;
   if (Outcome<Done> outside = check_self_passages(run, dt); !outside)
     return outside;
   if (Outcome<Done> outside = check_passages(run, dt); !outside)

@@ -4,6 +4,7 @@
 #include "process/increment/force_floor.h"
 #include "process/increment/penetration_limit.h"
 #include "process/increment/snapshots.h"
+#include "process/increment/symmetry_walls.h"
 #include "process/state/run.h"
 #include "process/state/unknowns.h"
 
@@ -50,7 +51,7 @@ void commit(Run& run, double dt) {
     run.state.energy.stabilization += run.model.stabilization->work_in(trial);
     of_stabilization = run.model.stabilization->force_in(trial);
   }
-  for (const Index i : prescribed(run, run.state.time + dt).unknowns)
+  for (const Index i : prescribed_by_supports(run, run.state.time + dt).unknowns)
     run.state.reactions[idx(i)] = run.model.newton->residual()[idx(i)];
   run.state.last_step.resize(run.state.x.size());
   for (std::size_t i = 0; i < run.state.x.size(); ++i) {
@@ -78,6 +79,8 @@ void accept(Run& run, double dt) {
     run.state.record.events.push_back(std::exchange(run.state.record.refusal_event, {}));
   if (!run.state.record.penalty_event.empty())
     run.state.record.events.push_back(std::exchange(run.state.record.penalty_event, {}));
+  for (std::string& line : hold_on_walls(run))
+    run.state.record.events.push_back(std::move(line));
   ++run.state.increment;
   run.state.counters.iterations += run.attempt.iterations;
   if (run.state.increment == run.state.mesh.increment + 1)

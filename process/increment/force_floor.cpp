@@ -47,7 +47,7 @@ void note_largest_force(Run& run, double of_stabilization) {
     if (force > far_above * of_stabilization)
       run.state.forces.largest = std::max(run.state.forces.largest, force);
   };
-  for (const Index i : prescribed(run, run.state.time).unknowns)
+  for (const Index i : prescribed_by_supports(run, run.state.time).unknowns)
     note(std::abs(run.state.reactions[idx(i)]));
   if (run.model.contact)
     for (const contact::ToolLoad& load : run.model.contact->loads())

@@ -3,6 +3,7 @@
 #include "geometry/base/box.h"
 #include "geometry/base/stopwatch.h"
 #include "process/increment/force_floor.h"
+#include "process/increment/symmetry_walls.h"
 #include "process/loop/early_end.h"
 #include "process/loop/stage_loop.h"
 #include "process/loop/stored_run.h"
@@ -14,6 +15,7 @@
 #include "process/stages/driven_tools.h"
 #include "process/stages/overlap.h"
 #include "process/stages/stage_start.h"
+#include "process/state/mesh_quality.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
 
@@ -38,6 +40,8 @@ Scene prepared(Scene scene) {
 
 Process::Process(Scene scene) : run_(prepared(std::move(scene))) {
   run_.model.newton->set_force_floor(force_floor(run_, run_.state.time));
+  run_.state.mesh.first_side = mean_side(run_.mesh());
+  find_walls(run_);
   if (run_.scene.remesh)
     start_remeshing(run_);
   start_stage(run_, run_.scene.stages.front()); // only its tools have to lie right at the start

@@ -7,6 +7,7 @@
 #include "process/increment/flight_increment.h"
 #include "process/increment/increment_report.h"
 #include "process/increment/penalty_control.h"
+#include "process/increment/symmetry_walls.h"
 #include "process/increment/up_to_touch.h"
 #include "process/increment/work_criteria.h"
 #include "process/loop/early_end.h"
@@ -121,9 +122,12 @@ StageLoop::Step StageLoop::next_step() {
                            : step_towards(left, std::min(control.next(), longest_for_blows(run_)));
   const bool ends_before_touches =
       progress_.failures == 0 && progress_.wary > 0 && !control.in_parts();
-  const double length = ends_before_touches ? std::max(up_to_touch(run_, whole),
-                                                       std::min(whole, progress_.limits.min))
-                                            : whole;
+  const double touching = ends_before_touches ? std::max(up_to_touch(run_, whole),
+                                                         std::min(whole, progress_.limits.min))
+                                              : whole;
+  const double length = progress_.failures == 0 ? std::max(up_to_walls(run_, touching),
+                                                           std::min(touching, progress_.limits.min))
+                                                : touching;
   return {length, landing, length == left};
 }
 

@@ -23,22 +23,24 @@ Blows::Blows(std::span<const contact::Tool> tools,
              contact::ContactTerm& contact,
              double size,
              std::size_t n_nodal)
-    : tools_(tools), contact_(&contact), term_(contact, tools, n_nodal), size_(size) {}
+    : tools_(tools), contact_(&contact), term_(contact, tools, n_nodal), size_(size) {
+  for (std::size_t t = 0; t < tools.size(); ++t)
+    if (tools[t].motion.force && tools[t].motion.force->blow)
+      striking_.push_back(t);
+}
 
 Outcome<Done> Blows::begin(const Stage& stage,
                            double time,
                            std::span<const Vec3> points,
                            std::vector<double>& x) {
-  std::erase_if(current_, [&](const Current& blow) {
+  std::erase_if(current_, [&](const CurrentBlow& blow) {
     if (contact_->acts(blow.tool, time))
       return false;
     term_.stop(blow.tool);
     return true;
   });
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    const geometry::Motion& motion = tools_[t].motion;
-    const bool strikes = motion.force && motion.force->blow && contact_->acts(t, time);
-    if (!strikes || term_.moving(t) != nullptr)
+  for (const std::size_t t : striking_) {
+    if (!contact_->acts(t, time) || term_.moving(t) != nullptr)
       continue;
     if (Outcome<Done> touches = bring_to_touch(t, time, points, x); !touches)
       return touches;
@@ -79,7 +81,7 @@ double Blows::longest_step() const {
   constexpr double share_of_speed = 1.0 / 50.0;
   constexpr double share_of_body = 0.01;
   double longest = std::numeric_limits<double>::infinity();
-  for (const Current& blow : current_) {
+  for (const CurrentBlow& blow : current_) {
     const double first_speed = drive(blow.tool).blow->speed;
     // Towards its end a blow is short of speed, not of time.
     longest =
@@ -94,7 +96,7 @@ double Blows::longest_step() const {
 double Blows::first_step() const {
   constexpr double share_of_body = 1e-4;
   double first = std::numeric_limits<double>::infinity();
-  for (const Current& blow : current_)
+  for (const CurrentBlow& blow : current_)
     first = std::min(first, share_of_body * size_ / blow.ram.speed);
   return first;
 }
@@ -104,7 +106,7 @@ double Blows::first_step() const {
 std::optional<double> Blows::step_to_stop(const mechanics::Trial& trial) const {
   const double dt = trial.time - trial.time_old;
   std::optional<double> shortest;
-  for (const Current& blow : current_) {
+  for (const CurrentBlow& blow : current_) {
     const std::size_t i = term_.unknown(blow.tool);
     const double v0 = blow.ram.speed;
     const double v1 = blow.ram.speed_after(trial.x[i] - trial.x_old[i], dt);
@@ -121,7 +123,7 @@ std::optional<double> Blows::step_to_stop(const mechanics::Trial& trial) const {
   return shortest;
 }
 
-void Blows::take_in(const mechanics::Trial& trial, Current& blow) {
+void Blows::take_in(const mechanics::Trial& trial, CurrentBlow& blow) {
   const std::size_t i = term_.unknown(blow.tool);
   const double way = trial.x[i] - trial.x_old[i];
   const contact::Ram& ram = *term_.moving(blow.tool);
@@ -139,7 +141,7 @@ void Blows::take_in(const mechanics::Trial& trial, Current& blow) {
 
 std::vector<std::string> Blows::commit(const mechanics::Trial& trial) {
   std::vector<std::string> lines;
-  std::erase_if(current_, [&](Current& blow) {
+  std::erase_if(current_, [&](CurrentBlow& blow) {
     take_in(trial, blow);
     if (blow.ram.speed > still * drive(blow.tool).blow->speed)
       return false;
@@ -152,6 +154,17 @@ std::vector<std::string> Blows::commit(const mechanics::Trial& trial) {
     return true;
   });
   return lines;
+}
+
+void Blows::go_on_from(BlowRecord before, double time) {
+  current_ = std::move(before.current);
+  reports_ = std::move(before.reports);
+  for (const std::size_t t : striking_)
+    term_.stop(t);
+  for (CurrentBlow& blow : current_) {
+    term_.go_on(blow.tool, blow.ram.mass, blow.ram.speed, time);
+    blow.ram = *term_.moving(blow.tool);
+  }
 }
 
 bool Blows::under_way() const { return !current_.empty(); }

@@ -39,6 +39,21 @@ struct BlowReport {
   }
 };
 
+/// A blow under way.
+struct CurrentBlow {
+  std::size_t tool;
+  std::size_t report;
+  contact::Ram ram; ///< in the committed state
+
+  template <class Archive> void fields(Archive& archive) { archive(tool, report, ram); }
+};
+
+/// Blows under way and what is known of all.
+struct BlowRecord {
+  std::vector<CurrentBlow> current;
+  std::vector<BlowReport> reports;
+};
+
 class Blows {
 public:
   /// @pre tools and contact outlive it
@@ -71,20 +86,20 @@ public:
   [[nodiscard]] std::vector<std::string> commit(const mechanics::Trial& trial);
 
   [[nodiscard]] bool under_way() const;
+  /// Those of the tools that strike.
+  [[nodiscard]] const std::vector<std::size_t>& tools() const { return striking_; }
+  /// Where the travel of one of them stands among the unknowns.
+  [[nodiscard]] std::size_t unknown(std::size_t tool) const { return term_.unknown(tool); }
+
+  [[nodiscard]] BlowRecord record() const { return {current_, reports_}; }
+  /// Blows of another mesh go on from the committed state of contact; other tools stay where they
+  /// are.
+  void go_on_from(BlowRecord before, double time);
   [[nodiscard]] const std::vector<BlowReport>& reports() const { return reports_; }
 
   template <class Archive> void fields(Archive& archive) { archive(term_, current_, reports_); }
 
 private:
-  /// A blow under way.
-  struct Current {
-    std::size_t tool;
-    std::size_t report;
-    contact::Ram ram; ///< in the committed state
-
-    template <class Archive> void fields(Archive& archive) { archive(tool, report, ram); }
-  };
-
   [[nodiscard]] const geometry::Drive& drive(std::size_t tool) const {
     return *tools_[tool].motion.force;
   }
@@ -92,13 +107,14 @@ private:
                                double time,
                                std::span<const Vec3> points,
                                std::vector<double>& x);
-  void take_in(const mechanics::Trial& trial, Current& blow);
+  void take_in(const mechanics::Trial& trial, CurrentBlow& blow);
 
   std::span<const contact::Tool> tools_;
   contact::ContactTerm* contact_;
   contact::RamTerm term_;
-  double size_; ///< of the body [mm]
-  std::vector<Current> current_;
+  std::vector<std::size_t> striking_; ///< tools
+  double size_;                       ///< of the body [mm]
+  std::vector<CurrentBlow> current_;
   std::vector<BlowReport> reports_;
 };
 

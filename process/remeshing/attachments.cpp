@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
-#include <variant>
 
 namespace billet::process {
 
@@ -65,10 +64,9 @@ Attachments::Attachments(const Part& part, std::span<const int> touching)
 Attachment Attachments::of(const Face& face) const {
   Attachment result{on_all(nodes_.supports, face.nodes), {}, on_all(nodes_.sets, face.nodes)};
   for (const LoadSpec& load : part_->loads) {
-    const auto* pressure = std::get_if<PressureOn>(&load);
-    result.loads.push_back(static_cast<char>(
-        pressure != nullptr && std::any_of(pressure->faces.begin(), pressure->faces.end(),
-                                           [&](const Face& f) { return same_nodes(f, face); })));
+    const std::vector<Face>& faces = faces_of(load);
+    result.loads.push_back(static_cast<char>(std::any_of(
+        faces.begin(), faces.end(), [&](const Face& f) { return same_nodes(f, face); })));
   }
   const auto touched = touching_.find(face.nodes);
   result.contact = touched != touching_.end();
@@ -112,8 +110,7 @@ NodeLists set_lists(const Part& part, Index n_new) {
 std::vector<LoadSpec> loads_without_faces(const Part& part) {
   std::vector<LoadSpec> loads = part.loads;
   for (LoadSpec& load : loads)
-    if (auto* pressure = std::get_if<PressureOn>(&load))
-      pressure->faces.clear();
+    faces_of(load).clear();
   return loads;
 }
 

@@ -17,7 +17,7 @@ namespace billet::process {
 /// What hangs on a side or face, each as flags in the order of the scene.
 struct Attachment {
   std::vector<char> supports; ///< its nodes are held by the support
-  std::vector<char> loads;    ///< the pressure acts on it
+  std::vector<char> loads;    ///< the load acts on it
   std::vector<char> sets;     ///< its nodes are in the set
   bool contact = false;       ///< a candidate face
   int tool = -1;              ///< that touches it; -1: none
@@ -73,7 +73,7 @@ private:
 [[nodiscard]] NodeLists support_lists(const Part& part, Index n_new);
 [[nodiscard]] NodeLists set_lists(const Part& part, Index n_new);
 
-/// The scene's loads without the faces that pressures act on.
+/// The scene's loads without the faces on which they act.
 [[nodiscard]] std::vector<LoadSpec> loads_without_faces(const Part& part);
 
 } // namespace billet::process

@@ -3,6 +3,8 @@
 #include "geometry/base/error.h"
 #include "process/remeshing/attachments.h"
 #include "process/remeshing/contact_zones.h"
+#include "process/remeshing/dead_forces.h"
+#include "process/remeshing/inner_nodes.h"
 #include "process/remeshing/laps.h"
 #include "process/remeshing/onto_tools.h"
 #include "process/remeshing/part_boundary.h"
@@ -255,7 +257,10 @@ NewPart new_solid_part(const Run& run) {
 } // namespace
 
 NewPart new_part(const Run& run, const std::vector<geometry::SizeAt>& at) {
-  return run.mesh().dimension() == 2 ? new_plane_part(run, at) : new_solid_part(run);
+  NewPart anew = run.mesh().dimension() == 2 ? new_plane_part(run, at) : new_solid_part(run);
+  add_inner_nodes(run.part(), run.positions(), anew.part);
+  carry_dead_forces(run.part(), run.positions(), anew.part);
+  return anew;
 }
 
 } // namespace billet::process

@@ -390,7 +390,7 @@ RemeshedPart remesh_part(const Part& old,
     sets.add(attached.sets, face.nodes);
     for (std::size_t l = 0; l < part.loads.size(); ++l)
       if (attached.loads[l] != 0)
-        std::get<PressureOn>(part.loads[l]).faces.push_back(face);
+        faces_of(part.loads[l]).push_back(face);
     if (attached.contact) {
       part.contact_faces.push_back(face);
       part.places.push_back({domain.corner_places[s], domain.middle_places[s], place_after(s)});

@@ -5,6 +5,7 @@
 #include "process/increment/fallbacks.h"
 #include "process/increment/increment_report.h"
 #include "process/increment/snapshots.h"
+#include "process/increment/symmetry_walls.h"
 #include "process/remeshing/free_surface.h"
 #include "process/remeshing/mapped_states.h"
 #include "process/reports/run_reports.h"
@@ -49,9 +50,38 @@ void restore_part_volume(Run& run,
     run.state.x = before;
 }
 
+/// The way of a press that strikes from where it was in a state to where it is now: a parabola with
+/// the speed of the last increment, or even where it would have turned back on that. (P.47)
+LedPress led_press(std::size_t unknown, const Snapshot& from, const Snapshot& now) {
+  const double way = now.x[unknown] - from.x[unknown], time = now.time - from.time;
+  const double even = time > 0.0 ? way / time : 0.0;
+  if (now.last_step.empty() || time <= now.last_dt)
+    return {unknown, now.time, now.x[unknown], even, 0.0};
+  const double last = now.last_step[unknown] / now.last_dt;
+  const double acceleration = 2.0 * (last - even) / (time - now.last_dt);
+  const double speed = last + 0.5 * acceleration * now.last_dt; // the last one was in its middle
+  const double first = speed - acceleration * time;
+  if (speed * way < 0.0 || first * way < 0.0)
+    return {unknown, now.time, now.x[unknown], even, 0.0};
+  return {unknown, now.time, now.x[unknown], speed, acceleration};
+}
+
+/// Leads presses that strike from where they were in a state to where they are now. What a blow has
+/// done stays as it was.
+void lead_presses(Run& run, const Snapshot& from, const Snapshot& now) {
+  run.attempt.led.clear();
+  if (!run.model.blows)
+    return;
+  for (const std::size_t tool : run.model.blows->tools())
+    run.attempt.led.push_back(led_press(run.model.blows->unknown(tool), from, now));
+}
+
 /// Goes on from a state that has been mapped to the present mesh, and notes what that has changed.
+///
+/// @param end  of the way that is gone from there
 void start_from(Run& run,
                 const MappedState& at,
+                const Snapshot& end,
                 std::span<const contact::PointSource> sources,
                 RemeshReport& report) {
   const Snapshot& to = at.state;
@@ -79,6 +109,8 @@ void start_from(Run& run,
   }
   if (run.model.self_contact)
     run.model.self_contact->go_on_from(to.self_contact, sources, run.state.x);
+  lead_presses(run, to, end);
+  hold_where_on_walls(run);
   FieldIntegrals after = field_integrals(*run.model.bulk, to);
   after.volume = run.model.bulk->volume(run.state.x);
   report.returned = at.returned;
@@ -113,7 +145,7 @@ bool restore_balance(Run& run, RemeshReport& report) {
   const mechanics::Trial trial{run.state.time - dt, run.state.time, run.state.x, run.attempt.x};
   for (mechanics::ForceTerm* term : run.model.terms)
     term->commit(trial);
-  for (const Index i : prescribed(run, run.state.time).unknowns)
+  for (const Index i : prescribed_by_supports(run, run.state.time).unknowns)
     run.state.reactions[idx(i)] = run.model.newton->residual()[idx(i)];
   run.state.x = run.attempt.x;
   return true;
@@ -138,6 +170,7 @@ int solve_again(Run& run, const Snapshot& end) {
     const bool is_shortest = 0.5 * step < shortest * length;
     if (solve_by_any_way(run, step, {.failed_before = failures > 0 || is_shortest})) {
       commit(run, step);
+      hold_on_walls(run);
       if (lands)
         run.state.time = landing;
       control.accepted(step, run.attempt.iterations);
@@ -150,6 +183,25 @@ int solve_again(Run& run, const Snapshot& end) {
   }
   run.attempt.iterations = iterations;
   return run.state.time == end.time ? solved : 0;
+}
+
+/// What the shortest way may let a tool's force jump by, as a share of the budget: its forces are a
+/// little too low as a rule.
+constexpr double of_budget_at_once = 0.5;
+
+/// States to begin from in the order in which they are tried: in the plane the two latest, which
+/// are the least work, then the earliest on; in space, where forces jump by more after a short way,
+/// the earliest on.
+std::vector<const MappedState*> in_order_of_trial(const std::vector<MappedState>& begun,
+                                                  bool plane) {
+  constexpr std::size_t late = 2;
+  std::vector<const MappedState*> order;
+  for (std::size_t k = 1; plane && k <= late && k < begun.size(); ++k)
+    order.push_back(&begun[begun.size() - k]);
+  const std::size_t rest = begun.size() - order.size();
+  for (std::size_t k = 0; k < rest; ++k)
+    order.push_back(&begun[k]);
+  return order;
 }
 
 } // namespace
@@ -165,33 +217,39 @@ void re_equilibrate(Run& run,
   const double least =
       of_made * worst_quality(run.mesh(), std::span(mapped.now.state.x).first(run.n_nodal()));
   const auto goes_through = [&](const MappedState& from) {
-    start_from(run, from, mapped.sources, report);
+    start_from(run, from, mapped.now.state, mapped.sources, report);
     run.state.last_dt = mapped.now.state.last_dt; // the way ends at the pace that there is now
     report.again = restore_balance(run, report) ? solve_again(run, mapped.now.state) : 0;
     return report.again > 0;
   };
+  const std::vector<const MappedState*> ways = in_order_of_trial(mapped.begun, plane);
   const MappedState* best = nullptr;
-  const MappedState* here = nullptr; // what was gone through last
-  for (const MappedState& from : mapped.begun) {
-    here = goes_through(from) ? &from : nullptr;
-    const bool sound = here != nullptr && (!plane || here == &mapped.begun.back() ||
-                                           worst_quality(run.mesh(), run.positions()) > least);
-    if (!sound)
+  const MappedState* distorted = nullptr; // its mesh ended far from how it was made
+  const MappedState* here = nullptr;      // what was gone through last
+  for (const MappedState* from : ways) {
+    here = goes_through(*from) ? from : nullptr;
+    if (here == nullptr)
       continue;
+    if (plane && worst_quality(run.mesh(), run.positions()) <= least) {
+      distorted = distorted == nullptr ? from : distorted;
+      continue;
+    }
     // How metal finds its way into a gap is partly chance: from another beginning it goes
     // otherwise. Where none is within the budget the longest way is the best.
-    const bool meets = jump_from(run, forces) <= force_budget;
-    if (best == nullptr || meets)
-      best = here;
+    const bool at_once = plane && from == ways.front() && ways.size() > 1;
+    const bool meets = jump_from(run, forces) <= (at_once ? of_budget_at_once : 1.0) * force_budget;
+    if (best == nullptr || meets || from < best)
+      best = from;
     if (!plane || meets)
       break;
   }
+  best = best == nullptr ? distorted : best;
   if (best != nullptr && best != here)
     (void)goes_through(*best); // as it did before
   report.balanced = report.again > 0;
   if (report.balanced)
     return;
-  start_from(run, mapped.now, mapped.sources, report);
+  start_from(run, mapped.now, mapped.now.state, mapped.sources, report);
   const bool at_rest = run.state.increment == 0; // nothing has acted on the part yet
   report.balanced = at_rest || restore_balance(run, report);
 }

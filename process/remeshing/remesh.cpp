@@ -7,6 +7,7 @@
 #include "process/increment/force_floor.h"
 #include "process/increment/increment_report.h"
 #include "process/increment/snapshots.h"
+#include "process/increment/symmetry_walls.h"
 #include "process/remeshing/mapped_states.h"
 #include "process/remeshing/new_part.h"
 #include "process/remeshing/re_equilibrate.h"
@@ -20,6 +21,7 @@
 #include "process/state/state.h"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -37,6 +39,7 @@ exchange_mesh(Run& run, NewPart anew, const MappedStates& mapped) {
   run.state.leaving.decaying.clear();
   run.state.velocity = mapped.now.state.velocity;
   run.state.origins = mapped.origins;
+  take_held_nodes(run.state.walls, anew.part.supports);
   Part part{run.part().analysis, std::move(anew.part.mesh), std::move(anew.part.supports),
             std::move(anew.part.loads), std::move(anew.part.contact_faces)};
   const int dim = part.mesh.dimension();
@@ -46,6 +49,7 @@ exchange_mesh(Run& run, NewPart anew, const MappedStates& mapped) {
       run.state.origins[i] = mapped.now.state.x[i] - support.displacement(run.state.time);
     }
   rebuild(run, std::move(part), mapped.now.state.x);
+  note_nodes_off_walls(run);
   run.model.newton->set_force_floor(force_floor(run, run.state.time));
   if (!run.model.surface)
     return {};
@@ -110,9 +114,12 @@ Outcome<Done> remesh(Run& run,
   const double begun = seconds_now();
   RemeshReport report = report_of_old(run, cause);
   NewPart part;
+  const std::shared_ptr<const Part> before = run.state.part; // the model's until it is built anew
   try {
+    run.state.part = part_held_on_walls(run);
     part = new_part(run, at);
   } catch (const Error& error) {
+    run.state.part = before;
     run.state.mesh.refused_increment = run.state.increment;
     run.state.mesh.refused_quality = 0.5 * worst_quality(run.mesh(), run.positions());
     run.state.record.refusals.push_back({run.state.time, error.complaints().front().message});
@@ -126,11 +133,15 @@ Outcome<Done> remesh(Run& run,
   const std::vector<double> forces = forces_on_tools(run);
   report.laps = part.laps;
   MappedStates mapped = map_states(run, part.part);
+  BlowRecord blows = run.model.blows ? run.model.blows->record() : BlowRecord{};
   mapped.sources = exchange_mesh(run, std::move(part), mapped);
   const double exchanged = seconds_now();
   const long systems = run.solver_work().systems;
   const int wasted = run.state.counters.wasted_iterations;
   re_equilibrate(run, mapped, forces, report);
+  run.attempt.led.clear();
+  if (run.model.blows)
+    run.model.blows->go_on_from(std::move(blows), run.state.time);
   run.state.counters.remeshing_iterations += static_cast<int>(run.solver_work().systems - systems);
   run.state.counters.wasted_iterations = wasted; // its failed tries are among them
   note_mesh(run);

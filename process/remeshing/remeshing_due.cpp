@@ -103,7 +103,6 @@ std::optional<ContactZone> zone_to_refine(const Run& run) {
 } // namespace
 
 void start_remeshing(Run& run) {
-  run.state.mesh.first_side = mean_side(run.mesh());
   run.state.mesh.quality = worst_quality(run.mesh(), run.positions());
   run.state.mesh.aspect = aspect(run);
   run.state.mesh.excess = most_outgrown_side(run).excess;

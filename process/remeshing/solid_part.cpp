@@ -333,7 +333,7 @@ RemeshedPart remesh_part(const Part& old,
     sets.add(attached.sets, face.nodes);
     for (std::size_t l = 0; l < result.loads.size(); ++l)
       if (attached.loads[l] != 0)
-        std::get<PressureOn>(result.loads[l]).faces.push_back(face);
+        faces_of(result.loads[l]).push_back(face);
     if (attached.contact)
       result.contact_faces.push_back(face);
     for (std::size_t i = 0; i < 3; ++i) {

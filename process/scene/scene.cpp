@@ -66,6 +66,16 @@ bool in_span(const Eigen::MatrixXd& columns, const Eigen::VectorXd& vector) {
 
 } // namespace
 
+const std::vector<mechanics::Face>& faces_of(const LoadSpec& load) {
+  const auto* pressure = std::get_if<PressureOn>(&load);
+  return pressure != nullptr ? pressure->faces : std::get<DeadForces>(load).density.faces;
+}
+
+std::vector<mechanics::Face>& faces_of(LoadSpec& load) {
+  auto* pressure = std::get_if<PressureOn>(&load);
+  return pressure != nullptr ? pressure->faces : std::get<DeadForces>(load).density.faces;
+}
+
 int free_rigid_motions(const Part& part) {
   return static_cast<int>(free_space(gram_of_supports(part)).cols());
 }

@@ -42,15 +42,29 @@ struct PressureOn {
   template <class Archive> void fields(Archive& archive) { archive(faces, pressure); }
 };
 
+/// What nodal forces come from, for another mesh of the part: tractions on faces, or a body force.
+struct DeadForceDensity {
+  std::vector<mechanics::Face> faces;
+  std::vector<Vec3> tractions; ///< on each, per area of the mesh as it was made [MPa]
+  Vec3 body = Vec3::Zero();    ///< per volume of that mesh [N/mm^3]
+
+  template <class Archive> void fields(Archive& archive) { archive(faces, tractions, body); }
+};
+
 /// Nodal forces with an amplitude over time.
 struct DeadForces {
   std::vector<double> forces; ///< shape (n_dofs) [N]
   TimeFunction amplitude;     ///< [-]
+  DeadForceDensity density{}; ///< empty: of single nodes
 
-  template <class Archive> void fields(Archive& archive) { archive(forces, amplitude); }
+  template <class Archive> void fields(Archive& archive) { archive(forces, amplitude, density); }
 };
 
 using LoadSpec = std::variant<PressureOn, DeadForces>;
+
+/// The faces on which a load acts; empty: on the whole part or on single nodes.
+[[nodiscard]] const std::vector<mechanics::Face>& faces_of(const LoadSpec& load);
+[[nodiscard]] std::vector<mechanics::Face>& faces_of(LoadSpec& load);
 
 /// One operation; it lasts from the end of the one before.
 struct Stage {

@@ -4,9 +4,24 @@
 
 #include "contact/term/contact_term.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace billet::process {
+
+/// A press that strikes, led along the way that it has been before.
+struct LedPress {
+  std::size_t unknown = 0;   ///< its travel
+  double from = 0.0;         ///< [s]
+  double travel = 0.0;       ///< at that time [mm]
+  double speed = 0.0;        ///< likewise [mm/s]
+  double acceleration = 0.0; ///< [mm/s^2]
+
+  [[nodiscard]] double at(double time) const {
+    const double since = time - from;
+    return travel + since * (speed + 0.5 * acceleration * since);
+  }
+};
 
 /// The last attempt, and what was found about it. Dropped where an increment is refused; where one
 /// is accepted its unknowns become those of the state.
@@ -24,7 +39,8 @@ struct Attempt {
   bool hardly_touches = false;      ///< forces count as none in it
   /// Points that kept changing in the last one that had any.
   std::vector<contact::ChatteringPoint> chattering;
-  long systems_before = 0; ///< linear systems solved before it
+  std::vector<LedPress> led; ///< while a way is gone again on a new mesh; else empty
+  long systems_before = 0;   ///< linear systems solved before it
 
   /// What a run that is stored between increments goes on with.
   template <class Archive> void fields(Archive& archive) {

@@ -208,6 +208,32 @@ struct Counters {
   }
 };
 
+/// Where metal has come to a wall, and since when.
+struct MetWall {
+  double since = 0.0; ///< [s]
+  Box box;            ///< of the places where it came there
+
+  template <class Archive> void fields(Archive& archive) { archive(since, box.low, box.high); }
+};
+
+/// A plane of symmetry, or the axis of revolution. (P.48)
+struct Wall {
+  int component = 0;
+  double at = 0.0;         ///< its coordinate [mm]
+  double sense = 1.0;      ///< +1: the part lies above it, -1: below
+  bool axis = false;       ///< of revolution
+  std::vector<Index> off;  ///< nodes of the surface that may come to it, sorted
+  std::vector<Index> held; ///< those that have, and stay there, sorted
+  std::optional<MetWall> met;
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(component, at, sense, axis, off, held, met);
+  }
+};
+
+/// How messages call it.
+[[nodiscard]] std::string name_of_wall(const Wall& wall);
+
 /// What reports tell of a run so far.
 struct Record {
   explicit Record(std::size_t n_tools = 0) : window(n_tools) {}
@@ -258,6 +284,7 @@ struct State {
   LeavingTools leaving;
   FlightRecord flights;
   MeshRecord mesh;
+  std::vector<Wall> walls;
   std::vector<Snapshot> snapshots; ///< where a new mesh may begin, the earliest first
   StageProgress progress;
   Counters counters;
@@ -268,8 +295,8 @@ struct State {
   /// But for the part: only a new mesh makes another one than the scene's.
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, last_dt, longest, origins, x, last_step, velocity, plastic_rate,
-            reactions, energy, works, forces, stabilization, leaving, flights, mesh, snapshots,
-            progress, counters, record, springs_back, ended_by);
+            reactions, energy, works, forces, stabilization, leaving, flights, mesh, walls,
+            snapshots, progress, counters, record, springs_back, ended_by);
   }
 };
 

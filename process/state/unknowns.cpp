@@ -9,7 +9,7 @@
 
 namespace billet::process {
 
-mechanics::Prescribed prescribed(const Run& run, double time) {
+mechanics::Prescribed prescribed_by_supports(const Run& run, double time) {
   std::map<Index, double> wanted;
   const int dim = run.mesh().dimension();
   for (const Support& support : run.part().supports)
@@ -17,10 +17,23 @@ mechanics::Prescribed prescribed(const Run& run, double time) {
       const Index i = node * dim + support.component;
       wanted[i] = run.state.origins[idx(i)] + support.displacement(time);
     }
+  for (const Wall& wall : run.state.walls)
+    for (const Index node : wall.held)
+      wanted[node * dim + wall.component] =
+          wall.axis ? run.state.x[idx(node * dim + wall.component)] : wall.at;
   mechanics::Prescribed result;
   for (const auto& [unknown, position] : wanted) {
     result.unknowns.push_back(unknown);
     result.positions.push_back(position);
+  }
+  return result;
+}
+
+mechanics::Prescribed prescribed(const Run& run, double time) {
+  mechanics::Prescribed result = prescribed_by_supports(run, time);
+  for (const LedPress& press : run.attempt.led) {
+    result.unknowns.push_back(static_cast<Index>(press.unknown));
+    result.positions.push_back(press.at(time));
   }
   return result;
 }

@@ -65,7 +65,7 @@ PartDepth::PartDepth(const mechanics::Mesh& mesh,
 }
 
 void PartDepth::draw() {
-  facets_.emplace(drawn(*surface_, x_), geometry::BoxTree());
+  facets_ = Facets{drawn(*surface_, x_), geometry::BoxTree()};
   std::vector<Box> boxes(n_facets(facets_->drawing.mesh));
   for (std::size_t i = 0; i < boxes.size(); ++i)
     boxes[i] = box_of_facet(facets_->drawing.mesh, i);

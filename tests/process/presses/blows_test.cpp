@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -168,6 +169,54 @@ TEST(Blow, is_one_of_several) {
   EXPECT_EQ(second.begun, 2.0);
   EXPECT_TRUE(done.process->view().blows()[0].over && second.over);
   EXPECT_NEAR(done.at(2.0).report.time, 2.0, 1e-12); // the rest of a stage passes
+}
+
+TEST(Blow, goes_on_over_new_meshes) {
+  Scene scene = struck(ElementKind::quad8, billet_steel(), {});
+  const double work = upsetting_work(0.0, 0.3), V = volume(scene);
+  const geometry::Blow blow{2.0 * V * work / 25e6, 5000.0};
+  scene.tools[0].motion.force->blow = blow;
+  scene.stages = {
+      {"first", 1.0, {1}, false}, {"lift", 2.0, {0}, true}, {"second", 3.0, {1}, false}};
+  scene.remesh = RemeshSettings{};
+  scene.remesh->strain = 0.05;
+  const FinishedRun done = run(std::move(scene));
+  ASSERT_EQ(done.status, RunStatus::done);
+  const auto& end = done.process->view();
+  ASSERT_EQ(end.blows().size(), 2u);
+  const BlowReport &first = end.blows()[0], &second = end.blows()[1];
+  const double exact = loaded_height(strain_of_work(strain_of_work(0.0, work), work));
+  double jump = 0.0;
+  for (const RemeshReport& mesh : end.state.record.remeshings)
+    jump = std::max(jump, std::abs(mesh.energy));
+  std::printf("[BLOW] %zu new meshes: height %.5f mm of %.5f, used %.6g and %.6g of %.6g N mm, one "
+              "new mesh changes the balance by %.1e of that\n",
+              end.state.record.remeshings.size(), end_height(done), exact, first.used, second.used,
+              blow.energy(), jump / blow.energy());
+  EXPECT_GE(end.state.record.remeshings.size(), 6u);
+  EXPECT_NEAR(end_height(done), exact, 2e-3 * height);
+  EXPECT_TRUE(first.over && second.over);
+  EXPECT_NEAR(first.used, blow.energy(), 1e-5 * blow.energy());
+  EXPECT_NEAR(second.used, blow.energy(), 1e-5 * blow.energy());
+  EXPECT_LE(jump, 1e-2 * blow.energy()); // where the second blow meets the yield stress again
+}
+
+TEST(Blow, of_a_metal_that_follows_the_rate_goes_on_over_a_new_mesh_at_its_end) {
+  const mechanics::Material metal{{young, 0.3}, mechanics::NortonHoff{.K = 100.0, .m = 0.2}};
+  Scene scene = struck(ElementKind::quad8, metal, geometry::Blow{0.02, 5000.0});
+  Scene alone = scene;
+  scene.remesh = RemeshSettings{};
+  scene.remesh->strain = 0.04;
+  const FinishedRun done = run(std::move(scene)), without = run(std::move(alone));
+  ASSERT_EQ(done.status, RunStatus::done);
+  double jump = 0.0;
+  for (const RemeshReport& mesh : done.process->view().state.record.remeshings)
+    jump = std::max(jump, mesh.force_jump());
+  std::printf("[BLOW] Norton: height %.5f mm, without new meshes %.5f; forces jump by %.2e\n",
+              end_height(done), end_height(without), jump);
+  EXPECT_GE(done.process->view().state.record.remeshings.size(), 3u);
+  EXPECT_NEAR(end_height(done), end_height(without), 1e-3 * height);
+  EXPECT_LE(jump, 0.01);
 }
 
 TEST(Blow, goes_on_in_the_next_stage_if_it_is_not_over) {

@@ -1,0 +1,242 @@
+#include "process/increment/symmetry_walls.h"
+
+#include "process/scene/scene.h"
+#include "process/state/run.h"
+#include "process/state/state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace billet::process {
+
+namespace {
+
+/// Nodes nearer to a wall than this share of the first elements' sides are on it. The last of a
+/// bore would ask for hoops that shrink to nothing: what is left counts as closed.
+double reach(const Run& run, const Wall& wall) {
+  constexpr double of_side = 0.01, of_side_at_axis = 0.1;
+  return (wall.axis ? of_side_at_axis : of_side) * run.state.mesh.first_side;
+}
+
+/// How far beyond a wall a node may end, once. [mm]
+double slack(const Run& run, const Wall& wall) { return wall.axis ? 0.0 : reach(run, wall); }
+
+std::size_t unknown(const Run& run, const Wall& wall, Index node) {
+  return idx(node * run.mesh().dimension() + wall.component);
+}
+
+/// How far a node is off a wall, in a state of the unknowns [mm].
+double gap(const Run& run, const Wall& wall, Index node, const std::vector<double>& x) {
+  return wall.sense * (x[unknown(run, wall, node)] - wall.at);
+}
+
+Vec3 place(const Run& run, Index node, const std::vector<double>& x) {
+  Vec3 place = Vec3::Zero();
+  const int dim = run.mesh().dimension();
+  for (int i = 0; i < dim; ++i)
+    place[i] = x[idx(node * dim + i)];
+  return place;
+}
+
+/// How many components of each node supports hold.
+std::vector<int> holds(const Part& part) {
+  std::vector<int> count(part.mesh.points.size(), 0);
+  for (const Support& support : part.supports)
+    for (const Index node : support.nodes)
+      ++count[idx(node)];
+  return count;
+}
+
+/// Whether a support holds its nodes where they were.
+bool stands(const Support& support) {
+  const auto& points = support.displacement.points();
+  return std::all_of(points.begin(), points.end(),
+                     [](const auto& point) { return point.second == 0.0; });
+}
+
+/// The plane on which a support holds the part as a plane of symmetry does, if it is one: all of
+/// the part lies on one side, and the metal may slide along it.
+std::optional<Wall> plane_of(const Run& run, const Support& support, const std::vector<int>& held) {
+  const std::vector<Vec3>& points = run.mesh().points;
+  if (support.nodes.empty() || !stands(support))
+    return std::nullopt;
+  const int c = support.component;
+  const double at = points[idx(support.nodes.front())][c];
+  const auto slides = std::count_if(support.nodes.begin(), support.nodes.end(),
+                                    [&](Index node) { return held[idx(node)] == 1; });
+  double low = 0.0, high = 0.0;
+  for (const Vec3& point : points) {
+    low = std::min(low, point[c] - at);
+    high = std::max(high, point[c] - at);
+  }
+  const double rounding = 1e-9 * (high - low);
+  const bool flat = std::all_of(support.nodes.begin(), support.nodes.end(), [&](Index node) {
+    return std::abs(points[idx(node)][c] - at) <= rounding;
+  });
+  if (!flat || 2 * slides < std::ssize(support.nodes) || (low < -rounding && high > rounding))
+    return std::nullopt;
+  return Wall{c, at, high > rounding ? 1.0 : -1.0, false, {}, {}, {}};
+}
+
+/// Area that a node of the surface stands for, about [mm^2].
+double area_at(const Run& run, Index node) {
+  const double side = run.state.mesh.first_side;
+  switch (run.part().analysis) {
+  case mechanics::Analysis::axisymmetric:
+    return 2.0 * std::numbers::pi * run.state.x[idx(2 * node)] * side;
+  case mechanics::Analysis::solid:
+    return side * side;
+  case mechanics::Analysis::plane_strain:
+    return side;
+  }
+  return 0.0;
+}
+
+/// Takes the nodes of a wall that it would have to pull off it.
+void release(const Run& run, Wall& wall) {
+  constexpr double pull = 1e-5; // over Young's modulus: what is less is rounding, to and fro
+  const double young = run.scene.material.elasticity.young;
+  if (!wall.axis) // where nothing has an area, forces say nothing
+    std::erase_if(wall.held, [&](Index node) {
+      return wall.sense * run.state.reactions[unknown(run, wall, node)] <
+             -pull * young * area_at(run, node);
+    });
+}
+
+/// Nodes that have come to a wall in the last increment.
+std::vector<Index> arrived(const Run& run, const Wall& wall) {
+  std::vector<Index> nodes;
+  for (const Index node : wall.off)
+    if (gap(run, wall, node, run.state.x) < reach(run, wall) &&
+        wall.sense * run.state.velocity[unknown(run, wall, node)] < 0.0 &&
+        !std::binary_search(wall.held.begin(), wall.held.end(), node))
+      nodes.push_back(node);
+  return nodes;
+}
+
+void note_meeting(const Run& run, const std::vector<Index>& nodes, Wall& wall) {
+  if (!wall.met)
+    wall.met = MetWall{run.state.time, {}};
+  for (const Index node : nodes)
+    wall.met->box.add(place(run, node, run.state.x));
+}
+
+} // namespace
+
+std::string name_of_wall(const Wall& wall) {
+  constexpr std::array<char, 3> letters{'x', 'y', 'z'};
+  return wall.axis ? "the axis of revolution"
+                   : fmt::format("the plane of symmetry {} = {:.6g}", letters[idx(wall.component)],
+                                 wall.at);
+}
+
+void find_walls(Run& run) {
+  const bool revolved = run.part().analysis == mechanics::Analysis::axisymmetric;
+  run.state.walls.clear();
+  if (revolved)
+    run.state.walls.push_back({0, 0.0, 1.0, true, {}, {}, {}});
+  const std::vector<int> held = holds(run.part());
+  for (const Support& support : run.part().supports)
+    if (run.scene.contact.self && !(revolved && support.component == 0))
+      if (const std::optional<Wall> wall = plane_of(run, support, held))
+        run.state.walls.push_back(*wall);
+  note_nodes_off_walls(run);
+}
+
+void note_nodes_off_walls(Run& run) {
+  if (run.state.walls.empty())
+    return;
+  std::vector<Index> surface;
+  for (const mechanics::Face& face : mechanics::boundary_faces(run.mesh()))
+    surface.insert(surface.end(), face.nodes.begin(), face.nodes.end());
+  std::sort(surface.begin(), surface.end());
+  surface.erase(std::unique(surface.begin(), surface.end()), surface.end());
+  for (Wall& wall : run.state.walls) {
+    std::vector<char> supported(run.part().mesh.points.size(), 0);
+    for (const Support& support : run.part().supports)
+      if (support.component == wall.component)
+        for (const Index node : support.nodes)
+          supported[idx(node)] = 1;
+    // What has lain on the axis from the start without a support is free there.
+    const double least = wall.axis ? reach(run, wall) : -reach(run, wall);
+    wall.off.clear();
+    for (const Index node : surface)
+      if (supported[idx(node)] == 0 &&
+          (gap(run, wall, node, run.state.x) > least ||
+           std::binary_search(wall.held.begin(), wall.held.end(), node)))
+        wall.off.push_back(node);
+  }
+}
+
+void hold_where_on_walls(Run& run) {
+  for (Wall& wall : run.state.walls) {
+    wall.held.clear();
+    for (const Index node : wall.off)
+      if (gap(run, wall, node, run.state.x) < reach(run, wall))
+        wall.held.push_back(node);
+  }
+}
+
+Outcome<Done> check_walls(const Run& run) {
+  for (const Wall& wall : run.state.walls)
+    for (const Index node : wall.off)
+      if (gap(run, wall, node, run.attempt.x) < -slack(run, wall)) {
+        const Vec3 x = place(run, node, run.attempt.x);
+        return Failure{fmt::format("the workpiece goes through {}, at ({:.6g}, {:.6g}, {:.6g})",
+                                   name_of_wall(wall), x[0], x[1], x[2])};
+      }
+  return Done{};
+}
+
+double up_to_walls(const Run& run, double step) {
+  for (const Wall& wall : run.state.walls)
+    for (const Index node : wall.off) {
+      const double near = reach(run, wall);
+      const double h = gap(run, wall, node, run.state.x);
+      const double v = wall.sense * run.state.velocity[unknown(run, wall, node)];
+      if (v < 0.0 && h > near && h + step * v < -slack(run, wall))
+        step = (h - 0.5 * near) / -v;
+    }
+  return step;
+}
+
+std::vector<std::string> hold_on_walls(Run& run) {
+  std::vector<std::string> events;
+  for (Wall& wall : run.state.walls) {
+    release(run, wall);
+    const std::vector<Index> nodes = arrived(run, wall);
+    if (nodes.empty())
+      continue;
+    note_meeting(run, nodes, wall);
+    wall.held.insert(wall.held.end(), nodes.begin(), nodes.end());
+    std::sort(wall.held.begin(), wall.held.end());
+    const Vec3 x = place(run, nodes.front(), run.state.x);
+    events.push_back(
+        fmt::format("  {} node(s) of the surface come to {}, near ({:.6g}, {:.6g}, {:.6g})",
+                    nodes.size(), name_of_wall(wall), x[0], x[1], x[2]));
+  }
+  return events;
+}
+
+std::shared_ptr<const Part> part_held_on_walls(const Run& run) {
+  auto part = std::make_shared<Part>(run.part());
+  for (const Wall& wall : run.state.walls)
+    part->supports.push_back({wall.held, wall.component, TimeFunction(0.0)});
+  return part;
+}
+
+void take_held_nodes(std::vector<Wall>& walls, std::vector<Support>& supports) {
+  for (std::size_t w = walls.size(); w-- > 0; supports.pop_back())
+    walls[w].held = std::move(supports.back().nodes);
+}
+
+} // namespace billet::process
