@@ -53,12 +53,14 @@ void say(std::string_view text) noexcept {
 
 using Initializer = void(int, char**, char**);
 
-/// What GMP, of CGAL's exact numbers, asks for; it aborts on its own where there is none.
+/// A block, if there was memory for it.
 void* found(void* block) noexcept {
   if (block == nullptr)
     end_without_memory();
   return block;
 }
+
+/// What GMP, of CGAL's exact numbers, asks for; it aborts on its own where there is none.
 void* allocated(std::size_t size) { return found(std::malloc(size)); }
 void* reallocated(void* block, std::size_t, std::size_t size) {
   return found(std::realloc(block, size));
@@ -68,8 +70,7 @@ void* reallocated(void* block, std::size_t, std::size_t size) {
 /// memory a fault ends the program as it would have without this.
 void end_after_fault(int signal) noexcept {
   constexpr std::size_t little = 4096;
-  if (std::malloc(little) == nullptr)
-    end_without_memory();
+  std::free(found(std::malloc(little)));
   ::signal(signal, SIG_DFL); // and once more
 }
 

@@ -1,6 +1,7 @@
 #include "io/results/pvd.h"
 
 #include "geometry/base/error.h"
+#include "geometry/base/index.h"
 #include "io/mesh/vtu_content.h"
 #include "io/results/atomic_file.h"
 
@@ -75,6 +76,7 @@ std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {
     throw Error(Fault::input_output, path.string(), "is not a list of frames",
                 "the list was not written by this program");
   std::vector<PvdEntry> entries;
+  entries.reserve(idx(collection->GetNumberOfNestedElements()));
   for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
     entries.push_back(entry_of(*collection->GetNestedElement(i), path.string()));
   return entries;

@@ -86,7 +86,7 @@ PlaceInPart PartDepth::nearest_face(const Vec3& point) {
     }
     return nearest2;
   });
-  if (nearest < 0)
+  if (nearest < 0 || surface_->n_faces() == 0)
     return {-std::numeric_limits<double>::infinity(), -1};
   const auto a_face = static_cast<std::int32_t>(n_facets(mesh)) / surface_->n_faces();
   return {std::sqrt(nearest2), nearest / a_face};
