@@ -191,11 +191,9 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
     const std::string& word = words[i];
     const bool is_option = word.size() > 1 && word[0] == '-';
     if (!is_option) {
-      if (takes_names)
-        arguments.rest.push_back(word);
-      else if (arguments.file.empty())
+      if (!takes_names && arguments.file.empty())
         arguments.file = word;
-      else if (arguments.rest.size() + 1 < command.files)
+      else if (takes_names || arguments.rest.size() + 1 < command.files)
         arguments.rest.push_back(word);
       else
         throw Error(Fault::usage, "",

@@ -116,6 +116,7 @@ void make_runs(const Study& study,
 std::vector<PlannedRun>
 make_runs_of(const Study& study, const std::vector<Row>& rows, const Conduct& how) {
   std::vector<PlannedRun> runs;
+  runs.reserve(rows.size());
   for (const Row& row : rows)
     runs.push_back(plan_run(study, row, how.folder / "runs", how.program));
   const std::vector<Pending> pending = pending_of(runs, how.again);

@@ -103,7 +103,7 @@ std::optional<Engine> as_engine(const At& at) {
 }
 
 std::optional<std::vector<double>> as_steps(const At& at) {
-  const std::optional<std::vector<double>> steps =
+  std::optional<std::vector<double>> steps =
       at.node.as<io::Table>() != nullptr ? as_range(at) : io::as_numbers(at, io::Number{});
   for (std::size_t i = 1; steps && i < steps->size(); ++i)
     if (!((*steps)[i - 1] < (*steps)[i])) {

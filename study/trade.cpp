@@ -26,6 +26,7 @@ Split split_of(const Study& study) {
 
 std::vector<std::string> labels_of(const Row& row, const std::vector<std::size_t>& axes) {
   std::vector<std::string> labels;
+  labels.reserve(axes.size());
   for (const std::size_t a : axes)
     labels.push_back(row.labels[a]);
   return labels;

@@ -139,7 +139,7 @@ class Scene:
         self.tool(name, f"plane = {{ point = {list(point)}, normal = {list(normal)} }}", motion, **more)
 
     def plate(self, name, height, speed=0.0, **more):
-        """A flat tool over the part that goes down, or without speed one beneath it."""
+        """A flat tool over the part that goes down, or without speed one below it."""
         across = [0, 0] if self.analysis == "3d" else [0]
         self.plane(name, across + [height], across + [-1 if speed else 1],
                    f"velocity = {across + [-speed]}" if speed else "", **more)

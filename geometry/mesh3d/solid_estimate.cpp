@@ -56,8 +56,8 @@ void add_edges(const TriangleMesh& mesh, const SolidRefinement& wanted, SolidEst
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Vec3 &a = mesh.points[idx(edges[i].a)], &b = mesh.points[idx(edges[i].b)];
     const double places = std::clamp(std::ceil(edges[i].length / wanted.size), 1.0, most_places);
-    for (double k = 0.5; k < places; k += 1.0) {
-      const Vec3 x = a + k / places * (b - a);
+    for (int k = 0; k < static_cast<int>(places); ++k) {
+      const Vec3 x = a + (k + 0.5) / places * (b - a);
       const double apart =
           network.distance(static_cast<std::int32_t>(i), x, wanted.size / edge_share);
       const double piece = edge_share * apart;

@@ -44,13 +44,14 @@ Graph kept_pieces(const TriangleMesh& mesh, const std::vector<SharpEdge>& edges,
   Graph graph{mesh.points, {}};
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Vec3 &a = mesh.points[idx(edges[i].a)], &b = mesh.points[idx(edges[i].b)];
-    const double n = std::clamp(std::floor(edges[i].length / details), 1.0, most_pieces_of_edge);
+    const int n = static_cast<int>(
+        std::clamp(std::floor(edges[i].length / details), 1.0, most_pieces_of_edge));
     std::int32_t from = edges[i].a;
-    for (double k = 1.0; k <= n; k += 1.0) {
+    for (int k = 1; k <= n; ++k) {
       std::int32_t to = edges[i].b;
       if (k < n) {
         to = static_cast<std::int32_t>(graph.points.size());
-        graph.points.emplace_back(a + k / n * (b - a));
+        graph.points.emplace_back(a + static_cast<double>(k) / n * (b - a));
       }
       const Vec3 middle = a + (k - 0.5) / n * (b - a);
       if (network.distance(static_cast<std::int32_t>(i), middle, details) >= details)

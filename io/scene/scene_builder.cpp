@@ -7,6 +7,7 @@
 #include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
 #include "io/scene/material_builder.h"
+#include "io/scene/remesh_builder.h"
 #include "io/scene/selector.h"
 #include "io/tools/profile.h"
 #include "io/tools/step.h"
@@ -345,72 +346,6 @@ void add_stages(const Case& content, process::Scene& scene) {
   }
 }
 
-/// Whether nodes lie inside the part, or are faces, edges and corners of its boundary: those a new
-/// mesh has, too.
-bool can_be_carried(const Mesh& mesh,
-                    const std::vector<Face>& boundary,
-                    const std::vector<Index>& nodes) {
-  std::vector<char> wanted(mesh.points.size(), 0);
-  for (const Index node : nodes)
-    wanted[idx(node)] = 1;
-  std::vector<char> found(mesh.points.size(), 1);
-  for (const Face& face : boundary)
-    for (const Index node : face.nodes)
-      found[idx(node)] = 0;
-  for (const Face& face : boundary) {
-    const bool whole = std::all_of(face.nodes.begin(), face.nodes.end(),
-                                   [&](Index a) { return wanted[idx(a)] != 0; });
-    const std::size_t n = mechanics::corners_per_face(mesh.kind);
-    for (std::size_t a = 0; a < face.nodes.size(); ++a) {
-      const std::size_t next = a + 1 < 2 * n ? a - n + 1 : 0; // the second corner of its edge
-      const bool on_edge = a >= n && mesh.dimension() == 3 && wanted[idx(face.nodes[a - n])] != 0 &&
-                           wanted[idx(face.nodes[next])] != 0;
-      if (whole || a < n || on_edge)
-        found[idx(face.nodes[a])] = 1;
-    }
-  }
-  return nodes.size() == mesh.points.size() ||
-         std::all_of(nodes.begin(), nodes.end(), [&](Index a) { return found[idx(a)] != 0; });
-}
-
-/// What cannot be carried from mesh to mesh.
-void require_remeshable(const Case& content,
-                        const process::Scene& scene,
-                        const std::string& place) {
-  const auto refuse = [&](const std::string& what, const std::string& remedy) {
-    throw Error(Fault::case_file, place, "remesh: " + what + " not available in this version",
-                remedy);
-  };
-  const std::string element = content.analysis == Analysis::solid ? "tet10" : "tri6";
-  if (content.remesh->element && *content.remesh->element != element)
-    refuse(fmt::format("element = \"{}\" is", *content.remesh->element),
-           fmt::format("element = \"{}\"", element));
-  const std::vector<Face> boundary = mechanics::boundary_faces(scene.part.mesh);
-  for (const process::Support& support : scene.part.supports)
-    if (!can_be_carried(scene.part.mesh, boundary, support.nodes))
-      refuse("a support of the middle of a side alone is",
-             "support whole sides, corners, nodes inside the part or all nodes");
-  for (const std::string& name : content.remesh->keep)
-    if (!scene.part.mesh.node_sets.contains(name))
-      throw Error(Fault::case_file, place,
-                  fmt::format("remesh.keep: the mesh has no set named '{}'", name));
-}
-
-process::RemeshSettings remesh_settings(const Remesh& remesh, bool feels_itself) {
-  process::RemeshSettings settings;
-  settings.quality = remesh.quality;
-  settings.strain = remesh.strain;
-  settings.interval = remesh.interval;
-  settings.penetration = remesh.penetration;
-  settings.size = remesh.size_default;
-  settings.size_min = remesh.size_min;
-  settings.size_max = remesh.size_max;
-  settings.size_contact = remesh.size_contact;
-  settings.keep = remesh.keep;
-  settings.weld = remesh.weld.value_or(!feels_itself);
-  return settings;
-}
-
 void add_times(const TimeFunction& function, std::vector<double>& times) {
   if (function.points().size() > 1)
     for (const auto& [t, v] : function.points())
@@ -589,10 +524,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
       content.time.increments.first, content.time.increments.min, content.time.increments.max,
       preset_of(content.solver.accuracy).increments / content.time.increments.refine};
   scene.landing_times = landing_times(content, scene);
-  if (content.remesh) {
-    require_remeshable(content, scene, place);
-    scene.remesh = remesh_settings(*content.remesh, content.contact.self.on);
-  }
+  scene.remesh = remesh_settings_of(content, scene.part, place);
   scene.stop = stop_rules_of(content);
   scene.tolerance = content.solver.tolerance;
   scene.solver.choice = content.solver.linear;

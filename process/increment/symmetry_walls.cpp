@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -132,22 +131,20 @@ void note_meeting(const Run& run, const std::vector<Index>& nodes, Wall& wall) {
 
 } // namespace
 
-std::string name_of_wall(const Wall& wall) {
-  constexpr std::array<char, 3> letters{'x', 'y', 'z'};
-  return wall.axis ? "the axis of revolution"
-                   : fmt::format("the plane of symmetry {} = {:.6g}", letters[idx(wall.component)],
-                                 wall.at);
-}
-
 void find_walls(Run& run) {
   const bool revolved = run.part().analysis == mechanics::Analysis::axisymmetric;
   run.state.walls.clear();
   if (revolved)
     run.state.walls.push_back({0, 0.0, 1.0, true, {}, {}, {}});
   const std::vector<int> held = holds(run.part());
+  const auto is_known = [&](const Wall& wall) { // several supports may share a plane
+    return std::any_of(run.state.walls.begin(), run.state.walls.end(), [&](const Wall& other) {
+      return other.component == wall.component && other.sense == wall.sense;
+    });
+  };
   for (const Support& support : run.part().supports)
     if (run.scene.contact.self && !(revolved && support.component == 0))
-      if (const std::optional<Wall> wall = plane_of(run, support, held))
+      if (const std::optional<Wall> wall = plane_of(run, support, held); wall && !is_known(*wall))
         run.state.walls.push_back(*wall);
   note_nodes_off_walls(run);
 }

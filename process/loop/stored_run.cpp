@@ -8,16 +8,15 @@
 #include "process/scene/scene.h"
 #include "process/stages/unloading.h"
 #include "process/state/attempt.h"
-#include "process/state/model.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
+#include "process/state/stored_models.h"
 #include "process/tools/flight.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -36,13 +35,6 @@ template <class Archive, class Work> void work_fields(Archive& archive, Work& wo
           work.last_factor_bytes);
 }
 
-/// The states of those of the models that a run has.
-template <class Archive, class... Model> void archive_present(Archive& archive, Model&... models) {
-  ((models ? archive(*models) : void()), ...);
-}
-
-template <class T> bool has(const Owned<T>& model) { return static_cast<bool>(model); }
-
 [[noreturn]] void another_scene(const std::string& what) {
   throw Error(Fault::input_output, "", "the stored run has other " + what + " than this case",
               "resume it with the case that it was run with");
@@ -56,18 +48,7 @@ std::string stored(const Run& run) {
   archive(run.state, run.attempt, has_new_mesh);
   if (has_new_mesh)
     archive(run.part());
-  archive(static_cast<std::uint64_t>(run.model.tools.size()));
-  for (const contact::Tool& tool : run.model.tools)
-    archive(tool.motion.offset, tool.motion.rests_from);
-  archive(*run.model.bulk, static_cast<std::uint64_t>(run.model.loads.size()));
-  for (const auto& load : run.model.loads)
-    archive(*load);
-  for (const auto& load : run.model.decaying)
-    archive(*load);
-  archive(has(run.model.stabilization), has(run.model.contact), has(run.model.self_contact),
-          has(run.model.blows), has(run.model.wear));
-  archive_present(archive, run.model.stabilization, run.model.contact, run.model.self_contact,
-                  run.model.blows, run.model.wear);
+  store_models(run, archive);
   const mechanics::SolverWork work = run.solver_work();
   work_fields(archive, work);
   archive(run.clock.times, run.clock.before + seconds_now() - run.clock.started);
@@ -86,28 +67,6 @@ void take_part(Run& run, Part part) {
   run.model.newton->set_force_floor(force_floor(run, run.state.time));
   if (run.model.wear)
     run.model.wear->change_surface(*run.model.surface, {});
-}
-
-/// The states of what is built on the part.
-void restore_model(Run& run, ArchiveReader& archive) {
-  std::uint64_t n_loads = 0;
-  archive(*run.model.bulk, n_loads);
-  if (n_loads != run.model.loads.size())
-    another_scene("loads");
-  for (const auto& load : run.model.loads)
-    archive(*load);
-  for (const LeavingTools::Forces& forces : run.state.leaving.decaying)
-    add_decaying(run, forces);
-  for (const auto& load : run.model.decaying)
-    archive(*load);
-  bool grounded = false, touches = false, touches_itself = false, strikes = false, wears = false;
-  archive(grounded, touches, touches_itself, strikes, wears);
-  if (grounded != has(run.model.stabilization) || touches != has(run.model.contact) ||
-      touches_itself != has(run.model.self_contact) || strikes != has(run.model.blows) ||
-      wears != has(run.model.wear))
-    another_scene("supports, tools, presses or laws of wear");
-  archive_present(archive, run.model.stabilization, run.model.contact, run.model.self_contact,
-                  run.model.blows, run.model.wear);
 }
 
 /// What refers to the scene is no part of the bytes.
@@ -134,12 +93,6 @@ void restore(Run& run, std::string_view stored) {
   }
   if (state.origins.size() != run.n_nodal() || state.x.size() != run.state.x.size())
     another_scene("elements or driven tools");
-  std::uint64_t n_tools = 0;
-  archive(n_tools);
-  if (n_tools != run.tools().size())
-    another_scene("tools");
-  for (contact::Tool& tool : run.model.tools)
-    archive(tool.motion.offset, tool.motion.rests_from);
   if (state.progress.stage >= run.scene.stages.size() ||
       state.time > run.scene.stages[state.progress.stage].end)
     throw Error(Fault::case_file, "",
@@ -150,7 +103,9 @@ void restore(Run& run, std::string_view stored) {
   state.part = run.state.part;
   run.state = std::move(state);
   run.attempt = std::move(attempt);
-  restore_model(run, archive);
+  for (const LeavingTools::Forces& forces : run.state.leaving.decaying)
+    add_decaying(run, forces);
+  restore_models(run, archive);
   work_fields(archive, run.clock.earlier_work);
   archive(run.clock.earlier, run.clock.before);
   if (!archive.at_end())

@@ -13,11 +13,15 @@
 #include "process/state/mesh_quality.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
+#include "process/state/stored_models.h"
 #include "process/state/unknowns.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace billet::process {
@@ -204,6 +208,25 @@ std::vector<const MappedState*> in_order_of_trial(const std::vector<MappedState>
   return order;
 }
 
+/// Whether the way from a state to the present can be gone again on the new mesh.
+bool goes_through(Run& run,
+                  const MappedState& from,
+                  const MappedStates& mapped,
+                  RemeshReport& report) {
+  start_from(run, from, mapped.now.state, mapped.sources, report);
+  run.state.last_dt = mapped.now.state.last_dt; // the way ends at the pace that there is now
+  report.again = restore_balance(run, report) ? solve_again(run, mapped.now.state) : 0;
+  return report.again > 0;
+}
+
+/// A way to the present that has been gone again.
+struct WayGone {
+  bool distorted = false; ///< its mesh ended far from how it was made
+  double jump = 0.0;      ///< of a tool's force [-]
+  RemeshReport report;
+  std::string end; ///< the run there; empty: as it is
+};
+
 } // namespace
 
 void re_equilibrate(Run& run,
@@ -216,39 +239,34 @@ void re_equilibrate(Run& run,
   constexpr double of_made = 0.5;
   const double least =
       of_made * worst_quality(run.mesh(), std::span(mapped.now.state.x).first(run.n_nodal()));
-  const auto goes_through = [&](const MappedState& from) {
-    start_from(run, from, mapped.now.state, mapped.sources, report);
-    run.state.last_dt = mapped.now.state.last_dt; // the way ends at the pace that there is now
-    report.again = restore_balance(run, report) ? solve_again(run, mapped.now.state) : 0;
-    return report.again > 0;
-  };
+  const std::string new_mesh = present(run);
   const std::vector<const MappedState*> ways = in_order_of_trial(mapped.begun, plane);
-  const MappedState* best = nullptr;
-  const MappedState* distorted = nullptr; // its mesh ended far from how it was made
-  const MappedState* here = nullptr;      // what was gone through last
+  std::optional<WayGone> best;
   for (const MappedState* from : ways) {
-    here = goes_through(*from) ? from : nullptr;
-    if (here == nullptr)
+    put_back(run, new_mesh);
+    RemeshReport way = report;
+    if (!goes_through(run, *from, mapped, way))
       continue;
-    if (plane && worst_quality(run.mesh(), run.positions()) <= least) {
-      distorted = distorted == nullptr ? from : distorted;
-      continue;
-    }
+    const bool distorted = plane && worst_quality(run.mesh(), run.positions()) <= least;
+    const double jump = jump_from(run, forces);
     // How metal finds its way into a gap is partly chance: from another beginning it goes
-    // otherwise. Where none is within the budget the longest way is the best.
+    // otherwise.
     const bool at_once = plane && from == ways.front() && ways.size() > 1;
-    const bool meets = jump_from(run, forces) <= (at_once ? of_budget_at_once : 1.0) * force_budget;
-    if (best == nullptr || meets || from < best)
-      best = from;
-    if (!plane || meets)
+    const bool meets = jump <= (at_once ? of_budget_at_once : 1.0) * force_budget;
+    const bool last = !distorted && (!plane || meets);
+    if (!best || std::pair(distorted, jump) < std::pair(best->distorted, best->jump))
+      best = WayGone{distorted, jump, way, last ? std::string() : present(run)};
+    if (last)
       break;
   }
-  best = best == nullptr ? distorted : best;
-  if (best != nullptr && best != here)
-    (void)goes_through(*best); // as it did before
-  report.balanced = report.again > 0;
-  if (report.balanced)
+  if (best) {
+    if (!best->end.empty())
+      put_back(run, best->end);
+    report = best->report;
+    report.balanced = true;
     return;
+  }
+  put_back(run, new_mesh);
   start_from(run, mapped.now, mapped.now.state, mapped.sources, report);
   const bool at_rest = run.state.increment == 0; // nothing has acted on the part yet
   report.balanced = at_rest || restore_balance(run, report);

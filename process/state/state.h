@@ -17,6 +17,7 @@
 #include "process/reports/energy_balance.h"
 #include "process/reports/run_reports.h"
 #include "process/scene/scene.h"
+#include "process/state/wall.h"
 #include "process/tools/flight.h"
 
 #include <cstddef>
@@ -207,32 +208,6 @@ struct Counters {
     archive(iterations, cutbacks, friction_limited, wasted_iterations, remeshing_iterations);
   }
 };
-
-/// Where metal has come to a wall, and since when.
-struct MetWall {
-  double since = 0.0; ///< [s]
-  Box box;            ///< of the places where it came there
-
-  template <class Archive> void fields(Archive& archive) { archive(since, box.low, box.high); }
-};
-
-/// A plane of symmetry, or the axis of revolution. (P.48)
-struct Wall {
-  int component = 0;
-  double at = 0.0;         ///< its coordinate [mm]
-  double sense = 1.0;      ///< +1: the part lies above it, -1: below
-  bool axis = false;       ///< of revolution
-  std::vector<Index> off;  ///< nodes of the surface that may come to it, sorted
-  std::vector<Index> held; ///< those that have, and stay there, sorted
-  std::optional<MetWall> met;
-
-  template <class Archive> void fields(Archive& archive) {
-    archive(component, at, sense, axis, off, held, met);
-  }
-};
-
-/// How messages call it.
-[[nodiscard]] std::string name_of_wall(const Wall& wall);
 
 /// What reports tell of a run so far.
 struct Record {

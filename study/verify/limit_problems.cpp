@@ -4,6 +4,8 @@
 // The references hold for small strains. Displacements go with sigma_y / E, so E is taken ten times
 // that of steel: what finite strains add is below 5e-4.
 
+#include "geometry/base/index.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -127,7 +129,7 @@ double pressure_on_bore(const process::Run& run) {
   double force = 0.0;
   for (const mechanics::Index node : run.mesh().node_sets.at("inner"))
     for (int i = 0; i < 2; ++i)
-      force += run.state.reactions[static_cast<std::size_t>(2 * node + i)] *
+      force += run.state.reactions[idx(2 * node + i)] *
                run.mesh().points[static_cast<std::size_t>(node)][i] / bore;
   return force / (2.0 * std::numbers::pi * bore * bore);
 }

@@ -1,6 +1,7 @@
 #include "study/verify/readings.h"
 
 #include "contact/term/contact_report.h"
+#include "geometry/base/index.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,7 +29,7 @@ double reaction(const process::Run& run, const std::string& set, int axis) {
   const int dim = run.mesh().dimension();
   double sum = 0.0;
   for (const mechanics::Index node : run.mesh().node_sets.at(set))
-    sum += run.state.reactions[static_cast<std::size_t>(dim * node + axis)];
+    sum += run.state.reactions[idx(dim * node + axis)];
   return sum;
 }
 
@@ -36,7 +37,7 @@ Vec3 position(const process::Run& run, mechanics::Index node) {
   const int dim = run.mesh().dimension();
   Vec3 place = Vec3::Zero();
   for (int i = 0; i < dim; ++i)
-    place[i] = run.positions()[static_cast<std::size_t>(dim * node + i)];
+    place[i] = run.positions()[idx(dim * node + i)];
   return place;
 }
 

@@ -1,5 +1,7 @@
 // Springback: of a part whose dies leave, and of a strip that has been bent.
 
+#include "geometry/base/index.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -114,8 +116,7 @@ double moment_at_end(const process::Run& run) {
   const double middle = position(run, node_at(run, {strip_length, 0, 0}))[1];
   double moment = 0.0;
   for (const mechanics::Index node : run.mesh().node_sets.at("end"))
-    moment -=
-        run.state.reactions[static_cast<std::size_t>(2 * node)] * (position(run, node)[1] - middle);
+    moment -= run.state.reactions[idx(2 * node)] * (position(run, node)[1] - middle);
   return moment;
 }
 
