@@ -3,7 +3,7 @@
 # Every .cpp and .h below the folder belongs to it; each header is compiled alone by the target
 # all_verify_interface_header_sets. Some of the files make one compilation, except where CGAL's
 # templates take the time: names of their unnamed namespaces must differ within a folder.
-set(files_together 6)
+set(files_together 12)
 function(billet_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX /fcl_) # of a library of its own

@@ -13,13 +13,11 @@ tags() { # FILE...: "file:tag", as (F.3) or, in a formula, \tag{F.3}
 }
 
 unknown_tags() {
-  local known
-  known=$(tags docs/theory/*.md 2>/dev/null | sed 's/.*://' | sort -u)
-  find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort | while read -r source; do
-    tags "$source" | sort -u | while IFS=: read -r file tag; do
-      grep -qxF -- "$tag" <<<"$known" || echo "$file: equation $tag is not in docs/theory/"
-    done
-  done
+  local sources
+  mapfile -t sources < <(find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort)
+  awk -F: 'NR == FNR { known[$2]; next }
+           !($2 in known) && !told[$0]++ { print $1 ": equation " $2 " is not in docs/theory/" }' \
+    <(tags docs/theory/*.md 2>/dev/null) <(tags "${sources[@]}")
 }
 
 # Formulas end with their tag: \tag{F.3}, or (F.3) at the end of an indented line.
@@ -32,14 +30,14 @@ tags_given_twice() {
 pages() { find . -name '*.md' -not -path './build/*' -not -path './results/*' -not -path './.git/*'; }
 
 dead_links() {
-  local page target
-  pages | sort | while read -r page; do
-    grep -oE '\]\([^)[:space:]]+\)' "$page" | sed -E 's/^\]\((.*)\)$/\1/; s/#.*//' | sort -u |
-      while read -r target; do
-        [[ -z $target || $target =~ ^[a-z]+: || -e $(dirname "$page")/$target ]] ||
-          echo "${page#./}: a link leads nowhere: $target"
-      done || true
-  done
+  local page target all
+  mapfile -t all < <(pages | sort)
+  { grep -HoE '\]\([^)[:space:]]+\)' "${all[@]}" || true; } |
+    sed -E 's/^([^:]*):\]\((.*)\)$/\1:\2/; s/#.*//' | sort -u |
+    while IFS=: read -r page target; do
+      [[ -z $target || $target =~ ^[a-z]+: || -e ${page%/*}/$target ]] ||
+        echo "${page#./}: a link leads nowhere: $target"
+    done
 }
 
 complaints=$(unknown_tags; tags_given_twice; dead_links)
