@@ -147,7 +147,7 @@ def judge(made, runs):
     reference = runs(made.setting.reference())
     made.reason = made.flaw
     if made.done and reference.done:
-        lets_go = made.setting.lets_go() and made.setting.increments == 1.0
+        lets_go = made.setting.lets_go() and made.setting.increments <= 1.0
         made.deviation = scatter(made, runs) if lets_go else deviation(made, reference)
         made.reason = fault(made, reference, runs)
     if made.reason:
