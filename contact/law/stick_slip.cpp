@@ -97,79 +97,79 @@ SlipResult radial(const Friction& friction, const SlipStep& step, const Mat2& Q)
 // --- Integrators of the path ---------------------------------------------------------------------
 
 /// A number with its derivatives by shear (2), path (2) and slip limit at the end (1).
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 5, 1>>;
+using PathDual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 5, 1>>;
 
 /// A vector in the plane of such numbers.
-struct DualVec {
-  Dual x;
-  Dual y;
+struct PathDualVec {
+  PathDual x;
+  PathDual y;
 };
 
-Dual constant(double value) { return Dual(value, Eigen::Matrix<double, 5, 1>::Zero()); }
-DualVec operator+(const DualVec& a, const DualVec& b) { return {a.x + b.x, a.y + b.y}; }
-DualVec operator-(const DualVec& a, const DualVec& b) { return {a.x - b.x, a.y - b.y}; }
-DualVec operator*(const Dual& f, const DualVec& v) { return {f * v.x, f * v.y}; }
-Dual dot(const DualVec& a, const DualVec& b) { return a.x * b.x + a.y * b.y; }
-Dual norm(const DualVec& v) { return sqrt(dot(v, v)); }
+PathDual constant(double value) { return PathDual(value, Eigen::Matrix<double, 5, 1>::Zero()); }
+PathDualVec operator+(const PathDualVec& a, const PathDualVec& b) { return {a.x + b.x, a.y + b.y}; }
+PathDualVec operator-(const PathDualVec& a, const PathDualVec& b) { return {a.x - b.x, a.y - b.y}; }
+PathDualVec operator*(const PathDual& f, const PathDualVec& v) { return {f * v.x, f * v.y}; }
+PathDual dot(const PathDualVec& a, const PathDualVec& b) { return a.x * b.x + a.y * b.y; }
+PathDual norm(const PathDualVec& v) { return sqrt(dot(v, v)); }
 
 /// A slide along a straight path, from its first point on the limit.
 struct Slide {
-  DualVec shear;    ///< at its start [MPa]
-  DualVec e;        ///< unit vector that the shear is driven along, against the path [-]
-  Dual drive;       ///< K times the length of path left [MPa]
-  Dual limit_start; ///< [MPa]
-  Dual limit_end;   ///< [MPa]
+  PathDualVec shear;    ///< at its start [MPa]
+  PathDualVec e;        ///< unit vector that the shear is driven along, against the path [-]
+  PathDual drive;       ///< K times the length of path left [MPa]
+  PathDual limit_start; ///< [MPa]
+  PathDual limit_end;   ///< [MPa]
 };
 
 /// Where a shear driven from within the limit along `e` reaches it: the share of the increment at
 /// which |tau + drive x e| = L0 + (L1 - L0) x. (F.16) @pre the end lies outside
-Dual share_within(const DualVec& shear,
-                  const DualVec& e,
-                  const Dual& drive,
-                  double limit_old,
-                  const Dual& limit_end) {
-  const Dual growth = limit_end - limit_old;
-  const Dual a = drive * drive - growth * growth;
-  const Dual b = drive * dot(shear, e) - limit_old * growth;
-  const Dual c = dot(shear, shear) - limit_old * limit_old;
+PathDual share_within(const PathDualVec& shear,
+                      const PathDualVec& e,
+                      const PathDual& drive,
+                      double limit_old,
+                      const PathDual& limit_end) {
+  const PathDual growth = limit_end - limit_old;
+  const PathDual a = drive * drive - growth * growth;
+  const PathDual b = drive * dot(shear, e) - limit_old * growth;
+  const PathDual c = dot(shear, shear) - limit_old * limit_old;
   if (!(c.value() < 0.0) && b.value() >= 0.0)
     return constant(0.0);
-  const Dual root = sqrt(b * b - a * c);
-  const Dual x = b.value() >= 0.0 ? Dual(-c / (b + root)) : Dual((root - b) / a);
+  const PathDual root = sqrt(b * b - a * c);
+  const PathDual x = b.value() >= 0.0 ? PathDual(-c / (b + root)) : PathDual((root - b) / a);
   return x;
 }
 
 /// (F.17): the angle between shear and drive falls as tan(theta / 2) exp(-drive / L), L the
 /// logarithmic mean of the limits.
-DualVec slide_exactly(const Slide& slide) {
-  const DualVec across{-slide.e.y, slide.e.x};
-  const Dual along = dot(slide.shear, slide.e);
-  const Dual beside = dot(slide.shear, across);
+PathDualVec slide_exactly(const Slide& slide) {
+  const PathDualVec across{-slide.e.y, slide.e.x};
+  const PathDual along = dot(slide.shear, slide.e);
+  const PathDual beside = dot(slide.shear, across);
   constexpr double opposite = 1e-12; // driven straight back while the limit falls: nothing turns
   if (!(slide.limit_start.value() + along.value() > opposite * slide.limit_start.value()))
     return (slide.limit_end / norm(slide.shear)) * slide.shear;
-  const Dual tangent = beside / (slide.limit_start + along);
-  const Dual growth = slide.limit_end - slide.limit_start;
+  const PathDual tangent = beside / (slide.limit_start + along);
+  const PathDual growth = slide.limit_end - slide.limit_start;
   const double ratio = growth.value() / slide.limit_start.value();
   constexpr double nearly_constant = 1e-4; // below it four terms of the series are exact to 1e-17
-  const Dual x = growth / slide.limit_start;
-  const Dual mean_inverse =
+  const PathDual x = growth / slide.limit_start;
+  const PathDual mean_inverse =
       std::abs(ratio) < nearly_constant
-          ? Dual((1.0 - x * (0.5 - x * (1.0 / 3.0 - 0.25 * x))) / slide.limit_start)
-          : Dual(log(slide.limit_end / slide.limit_start) / growth);
-  const Dual t = tangent * exp(-slide.drive * mean_inverse);
-  const Dual size = slide.limit_end / (1.0 + t * t);
+          ? PathDual((1.0 - x * (0.5 - x * (1.0 / 3.0 - 0.25 * x))) / slide.limit_start)
+          : PathDual(log(slide.limit_end / slide.limit_start) / growth);
+  const PathDual t = tangent * exp(-slide.drive * mean_inverse);
+  const PathDual size = slide.limit_end / (1.0 + t * t);
   return size * (1.0 - t * t) * slide.e + size * (2.0 * t) * across;
 }
 
 /// One sub-increment of the generalised mid-point rule. (F.18)
-DualVec mid_point(const DualVec& shear, const DualVec& driven, const Dual& limit) {
-  const DualVec sum = shear + driven;
-  const Dual length = norm(sum);
+PathDualVec mid_point(const PathDualVec& shear, const PathDualVec& driven, const PathDual& limit) {
+  const PathDualVec sum = shear + driven;
+  const PathDual length = norm(sum);
   if (length.value() > 0.0) {
-    const DualVec m = (1.0 / length) * sum;
-    const Dual b = dot(driven, m);
-    const Dual left = b * b - (dot(driven, driven) - limit * limit);
+    const PathDualVec m = (1.0 / length) * sum;
+    const PathDual b = dot(driven, m);
+    const PathDual left = b * b - (dot(driven, driven) - limit * limit);
     if (left.value() > 0.0)
       return driven - (b - sqrt(left)) * m;
   }
@@ -177,17 +177,17 @@ DualVec mid_point(const DualVec& shear, const DualVec& driven, const Dual& limit
   return (limit / norm(driven)) * driven;
 }
 
-DualVec slide_by_mid_points(const Slide& slide, int substeps) {
+PathDualVec slide_by_mid_points(const Slide& slide, int substeps) {
   constexpr int most = 100;
   const double smaller = std::min(slide.limit_start.value(), slide.limit_end.value());
   // Five for each T / K of path leave an eighth of a degree of a right angle (FRI-04).
   const double turns = 5.0 * slide.drive.value() / std::max(smaller, 1e-300);
   const int n =
       substeps > 0 ? substeps : static_cast<int>(std::clamp(std::ceil(turns), 1.0, double{most}));
-  DualVec shear = slide.shear;
+  PathDualVec shear = slide.shear;
   for (int i = 1; i <= n; ++i) {
     const double x = static_cast<double>(i) / n;
-    const Dual limit = slide.limit_start + x * (slide.limit_end - slide.limit_start);
+    const PathDual limit = slide.limit_start + x * (slide.limit_end - slide.limit_start);
     shear = mid_point(shear, shear + (slide.drive / double(n)) * slide.e, limit);
   }
   return shear;
@@ -203,19 +203,19 @@ SlipResult along_path(const Friction& friction, const SlipScheme& scheme, const 
   const double limit_old = std::max(step.limit_old, step.shear.norm());
   if (predictor.norm() <= limit.shear)
     return stuck(step, predictor, limit.shear);
-  const auto variable = [](double value, int which) { return Dual(value, 5, which); };
-  const DualVec shear{variable(step.shear[0], 0), variable(step.shear[1], 1)};
-  const DualVec path{variable(step.path[0], 2), variable(step.path[1], 3)};
-  const Dual limit_end = variable(limit.shear, 4);
-  const Dual way = norm(path);
-  const DualVec e = (-1.0 / way) * path;
-  const Dual drive = K * way;
-  const Dual within = share_within(shear, e, drive, limit_old, limit_end);
+  const auto variable = [](double value, int which) { return PathDual(value, 5, which); };
+  const PathDualVec shear{variable(step.shear[0], 0), variable(step.shear[1], 1)};
+  const PathDualVec path{variable(step.path[0], 2), variable(step.path[1], 3)};
+  const PathDual limit_end = variable(limit.shear, 4);
+  const PathDual way = norm(path);
+  const PathDualVec e = (-1.0 / way) * path;
+  const PathDual drive = K * way;
+  const PathDual within = share_within(shear, e, drive, limit_old, limit_end);
   Slide slide{shear + (within * drive) * e, e, (1.0 - within) * drive,
               limit_old + within * (limit_end - limit_old), limit_end};
-  const DualVec end = scheme.integrator == Integrator::exact
-                          ? slide_exactly(slide)
-                          : slide_by_mid_points(slide, scheme.substeps);
+  const PathDualVec end = scheme.integrator == Integrator::exact
+                              ? slide_exactly(slide)
+                              : slide_by_mid_points(slide, scheme.substeps);
   SlipResult out;
   out.status = Status::slip;
   out.shear = {end.x.value(), end.y.value()};

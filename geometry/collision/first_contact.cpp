@@ -25,13 +25,13 @@ constexpr int most_retreats = 60;  // of doubled length
 
 // The smallest gap over the points as a function of the tool's offset. The gap is 1-Lipschitz: a
 // point whose gap cannot have come down to the smallest one since it was asked is not asked again.
-class Approach {
+class PointApproach {
 public:
-  Approach(const RigidSurface& surface,
-           const Pose& start,
-           const Vec3& direction,
-           std::span<const Vec3> points,
-           double reach)
+  PointApproach(const RigidSurface& surface,
+                const Pose& start,
+                const Vec3& direction,
+                std::span<const Vec3> points,
+                double reach)
       : surface_(surface), way_(start.rotation.transpose() * direction), reach_(reach) {
     for (const Vec3& x : points)
       points_.emplace_back().position = start.to_tool(x);
@@ -111,7 +111,7 @@ struct State {
 
 // The zero between `clear` (gap >= 0) and `inside` (gap < 0), by the Illinois variant of the
 // rule of false position; the end with gap >= 0 is returned.
-Outcome<double> root(Approach& approach, State clear, State inside, double tolerance) {
+Outcome<double> root(PointApproach& approach, State clear, State inside, double tolerance) {
   double weight_clear = 1.0, weight_inside = 1.0;
   for (int i = 0; i < most_secants && clear.gap > tolerance; ++i) {
     const double a = weight_clear * clear.gap, b = weight_inside * inside.gap;
@@ -147,7 +147,7 @@ Outcome<double> distance_to_contact(const RigidSurface& surface,
                                     double reach) {
   assert(reach > 0.0);
   const double size = scene_size(surface, start, points), tolerance = contact_gap * size;
-  Approach approach(surface, start, direction, points, reach);
+  PointApproach approach(surface, start, direction, points, reach);
   State now{0.0, approach(0.0)};
   // The sign of the gap at the start: forwards until it closes, or backwards until it opens.
   const double side = now.gap >= 0.0 ? 1.0 : -1.0;
