@@ -15,7 +15,7 @@ tags() { # FILE...: "file:tag", as (F.3) or, in a formula, \tag{F.3}
 unknown_tags() {
   local sources
   mapfile -t sources < <(find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort)
-  awk -F: 'NR == FNR { known[$2]; next }
+  awk -F: 'FILENAME == ARGV[1] { known[$2]; next }
            !($2 in known) && !told[$0]++ { print $1 ": equation " $2 " is not in docs/theory/" }' \
     <(tags docs/theory/*.md 2>/dev/null) <(tags "${sources[@]}")
 }

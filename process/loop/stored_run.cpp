@@ -35,11 +35,6 @@ template <class Archive, class Work> void work_fields(Archive& archive, Work& wo
           work.last_factor_bytes);
 }
 
-[[noreturn]] void another_scene(const std::string& what) {
-  throw Error(Fault::input_output, "", "the stored run has other " + what + " than this case",
-              "resume it with the case that it was run with");
-}
-
 } // namespace
 
 std::string stored(const Run& run) {

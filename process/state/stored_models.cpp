@@ -21,12 +21,12 @@ template <class Archive, class... Model> void archive_present(Archive& archive, 
 
 template <class T> bool has(const Owned<T>& model) { return static_cast<bool>(model); }
 
-[[noreturn]] void another_scene(const std::string& what) {
+} // namespace
+
+void another_scene(const std::string& what) {
   throw Error(Fault::input_output, "", "the stored run has other " + what + " than this case",
               "resume it with the case that it was run with");
 }
-
-} // namespace
 
 void store_models(const Run& run, ArchiveWriter& archive) {
   archive(static_cast<std::uint64_t>(run.model.tools.size()));

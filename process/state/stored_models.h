@@ -11,6 +11,10 @@
 
 namespace billet::process {
 
+/// Refuses bytes of a run of another scene.
+/// @throws Error (Fault::input_output)
+[[noreturn]] void another_scene(const std::string& what);
+
 /// What the models on the part, and the tools, hold.
 void store_models(const Run& run, ArchiveWriter& archive);
 

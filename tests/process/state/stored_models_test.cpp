@@ -4,7 +4,6 @@
 #include "process/increment/fallbacks.h"
 #include "process/increment/force_floor.h"
 #include "process/stages/stage_start.h"
-#include "process/state/mesh_quality.h"
 #include "process/state/model.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
