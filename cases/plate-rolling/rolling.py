@@ -23,7 +23,7 @@ STEADY = (1.2, 2.4) # s: after the bite, before the tail is near
 BINS, WIDTH = 20, 0.2 # of the arc, degrees
 
 
-def frames(results, part):
+def steady_frames(results, part):
     """Paths of the frames of one part in the steady time."""
     collection = xml.parse(next(results.glob("*.pvd"))).getroot()
     for item in collection.iter("DataSet"):
@@ -65,7 +65,7 @@ def neutral_angle(rows):
 
 
 def main(results):
-    arcs = [arc_faces(path) for path in frames(results, "contact")]
+    arcs = [arc_faces(path) for path in steady_frames(results, "contact")]
     bins = [[] for _ in range(BINS)]
     for angle, pressure, shear in (row for rows in arcs for row in rows):
         if 0.0 <= angle < BINS * WIDTH:
@@ -77,7 +77,7 @@ def main(results):
                 mean = [sum(column) / len(rows) for column in zip(*rows)]
                 out.write(f"{(i + 0.5) * WIDTH:.3f},{mean[0]:.6g},{mean[1]:.6g}\n")
     speeds = []
-    for path in frames(results, "workpiece"):
+    for path in steady_frames(results, "workpiece"):
         (points,) = arrays(path, "Points", ("Points",))
         (velocities,) = arrays(path, "PointData", ("velocity",))
         front = max(x for x, _, _ in points)
