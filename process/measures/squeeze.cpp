@@ -31,13 +31,18 @@ bool Squeeze::is_nearly_full() const {
   return volume_lost > little && pressure > open * flow_stress;
 }
 
+bool gives_way(const Run& run, double volume) {
+  return volume < (1.0 - Squeeze::little) * run.model.bulk->reference_volume();
+}
+
 Squeeze squeeze_of(const Run& run, double volume) {
   const mechanics::Bulk& bulk = *run.model.bulk;
-  const double share = volume / bulk.reference_volume();
+  const double whole = bulk.reference_volume();
+  const double share = volume / whole;
   Squeeze squeeze{1.0 - share, -bulk.material().elasticity.bulk() * std::log(share), 0.0, 0.0};
   for (std::size_t k = 0; k < bulk.states().size(); ++k)
     squeeze.flow_stress +=
-        bulk.volumes()[k] / bulk.reference_volume() *
+        bulk.volumes()[k] / whole *
         mechanics::yield_stress(
             bulk.material().flow,
             {bulk.states()[k].plastic_strain, run.state.plastic_rate[k], bulk.temperature(k)});
