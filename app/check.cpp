@@ -3,8 +3,8 @@
 #include "app/command_line.h"
 #include "app/cost.h"
 #include "app/make_process.h"
-#include "app/memory.h"
 #include "geometry/base/box.h"
+#include "geometry/base/memory.h"
 #include "io/advice/scene_advice.h"
 #include "io/case/accuracy_preset.h"
 #include "io/case/material_library.h"
@@ -188,6 +188,9 @@ void print_cost(const CostEstimate& cost) {
              cost.memory / megabyte,
              left ? fmt::format(" of {:.0f} MB that are left", *left / megabyte) : "",
              cost.operations * 1e-9);
+  if (mechanics::may_pay(cost.systems) || cost.by_multigrid)
+    fmt::print("linear systems: by {}; {}\n", cost.by_multigrid ? "multigrid" : "factorization",
+               mechanics::costs_in_words(cost.systems));
   fmt::print("time: about {} for {:.0f} increments of {:.0f} iterations, of one thread; a third of "
              "it to ten times as much\n",
              readable(cost.seconds), cost.increments, cost.iterations);
@@ -204,7 +207,7 @@ void print_finer(const CostEstimate& finer) {
 int check_case(const Arguments& arguments) {
   const io::Case content =
       io::read_case(arguments.file, arguments.overrides, {arguments.allow_outside});
-  const ReadyProcess ready = make_process(content, arguments.file, 1, [](const std::string& line) {
+  const ReadyProcess ready = make_process(content, arguments.file, [](const std::string& line) {
     fmt::print("{}\n", line);
     std::fflush(stdout); // what takes a while follows
   });

@@ -1,12 +1,14 @@
 #include "app/cost.h"
 
-#include "app/memory.h"
+#include "geometry/base/memory.h"
 #include "mechanics/linear/linear_solver.h"
+#include "mechanics/linear/multigrid/multigrid.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace billet::app {
@@ -70,18 +72,32 @@ double increments_of(const process::Scene& scene) {
   return increments;
 }
 
+/// As the solver will (LinearSolver).
+void choose_solver(CostEstimate& cost, int dim, mechanics::SolverChoice choice) {
+  cost.systems = {dim, static_cast<double>(cost.entries), cost.factor_entries, cost.operations};
+  const double all = std::numeric_limits<double>::infinity();
+  cost.by_multigrid =
+      choice == mechanics::SolverChoice::multigrid ||
+      (choice == mechanics::SolverChoice::automatic &&
+       mechanics::prefers_multigrid(cost.systems, available_memory().value_or(all)) &&
+       mechanics::Multigrid::is_there());
+}
+
 /// Memory and time, which follow from the rest.
 void add_totals(CostEstimate& cost) {
   // Of an entry: value, column, the symmetric neighbour's value, and the copy that is permuted.
   const double matrix = 30.0 * static_cast<double>(cost.entries);
   // Cholesky's factor, or an LU's two in single precision, and the working front besides.
   const double factors = 8.0 * cost.factor_entries * 1.5;
-  cost.memory = matrix + factors;
+  cost.memory =
+      matrix + (cost.by_multigrid ? mechanics::cost_by_multigrid(cost.systems).memory : factors);
   // Measured with the cases that come along: elements, contact and substitutions go with the
   // entries of the tangent, the factorization with its operations.
   constexpr double per_entry = 1.3e-7, per_operation = 1e-10; // [s]
   cost.seconds = cost.increments * cost.iterations *
-                 (per_entry * static_cast<double>(cost.entries) + per_operation * cost.operations);
+                 (per_entry * static_cast<double>(cost.entries) +
+                  (cost.by_multigrid ? mechanics::cost_by_multigrid(cost.systems).seconds
+                                     : per_operation * cost.operations));
 }
 
 } // namespace
@@ -96,6 +112,7 @@ CostEstimate cost_estimate(const process::Scene& scene) {
   cost.operations = factor.operations;
   cost.increments = increments_of(scene);
   cost.iterations = 4.0;
+  choose_solver(cost, pattern.dim, scene.solver.choice);
   add_totals(cost);
   return cost;
 }
@@ -110,6 +127,9 @@ CostEstimate finer_cost(const CostEstimate& cost, int dim) {
   finer.factor_entries *=
       dim == 2 ? growth * std::log(m) / std::log(std::max(n, 2.0)) : std::pow(growth, 4.0 / 3.0);
   finer.operations *= std::pow(growth, dim == 2 ? 1.5 : 2.0);
+  choose_solver(finer, dim,
+                cost.by_multigrid ? mechanics::SolverChoice::multigrid
+                                  : mechanics::SolverChoice::automatic);
   add_totals(finer);
   return finer;
 }

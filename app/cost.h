@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "mechanics/linear/solver_estimate.h"
 #include "process/scene/scene.h"
 
 #include <cstdint>
@@ -23,6 +24,8 @@ struct CostEstimate {
   double increments = 0.0;     ///< if none is cut back
   double iterations = 0.0;     ///< of an increment
   double seconds = 0.0;        ///< of the run, with one thread
+  bool by_multigrid = false;   ///< systems are solved that way
+  mechanics::SystemSize systems = {};
 };
 
 /// The cost of a scene's run on its first mesh.

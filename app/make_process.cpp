@@ -37,15 +37,13 @@ void note_meetings(const process::Scene& scene,
 
 } // namespace
 
-ReadyProcess
-make_process(const io::Case& content, const std::string& file, int threads, const io::Say& say) {
+ReadyProcess make_process(const io::Case& content, const std::string& file, const io::Say& say) {
   std::vector<std::string> notes;
   try {
     io::require_known_fields(content.output, file);
     notes = io::number_slips(content);
     io::BuiltScene built = io::build_scene(content, file, say);
     std::move(built.notes.begin(), built.notes.end(), std::back_inserter(notes));
-    built.scene.solver.threads = content.solver.reproducible ? 1 : threads;
     auto process = std::make_unique<process::Process>(std::move(built.scene));
     note_meetings(process->view().scene, content.units, notes);
     for (std::string& slip : io::scene_slips(content, process->view()))

@@ -23,9 +23,7 @@ struct ReadyProcess {
 /// @param file  of the case: the place of complaints that have none of their own
 /// @param say   is told what takes a while, before it begins; may be empty
 /// @throws Error
-[[nodiscard]] ReadyProcess make_process(const io::Case& content,
-                                        const std::string& file,
-                                        int threads = 1,
-                                        const io::Say& say = {});
+[[nodiscard]] ReadyProcess
+make_process(const io::Case& content, const std::string& file, const io::Say& say = {});
 
 } // namespace billet::app

@@ -183,8 +183,8 @@ int run_case(const Arguments& arguments) {
   const int threads = arguments.threads.value_or(content.solver.threads.value_or(available));
   limit_threads(threads);
   Progress progress(arguments.quiet, content.units);
-  const ReadyProcess ready = make_process(content, arguments.file, threads,
-                                          [&](const std::string& line) { progress.say(line); });
+  const ReadyProcess ready =
+      make_process(content, arguments.file, [&](const std::string& line) { progress.say(line); });
   process::Process& process = *ready.process;
   const process::Run& run = process.view();
   if (found)

@@ -6,6 +6,8 @@
 #include "io/scene/scene_builder.h"
 #include "process/loop/process.h"
 
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <new>
 #include <utility>
@@ -51,20 +53,22 @@ struct Run::Inside {
   std::filesystem::path file;
   RunOptions options;
   io::Case content;
+  oneapi::tbb::task_arena threads; ///< none of them works outside of it
   std::unique_ptr<process::Process> process;
   OneIncrement observer;
   Status status = Status::running;
 
   Inside(std::filesystem::path case_file, RunOptions run_options)
       : file(std::move(case_file)), options(std::move(run_options)),
-        content(io::read_case(file, options.overrides, {options.allow_outside})) {
+        content(io::read_case(file, options.overrides, {options.allow_outside})),
+        threads(std::max(options.threads, 1)) {
     prepare();
   }
 
   void prepare() {
-    process::Scene scene = io::build_scene(content, file.string()).scene;
-    scene.solver.threads = content.solver.reproducible ? 1 : options.threads;
-    process = std::make_unique<process::Process>(std::move(scene));
+    threads.execute([&] {
+      process = std::make_unique<process::Process>(io::build_scene(content, file.string()).scene);
+    });
   }
 
   [[nodiscard]] io::WorkpieceFrame frame() const {
@@ -90,8 +94,9 @@ Status Run::advance() {
   if (inside_->status != Status::running)
     return inside_->status;
   inside_->observer.begin();
-  const process::RunStatus ended =
-      translated([&] { return inside_->process->run({&inside_->observer}); });
+  const process::RunStatus ended = translated([&] {
+    return inside_->threads.execute([&] { return inside_->process->run({&inside_->observer}); });
+  });
   inside_->status = ended == process::RunStatus::stopped ? Status::running
                     : ended == process::RunStatus::done  ? Status::done
                                                          : Status::not_converged;

@@ -37,7 +37,7 @@ enum class Status {
 /// How a case is read and run.
 struct RunOptions {
   std::vector<std::string> overrides; ///< "tool.punch.friction.m=0.2", as for `billet run --set`
-  int threads = 1;                    ///< of assembly, contact search and factorizations
+  int threads = 1;                    ///< that work on a run; its bits do not depend on them
   bool allow_outside = false;         ///< the case may name files outside of its folder
 };
 

@@ -6,7 +6,7 @@
 set(files_together 12)
 function(billet_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX /fcl_) # of a library of its own
+  list(FILTER sources EXCLUDE REGEX "/(fcl|petsc)_") # of libraries of their own
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   add_library(billet_${name} STATIC ${sources})
   add_library(billet::${name} ALIAS billet_${name})

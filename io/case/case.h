@@ -140,7 +140,6 @@ struct SolverSettings {
   mechanics::SolverChoice linear = mechanics::SolverChoice::automatic;
   double tolerance = 1e-6;    ///< relative residual; by default that of `accuracy` [-]
   std::optional<int> threads; ///< absent: all of the machine
-  bool reproducible = false;  ///< the same bits for any number of threads
   Accuracy accuracy = Accuracy::standard;
 
   bool operator==(const SolverSettings&) const = default;

@@ -226,7 +226,9 @@ std::optional<SolverSettings> as_solver(const At& at) {
   SolverSettings solver;
   table.optional("linear", solver.linear, as_one_of<linear_solvers>);
   table.optional("threads", solver.threads, as_count);
-  table.optional("reproducible", solver.reproducible, as_flag);
+  if (const std::optional<At> at_flag = table.find("reproducible"))
+    at_flag->complain("results are the same to the bit for any number of threads, always",
+                      "take the line out");
   table.optional("accuracy", solver.accuracy, as_one_of<accuracies>);
   solver.tolerance = preset_of(solver.accuracy).tolerance;
   table.optional("tolerance", solver.tolerance, as_number,

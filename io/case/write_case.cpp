@@ -101,9 +101,7 @@ std::string solver_text(const SolverSettings& solver) {
   table.add("linear", word_text(solver.linear, linear_solvers))
       .add("tolerance", toml_text(solver.tolerance));
   add_if(table, "threads", solver.threads);
-  return table.add("reproducible", toml_text(solver.reproducible))
-      .add("accuracy", word_text(solver.accuracy, accuracies))
-      .on_lines();
+  return table.add("accuracy", word_text(solver.accuracy, accuracies)).on_lines();
 }
 
 std::string remesh_text(const Remesh& remesh) {

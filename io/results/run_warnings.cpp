@@ -88,6 +88,15 @@ void on_work_made(const process::Run& run, const UnitSystem& units, Lines& lines
         units.length));
 }
 
+/// Of systems that multigrid did not solve: they cost time, and right they are all the same.
+void on_multigrid(const process::Run& run, Lines& lines) {
+  const mechanics::SolverWork work = run.solver_work();
+  if (work.multigrid_failed > 0)
+    lines.push_back(fmt::format("note: multigrid did not solve {} of {} systems that were given to "
+                                "it; factorizations did",
+                                work.multigrid_failed, work.multigrid_failed + work.multigrid));
+}
+
 void on_limited_friction(const process::Run& run, Lines& lines) {
   if (const int increments = run.state.counters.friction_limited; increments > 0)
     lines.push_back(fmt::format(
@@ -342,6 +351,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   on_work_missing(run, content_->units, {record_.most_missed, record_.most_missed_at}, lines);
   on_work_made(run, content_->units, lines);
   on_limited_friction(run, lines);
+  on_multigrid(run, lines);
   on_fading_forces(run, lines);
   on_resolution(run, *content_, lines);
   on_overlapping_tools(run, content_->units, lines);

@@ -218,6 +218,8 @@ ordered_json solver_json(const mechanics::SolverWork& work) {
           {"substitutions", work.substitutions},
           {"reused", work.reused},
           {"nearly_symmetric", work.nearly_symmetric},
+          {"multigrid", work.multigrid},
+          {"multigrid_failed", work.multigrid_failed},
           {"gigaflop", work.flops / giga},
           {"gigaflop_per_second",
            work.factorization > 0.0 ? work.flops / giga / work.factorization : 0.0},

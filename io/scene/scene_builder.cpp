@@ -14,6 +14,7 @@
 #include "io/tools/stl.h"
 #include "io/tools/tool_builder.h"
 #include "mechanics/elements/mesh_check.h"
+#include "mechanics/linear/multigrid/multigrid.h"
 #include "mechanics/loads/loads.h"
 #include "mechanics/mesh/domain_meshes.h"
 #include "mechanics/mesh/mesh_edges.h"
@@ -528,6 +529,11 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   scene.stop = stop_rules_of(content);
   scene.tolerance = content.solver.tolerance;
   scene.solver.choice = content.solver.linear;
+  if (scene.solver.choice == mechanics::SolverChoice::multigrid &&
+      !mechanics::Multigrid::is_there())
+    throw Error(Fault::case_file, place,
+                "solver.linear: \"multigrid\" needs a component that is not installed",
+                "./dev build --multigrid builds it, with PETSc; \"auto\" takes it where it pays");
   return built;
 }
 

@@ -1,14 +1,14 @@
 #include "mechanics/bulk/bulk.h"
 
+#include "geometry/base/pieces.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/elements/elements.h"
 #include "mechanics/elements/mesh_locator.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <atomic>
@@ -20,6 +20,30 @@
 #include <utility>
 
 namespace billet::mechanics {
+
+namespace {
+
+constexpr std::size_t points_of_piece = 4096; ///< of integration, that a thread takes
+
+/// Calls `work(piece)` for all pieces, each as soon as those are done that it has to wait for.
+template <class Work> void for_all_pieces(const Scatter& scatter, const Work& work) {
+  const std::vector<Index>& waits = scatter.waits();
+  std::vector<std::atomic<Index>> left(waits.size());
+  std::vector<Index> first;
+  for (std::size_t p = 0; p < waits.size(); ++p) {
+    left[p].store(waits[p], std::memory_order_relaxed);
+    if (waits[p] == 0)
+      first.push_back(static_cast<Index>(p));
+  }
+  tbb::parallel_for_each(first.begin(), first.end(), [&](Index piece, tbb::feeder<Index>& more) {
+    work(piece);
+    for (const Index next : scatter.followers(piece))
+      if (--left[idx(next)] == 0)
+        more.add(next);
+  });
+}
+
+} // namespace
 
 /// Local arrays of one thread: of elements side by side.
 struct Bulk::Scratch {
@@ -64,15 +88,18 @@ std::vector<double> Bulk::volumes_at(std::span<const double> x) const {
   const int dim = mesh_->dimension();
   const auto size = idx(nodes_per_element(mesh_->kind) * dim);
   const Index at_once = elements_at_once(mesh_->kind);
-  std::vector<double> local(idx(at_once) * size);
   std::vector<double> volumes(idx(mesh_->n_elements() * points_));
-  for (Index first = 0; first < mesh_->n_elements(); first += at_once) {
-    const Index count = std::min(at_once, mesh_->n_elements() - first);
-    for (Index k = 0; k < count; ++k)
-      gather(x, mesh_->cell(first + k), dim, local.data() + idx(k) * size);
-    point_volumes(mesh_->kind, analysis_, local.data(),
-                  std::span(volumes).subspan(idx(first * points_), idx(count * points_)));
-  }
+  // Pieces of whole groups: the same elements side by side whoever works on them.
+  for_pieces(idx(mesh_->n_elements()), 256 * idx(at_once), [&](std::size_t begin, std::size_t end) {
+    std::vector<double> local(idx(at_once) * size);
+    for (std::size_t first = begin; first < end; first += idx(at_once)) {
+      const std::size_t count = std::min(idx(at_once), end - first);
+      for (std::size_t k = 0; k < count; ++k)
+        gather(x, mesh_->cell(static_cast<Index>(first + k)), dim, local.data() + k * size);
+      point_volumes(mesh_->kind, analysis_, local.data(),
+                    std::span(volumes).subspan(first * idx(points_), count * idx(points_)));
+    }
+  });
   return volumes;
 }
 
@@ -159,22 +186,20 @@ Outcome<Assembled> Bulk::assemble(const Trial& trial, System& system) {
       [at_once, size] { return Scratch(at_once, size); });
   const std::span<const Index> order = scatter_.order();
   const auto& pieces = scatter_.piece_start();
-  const auto work = [&](const tbb::blocked_range<std::size_t>& range) {
+  const auto work = [&](Index piece) {
     Scratch& mine = scratch.local();
-    for (std::size_t piece = range.begin(); piece < range.end(); ++piece)
-      for (auto i = idx(pieces[piece]); i < idx(pieces[piece + 1]); i += at_once) {
-        const auto together = order.subspan(i, std::min(at_once, idx(pieces[piece + 1]) - i));
-        if (add_elements(together, trial, system, mine) == ElementStatus::good)
-          continue;
-        for (std::size_t k = 0; k < together.size(); ++k)
-          if (add_elements(together.subspan(k, 1), trial, system, mine) != ElementStatus::good)
-            say_bad(together[k]);
-      }
+    const std::size_t end = idx(pieces[idx(piece) + 1]);
+    for (std::size_t i = idx(pieces[idx(piece)]); i < end; i += at_once) {
+      const auto together = order.subspan(i, std::min(at_once, end - i));
+      if (add_elements(together, trial, system, mine) == ElementStatus::good)
+        continue;
+      for (std::size_t k = 0; k < together.size(); ++k)
+        if (add_elements(together.subspan(k, 1), trial, system, mine) != ElementStatus::good)
+          say_bad(together[k]);
+    }
   };
   const Stopwatch timed(assembly_time_);
-  const auto& start = scatter_.colour_start();
-  for (std::size_t c = 0; c + 1 < start.size() && bad.load() == none; ++c)
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(idx(start[c]), idx(start[c + 1])), work);
+  for_all_pieces(scatter_, work);
   if (bad.load() != none)
     return Failure{fmt::format("element {} is inverted or distorted beyond use", bad.load())};
   largest_plastic_increment_ = *std::max_element(increments_.begin(), increments_.end());
@@ -189,22 +214,27 @@ double Bulk::trial_plastic_work(std::size_t point) const {
 }
 
 double Bulk::trial_plastic_work() const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < states_.size(); ++k)
-    sum += volumes_[k] * trial_plastic_work(k);
-  return sum;
+  return sum_of_pieces(states_.size(), points_of_piece, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t k = begin; k < end; ++k)
+      sum += volumes_[k] * trial_plastic_work(k);
+    return sum;
+  });
 }
 
 void Bulk::commit(const Trial& trial) {
   trial_dt_ = trial.time - trial.time_old;
-  double sum = 0.0;
-  for (std::size_t k = 0; k < states_.size(); ++k) {
-    const double work = trial_plastic_work(k);
-    sum += volumes_[k] * work;
-    if (!temperatures_.empty())
-      temperatures_[k] += material_.heating * work; // (M.29)
-  }
-  plastic_work_ += sum;
+  plastic_work_ +=
+      sum_of_pieces(states_.size(), points_of_piece, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t k = begin; k < end; ++k) {
+          const double work = trial_plastic_work(k);
+          sum += volumes_[k] * work;
+          if (!temperatures_.empty())
+            temperatures_[k] += material_.heating * work; // (M.29)
+        }
+        return sum;
+      });
   states_ = trial_states_;
   shape_energies_ = trial_shape_energies_;
 }
@@ -221,19 +251,28 @@ Bulk::ElasticEnergy Bulk::elastic_energy(std::span<const double> x,
   const auto n = idx(points_);
   const std::vector<double> volumes = volumes_at(x);
   const double half_bulk = 0.5 * material_.elasticity.bulk();
+  const std::size_t piece = std::max(points_of_piece / n, std::size_t{1}) * n; // whole elements
   ElasticEnergy energy;
-  for (std::size_t k = 0; k < volumes_.size(); ++k)
-    energy.shape += volumes_[k] * shape_energies[k];
-  for (std::size_t first = 0; first < volumes.size(); first += n) {
-    const auto current = std::span(volumes).subspan(first, n);
-    const auto reference = std::span(volumes_).subspan(first, n);
-    double log_J = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k == 0 || !has_mean_dilatation(mesh_->kind))
-        log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
-      energy.volume += reference[k] * half_bulk * log_J * log_J;
+  energy.shape = sum_of_pieces(volumes_.size(), piece, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t k = begin; k < end; ++k)
+      sum += volumes_[k] * shape_energies[k];
+    return sum;
+  });
+  energy.volume = sum_of_pieces(volumes.size(), piece, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t first = begin; first < end; first += n) {
+      const auto current = std::span(volumes).subspan(first, n);
+      const auto reference = std::span(volumes_).subspan(first, n);
+      double log_J = 0.0;
+      for (std::size_t k = 0; k < n; ++k) {
+        if (k == 0 || !has_mean_dilatation(mesh_->kind))
+          log_J = std::log(pressure_ratio(mesh_->kind, current, reference, k));
+        sum += reference[k] * half_bulk * log_J * log_J;
+      }
     }
-  }
+    return sum;
+  });
   return energy;
 }
 

@@ -1,6 +1,7 @@
 #include "mechanics/elements/mesh_check.h"
 
 #include "geometry/base/box.h"
+#include "geometry/base/pieces.h"
 #include "mechanics/elements/mesh_jacobian.h"
 #include "mechanics/mesh/mesh_edges.h"
 
@@ -266,15 +267,16 @@ double element_quality(ElementKind kind, std::span<const Vec3> points) {
 }
 
 std::vector<double> element_qualities(const Mesh& mesh, std::span<const Vec3> points) {
-  std::vector<double> qualities;
-  qualities.reserve(static_cast<std::size_t>(mesh.n_elements()));
-  std::vector<Vec3> nodes;
-  for (Index element = 0; element < mesh.n_elements(); ++element) {
-    nodes.clear();
-    for (const Index node : mesh.cell(element))
-      nodes.push_back(points[idx(node)]);
-    qualities.push_back(element_quality(mesh.kind, nodes));
-  }
+  std::vector<double> qualities(idx(mesh.n_elements()));
+  for_pieces(qualities.size(), 512, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> nodes;
+    for (std::size_t element = begin; element < end; ++element) {
+      nodes.clear();
+      for (const Index node : mesh.cell(static_cast<Index>(element)))
+        nodes.push_back(points[idx(node)]);
+      qualities[element] = element_quality(mesh.kind, nodes);
+    }
+  });
   return qualities;
 }
 

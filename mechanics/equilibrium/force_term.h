@@ -10,6 +10,7 @@
 #pragma once
 
 #include "geometry/base/outcome.h"
+#include "geometry/base/pieces.h"
 #include "mechanics/equilibrium/analysis.h"
 #include "mechanics/linear/sparse_matrix.h"
 
@@ -58,7 +59,10 @@ struct System {
 
   void clear() {
     if (!forces_only)
-      std::fill(tangent.values.begin(), tangent.values.end(), 0.0);
+      for_pieces(tangent.values.size(), std::size_t{1} << 16,
+                 [&](std::size_t begin, std::size_t end) {
+                   std::fill_n(tangent.values.data() + begin, end - begin, 0.0);
+                 });
     tangent.unsymmetric.clear();
     couplings.clear();
     std::fill(residual.begin(), residual.end(), 0.0);

@@ -1,5 +1,6 @@
 #include "mechanics/equilibrium/newton.h"
 
+#include "geometry/base/pieces.h"
 #include "geometry/base/stopwatch.h"
 
 #include <Eigen/LU>
@@ -95,6 +96,8 @@ int iterations_for(Continuation continuation) {
   return 1;
 }
 
+constexpr std::size_t rows_at_once = 2048; ///< of the tangent, that a thread takes
+
 } // namespace
 
 Newton::Newton(const BlockPattern& pattern,
@@ -157,16 +160,15 @@ Newton::evaluate(std::span<ForceTerm* const> terms, const Trial& trial, bool for
 
 /// What the rounding of positions of this size makes of the forces of stiff elements. [N]
 double Newton::rounding_of_forces(double position) const {
-  double squares = 0.0;
-  for (Index i = 0; i < pattern_->n_dofs(); ++i) {
-    if (fixed_[idx(i)] != 0)
-      continue;
-    const auto first = pattern_->columns.begin() + pattern_->row_start[idx(i)];
-    const auto last = pattern_->columns.begin() + pattern_->row_start[idx(i) + 1];
-    const auto diagonal = std::lower_bound(first, last, i) - pattern_->columns.begin();
-    const double stiffness = system_.tangent.values[static_cast<std::size_t>(diagonal)];
-    squares += stiffness * stiffness;
-  }
+  const auto squares_of = [&](std::size_t begin, std::size_t end) {
+    double squares = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double stiffness = system_.tangent.values[idx(pattern_->diagonal[i])];
+      squares += fixed_[i] == 0 ? stiffness * stiffness : 0.0;
+    }
+    return squares;
+  };
+  const double squares = sum_of_pieces(pattern_->diagonal.size(), rows_at_once, squares_of);
   return std::numeric_limits<double>::epsilon() * position * std::sqrt(squares);
 }
 
@@ -189,11 +191,7 @@ Outcome<SolveReport> Newton::correct(const Prescribed& prescribed,
     correction_[i] = prescribed.positions[k] - x[i];
   }
   // Prescribed unknowns become rows and columns of the identity, scaled like their neighbours.
-  for (std::size_t i = 0; i < rhs_.size(); ++i) {
-    if (beside_fixed_[i] == 0) {
-      rhs_[i] = -system_.residual[i];
-      continue;
-    }
+  const auto separate = [&](std::size_t i) {
     double lift = 0.0;
     for (Index k = pattern_->row_start[i]; k < pattern_->row_start[i + 1]; ++k) {
       const auto j = idx(pattern_->columns[idx(k)]);
@@ -210,7 +208,14 @@ Outcome<SolveReport> Newton::correct(const Prescribed& prescribed,
     }
     if (fixed_[i] == 0)
       rhs_[i] = -system_.residual[i] - lift;
-  }
+  };
+  for_pieces(rhs_.size(), rows_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (beside_fixed_[i] == 0)
+        rhs_[i] = -system_.residual[i];
+      else
+        separate(i);
+  });
   std::erase_if(system_.tangent.unsymmetric, [&](const EntryPart& part) {
     return fixed_[idx(part.row)] != 0 || fixed_[idx(pattern_->columns[idx(part.entry)])] != 0;
   });
@@ -220,7 +225,9 @@ Outcome<SolveReport> Newton::correct(const Prescribed& prescribed,
       rhs_[i] -= coupling.value * correction_[j];
     return fixed_[i] != 0 || fixed_[j] != 0;
   });
-  return solve_bordered(options);
+  SolveOptions here = options;
+  here.positions = x.first(rhs_.size());
+  return solve_bordered(here);
 }
 
 /// Eliminates the nodes: one more right-hand side for each unknown that belongs to none. (N.7)

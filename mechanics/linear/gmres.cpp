@@ -1,5 +1,6 @@
 #include "mechanics/linear/gmres.h"
 
+#include "geometry/base/pieces.h"
 #include "mechanics/linear/linear_solver.h"
 
 #include <Eigen/Core>
@@ -16,27 +17,40 @@ using Column = Eigen::Map<const Eigen::VectorXd>;
 
 Column column(std::span<const double> a) { return {a.data(), static_cast<Eigen::Index>(a.size())}; }
 
+constexpr std::size_t numbers_at_once = 1 << 14; ///< numbers of a vector that a thread takes
+
 /// Sums as many products at a time as the processor's vectors hold.
 double dot(std::span<const double> a, std::span<const double> b) {
-  return column(a).dot(column(b));
+  return sum_of_pieces(a.size(), numbers_at_once, [&](std::size_t begin, std::size_t end) {
+    return column(a.subspan(begin, end - begin)).dot(column(b.subspan(begin, end - begin)));
+  });
+}
+
+/// Calls `change(i)` for all numbers of a vector.
+template <class Change> void for_all(std::size_t n, const Change& change) {
+  for_pieces(n, numbers_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      change(i);
+  });
 }
 
 /// y += s x.
 void add(double s, std::span<const double> x, std::span<double> y) {
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] += s * x[i];
+  for_all(y.size(), [&](std::size_t i) { y[i] += s * x[i]; });
 }
 
 void multiply(std::span<const double> a, std::span<const double> b, std::vector<double>& product) {
   product.resize(a.size());
-  for (std::size_t i = 0; i < product.size(); ++i)
-    product[i] = a[i] * b[i];
+  for_all(product.size(), [&](std::size_t i) { product[i] = a[i] * b[i]; });
 }
 
 void divide(std::span<const double> a, std::span<const double> b, std::vector<double>& quotient) {
   quotient.resize(a.size());
-  for (std::size_t i = 0; i < quotient.size(); ++i)
-    quotient[i] = a[i] / b[i];
+  for_all(quotient.size(), [&](std::size_t i) { quotient[i] = a[i] / b[i]; });
+}
+
+void divide(std::vector<double>& values, double by) {
+  for_all(values.size(), [&](std::size_t i) { values[i] /= by; });
 }
 
 /// Whether a residual that has come down to `residual` in k steps will not reach the tolerance in
@@ -110,8 +124,7 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
   sines_.resize(idx(most));
   projected_.assign(idx(most) + 1, 0.0);
   projected_[0] = scale;
-  for (double& value : basis_[0])
-    value /= scale;
+  divide(basis_[0], scale);
   GmresReport report;
   for (int k = 0; k < most; ++k) {
     if (idx(k) < known.size()) {
@@ -134,8 +147,7 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
     report.converged = report.residual <= tolerance;
     if (report.converged || too_slow(report.residual, tolerance, k + 1, most))
       break;
-    for (double& value : basis_[idx(k) + 1])
-      value /= length;
+    divide(basis_[idx(k) + 1], length);
   }
   if (report.converged)
     combine(report.iterations, x);

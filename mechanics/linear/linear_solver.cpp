@@ -1,7 +1,10 @@
 #include "mechanics/linear/linear_solver.h"
 
+#include "geometry/base/memory.h"
+#include "geometry/base/pieces.h"
 #include "geometry/base/stopwatch.h"
-#include "mechanics/linear/blas.h"
+#include "mechanics/linear/multigrid/multigrid.h"
+#include "mechanics/linear/solver_estimate.h"
 
 #include <Eigen/Core>
 #include <metis.h>
@@ -110,6 +113,8 @@ SolverWork SolverWork::after(const SolverWork& earlier) const {
   sum.substitutions += earlier.substitutions;
   sum.reused += earlier.reused;
   sum.nearly_symmetric += earlier.nearly_symmetric;
+  sum.multigrid += earlier.multigrid;
+  sum.multigrid_failed += earlier.multigrid_failed;
   sum.systems += earlier.systems;
   return sum;
 }
@@ -145,8 +150,22 @@ std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
 LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
     : pattern_(&pattern), settings_(settings),
       residual_(static_cast<std::size_t>(pattern.n_dofs())) {
-  const Stopwatch watch(work_.analysis);
-  order_ = fill_reducing_order(pattern);
+  // What wants memory does so before a run has begun, unless it may never be needed.
+  const bool may_multigrid = settings.choice == SolverChoice::multigrid ||
+                             (settings.choice == SolverChoice::automatic &&
+                              may_pay({pattern.dim, static_cast<double>(pattern.n_entries())}));
+  if (!may_multigrid)
+    static_cast<void>(order());
+}
+
+LinearSolver::~LinearSolver() = default;
+
+const std::vector<Index>& LinearSolver::order() {
+  if (order_.empty()) {
+    const Stopwatch watch(work_.analysis);
+    order_ = fill_reducing_order(*pattern_);
+  }
+  return order_;
 }
 
 void LinearSolver::set_constrained(std::span<const char> constrained) {
@@ -167,6 +186,7 @@ void LinearSolver::forget() {
   factor_of_ = FactorOf::previous;
   backoff_.symmetric = {};
   backoff_.single = {};
+  backoff_.multigrid = {};
   single_lu_serves_ = true;
   first_.clear();
   correction_ = 0.0;
@@ -183,24 +203,20 @@ Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorizat
 
 void LinearSolver::release_all_but(const Factorization& factorization) {
   constexpr double few = 1e7; // entries: less memory than the matrices of a small problem take
-  for (const auto* other :
-       {&single_, &cholmod_, &mumps_symmetric_, &mumps_single_, &mumps_, &umfpack_})
-    if (*other && other->get() != &factorization && (*other)->cost().entries > few)
-      (*other)->release();
+  for (Factorization* other :
+       {single_.get(), cholmod_.get(), mumps_symmetric_.get(), mumps_single_.get(), mumps_.get(),
+        umfpack_.get(), static_cast<Factorization*>(multigrid_.get())})
+    if (other != nullptr && other != &factorization && other->cost().entries > few)
+      other->release();
 }
 
 bool LinearSolver::factorize(Factorization& factorization,
                              std::string_view method,
                              const SparseMatrix& matrix) {
   const Stopwatch watch(work_.factorization);
-  constexpr double large = 1e9; // operations: below them threads wait longer than they work
   last_ = nullptr;
   release_all_but(factorization);
-  const bool share = settings_.threads > 1 && factorization.cost().flops > large;
-  set_blas_threads(share ? settings_.threads : 1);
   const bool done = factorization.factorize(matrix);
-  if (share)
-    set_blas_threads(1);
   const FactorCost cost = factorization.cost();
   ++work_.factorizations;
   work_.flops += cost.flops;
@@ -267,29 +283,30 @@ double LinearSolver::weigh(const SparseMatrix& matrix) {
   const std::size_t n = residual_.size();
   if (n == 0)
     return 1.0;
-  if (diagonal_.empty())
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto row = pattern_->columns.begin() + pattern_->row_start[i];
-      const auto end = pattern_->columns.begin() + pattern_->row_start[i + 1];
-      diagonal_.push_back(static_cast<Index>(std::lower_bound(row, end, static_cast<Index>(i)) -
-                                             pattern_->columns.begin()));
-    }
-  double largest = 0.0;
-  for (const Index entry : diagonal_)
-    largest = std::max(largest, std::abs(matrix.values[idx(entry)]));
   // Powers of two of the ratio: other units of length or force change nothing, to the bit.
   constexpr int most = 80;
-  constexpr int usual = 7; // 4 to 7 with the penalties chosen by default
-  long sum = 0;
+  constexpr int usual = 7;                 // 4 to 7 with the penalties chosen by default
+  constexpr std::size_t at_once = 1 << 14; // rows
+  const std::vector<Index>& diagonal = pattern_->diagonal;
+  const auto stiffness = [&](std::size_t i) { return std::abs(matrix.values[idx(diagonal[i])]); };
+  const double largest = most_of_pieces(n, at_once, [&](std::size_t begin, std::size_t end) {
+    double largest_here = 0.0;
+    for (std::size_t i = begin; i < end; ++i)
+      largest_here = std::max(largest_here, stiffness(i));
+    return largest_here;
+  });
   weights_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double ratio = largest / std::abs(matrix.values[idx(diagonal_[i])]);
-    const int below =
-        std::min(exponent(ratio), most); // that of no number and of infinity is larger
-    weights_[i] = power_of_two(below / 2);
-    sum += below;
-  }
-  const auto mean = static_cast<int>(sum / static_cast<long>(n));
+  const double sum = sum_of_pieces(n, at_once, [&](std::size_t begin, std::size_t end) {
+    long sum_here = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double ratio = largest / stiffness(i);
+      const int below = std::min(exponent(ratio), most); // that of no number is larger
+      weights_[i] = power_of_two(below / 2);
+      sum_here += below;
+    }
+    return static_cast<double>(sum_here);
+  });
+  const auto mean = static_cast<int>(sum / static_cast<double>(n));
   return std::ldexp(1.0, std::min(0, usual - mean));
 }
 
@@ -328,7 +345,8 @@ Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
     std::fill(x.begin(), x.end(), 0.0);
     return SolveReport{"zero", 0.0};
   }
-  const bool may_reuse = options.tolerance > 0.0 && settings_.choice == SolverChoice::automatic;
+  const bool may_reuse = options.tolerance > 0.0 && (settings_.choice == SolverChoice::automatic ||
+                                                     settings_.choice == SolverChoice::multigrid);
   const int most = may_reuse && last_ != nullptr ? max_solves(last_->cost()) : 0;
   if (most > 0 && !reuse_.wants_new()) {
     const double enough = tolerance_for(options.tolerance, correction_, false);
@@ -359,8 +377,9 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
 
 const std::shared_ptr<const Elimination>& LinearSolver::elimination() {
   if (!elimination_) {
+    const std::vector<Index>& fill_reducing = order();
     const Stopwatch watch(work_.analysis);
-    elimination_ = std::make_shared<const Elimination>(*pattern_, order_, constrained_);
+    elimination_ = std::make_shared<const Elimination>(*pattern_, fill_reducing, constrained_);
   }
   return elimination_;
 }
@@ -381,7 +400,9 @@ bool LinearSolver::agrees_with_itself(const SparseMatrix& matrix, std::span<cons
 bool LinearSolver::factorize_in_single(const SparseMatrix& matrix,
                                        std::span<const double> rhs,
                                        const SolveOptions& options) {
-  if (settings_.choice != SolverChoice::automatic || !backoff_.single.due())
+  const bool may = settings_.choice == SolverChoice::automatic ||
+                   settings_.choice == SolverChoice::multigrid; // where that has failed
+  if (!may || !backoff_.single.due())
     return false;
   const auto& fronts = elimination();
   Factorization& single = prepared(single_, [&] { return make_single(fronts); });
@@ -457,13 +478,67 @@ Outcome<SolveReport> LinearSolver::solve_symmetric(const SparseMatrix& matrix,
                     rhs, x);
 }
 
+bool LinearSolver::takes_multigrid() {
+  if (settings_.choice == SolverChoice::multigrid)
+    return true;
+  if (settings_.choice != SolverChoice::automatic || pattern_->dim != 3)
+    return false;
+  if (!takes_multigrid_) {
+    SystemSize size{pattern_->dim, static_cast<double>(pattern_->n_entries())};
+    takes_multigrid_ = false;
+    if (may_pay(size)) {
+      size.factor_entries = elimination()->entries();
+      size.operations = elimination()->flops();
+      const double all = std::numeric_limits<double>::infinity();
+      takes_multigrid_ =
+          prefers_multigrid(size, available_memory().value_or(all)) && Multigrid::is_there();
+      if (*takes_multigrid_)
+        elimination_.reset(); // it may never be needed
+    }
+  }
+  return *takes_multigrid_;
+}
+
+Outcome<SolveReport> LinearSolver::solve_by_multigrid(const SparseMatrix& matrix,
+                                                      std::span<const double> rhs,
+                                                      std::span<double> x,
+                                                      const SolveOptions& options) {
+  if (!multigrid_) {
+    auto made = Multigrid::make();
+    if (!made)
+      return made.error();
+    multigrid_ = std::move(*made);
+  }
+  correction_ = 0.0;
+  multigrid_->set_positions(options.positions);
+  if (!factorize(*multigrid_, "multigrid", matrix))
+    return Failure{"multigrid cannot be set up"};
+  constexpr int most = 150;
+  const double enough = std::max(options.tolerance, exact);
+  const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
+  if (!report.converged) {
+    last_ = nullptr;
+    return Failure{"no convergence (multigrid)"};
+  }
+  factor_of_ = FactorOf::symmetrized;
+  return SolveReport{"multigrid", report.residual};
+}
+
 Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,
                                                        bool symmetric,
                                                        std::span<const double> rhs,
                                                        std::span<double> x,
                                                        const SolveOptions& options) {
-  const bool fast =
-      settings_.choice == SolverChoice::automatic || settings_.choice == SolverChoice::cholmod;
+  if (takes_multigrid() && backoff_.multigrid.due()) {
+    auto outcome = solve_by_multigrid(matrix, rhs, x, options);
+    backoff_.multigrid.take(bool(outcome));
+    ++(outcome ? work_.multigrid : work_.multigrid_failed);
+    if (outcome)
+      return outcome;
+  }
+  const bool fast = settings_.choice == SolverChoice::automatic ||
+                    settings_.choice == SolverChoice::cholmod ||
+                    settings_.choice == SolverChoice::multigrid; // where it has failed
   if (symmetric && fast) {
     auto outcome = solve_symmetric(matrix, rhs, x, options);
     if (outcome)
@@ -477,7 +552,7 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
   if (!symmetric && fast && single_lu_serves_ &&
       max_solves({elimination()->flops(), elimination()->entries()}) > 0) {
     Factorization& lu =
-        prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order_); });
+        prepared(mumps_single_, [&] { return make_single_mumps(*pattern_, order()); });
     correction_ = 0.0;
     if (factorize(lu, "mumps-lu-gmres", matrix)) {
       auto outcome = solve_with_neighbour("mumps-lu-gmres", matrix, rhs, x, {exact}, {});
@@ -488,12 +563,12 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
   }
   if (settings_.choice != SolverChoice::umfpack) {
     Factorization& mumps = prepared(symmetric ? mumps_symmetric_ : mumps_,
-                                    [&] { return make_mumps(*pattern_, order_, symmetric); });
+                                    [&] { return make_mumps(*pattern_, order(), symmetric); });
     auto outcome = solve_with(mumps, symmetric ? "mumps-ldlt" : "mumps-lu", matrix, rhs, x);
     if (outcome || settings_.choice == SolverChoice::mumps)
       return outcome;
   }
-  Factorization& umfpack = prepared(umfpack_, [&] { return make_umfpack(*pattern_, order_); });
+  Factorization& umfpack = prepared(umfpack_, [&] { return make_umfpack(*pattern_, order()); });
   return solve_with(umfpack, "umfpack", matrix, rhs, x);
 }
 

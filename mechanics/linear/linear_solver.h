@@ -6,9 +6,11 @@
 // solution, CHOLMOD's supernodal Cholesky factorization in double precision stands in; where that
 // meets a pivot that is not positive, or the neighbour is too far, MUMPS' LDL^T or LU: in large
 // problems an LU in single precision, with GMRES around it. UMFPACK stands in when MUMPS fails.
+// Large parts in space are solved by GMRES around multigrid where that is cheaper, or where memory
+// does not hold the factors; what it does not solve is factorized.
 // Every solution's residual is checked, and refined once where it is too large.
 // docs/decisions/0010-symmetric-neighbour.md, 0013-memory-of-factorizations.md,
-// 0018-factorization-in-single-precision.md
+// 0018-factorization-in-single-precision.md, 0032-threads.md, 0033-multigrid.md
 
 #pragma once
 
@@ -20,6 +22,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -30,12 +33,14 @@ namespace billet::mechanics {
 struct SolveOptions {
   double tolerance = 0.0; ///< relative residual that will do [-]; 0: as exact as can be
   bool far = false;       ///< the matrix may have little in common with the last one
+  std::span<const double> positions = {}; ///< of the nodes, shape (n_dofs): multigrid asks [mm]
 };
 
 /// What the last solution did, for the log and the summary.
 struct SolveReport {
   std::string_view method;      ///< "ldlt-single", "cholmod", "cholmod-gmres", "mumps-ldlt",
-                                ///< "mumps-lu-gmres" (in single precision), "mumps-lu", "umfpack";
+                                ///< "mumps-lu-gmres" (in single precision), "mumps-lu", "umfpack",
+                                ///< "multigrid";
                                 ///< "gmres": with an earlier factorization
   double relative_residual = 0; ///< of the linear system
 };
@@ -50,6 +55,8 @@ struct SolverWork {
   long substitutions = 0;
   long reused = 0;                ///< systems solved without a factorization of their own
   long nearly_symmetric = 0;      ///< unsymmetric systems solved with their symmetric part
+  long multigrid = 0;             ///< systems solved around a set-up of multigrid of their own
+  long multigrid_failed = 0;      ///< systems that it did not solve: a factorization did
   long systems = 0;               ///< however many right-hand sides each has
   std::string_view last_method;   ///< of the last factorization
   double last_flops = 0.0;        ///< of the last factorization
@@ -80,6 +87,8 @@ public:
   /// Work of the last factorization, as counted by the method; before it what analysis expects.
   [[nodiscard]] virtual FactorCost cost() const = 0;
 };
+
+class Multigrid;
 
 /// Gives a vector's memory back, which assigning {} would keep.
 template <class T> void free_memory(std::vector<T>& values) { std::vector<T>().swap(values); }
@@ -143,6 +152,7 @@ class LinearSolver {
 public:
   /// @pre pattern outlives the solver
   LinearSolver(const BlockPattern& pattern, SolverSettings settings);
+  ~LinearSolver();
 
   /// From now on the entries that couple these unknowns with others are zero in every matrix: what
   /// is prescribed takes no part in factorizations.
@@ -186,6 +196,7 @@ private:
   /// Makes a factorization of the pattern where there is none so far.
   template <class Make>
   Factorization& prepared(std::unique_ptr<Factorization>& factorization, Make make);
+  [[nodiscard]] const std::vector<Index>& order();
   [[nodiscard]] const std::shared_ptr<const Elimination>& elimination();
   /// Large factors are held one at a time: Cholesky's and an LU's together are too much.
   void release_all_but(const Factorization& factorization);
@@ -232,6 +243,13 @@ private:
                                     double tolerance,
                                     int most,
                                     Known known);
+  /// Whether multigrid is asked for, or cheaper than factorizations and there.
+  [[nodiscard]] bool takes_multigrid();
+  /// By GMRES around a cycle of multigrid.
+  [[nodiscard]] Outcome<SolveReport> solve_by_multigrid(const SparseMatrix& matrix,
+                                                        std::span<const double> rhs,
+                                                        std::span<double> x,
+                                                        const SolveOptions& options);
   [[nodiscard]] double weigh(const SparseMatrix& matrix);
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
                                                          bool symmetric,
@@ -241,7 +259,7 @@ private:
 
   const BlockPattern* pattern_;
   SolverSettings settings_;
-  std::vector<Index> order_;
+  std::vector<Index> order_;      ///< once it has been asked for
   std::vector<char> constrained_; ///< shape (n_dofs) or none
   std::shared_ptr<const Elimination> elimination_;
   std::unique_ptr<Factorization> single_;
@@ -250,18 +268,20 @@ private:
   std::unique_ptr<Factorization> mumps_single_;
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
-  Factorization* last_ = nullptr; ///< holds a factorization of an earlier matrix
-  ReusePolicy reuse_;             ///< of that factorization
+  std::unique_ptr<Multigrid> multigrid_;
+  std::optional<bool> takes_multigrid_; ///< once it has been decided
+  Factorization* last_ = nullptr;       ///< holds a factorization of an earlier matrix
+  ReusePolicy reuse_;                   ///< of that factorization
   /// The matrix that factorization is of.
   enum class FactorOf { previous, symmetrized, current } factor_of_ = FactorOf::previous;
   Gmres gmres_;
-  std::vector<Index> diagonal_; ///< entry of each unknown
   std::vector<double> weights_; ///< of each unknown's residual
   SparseMatrix symmetric_part_;
   /// Of ways that have failed.
   struct Backoffs {
     RetryBackoff symmetric; ///< the symmetric part
     RetryBackoff single;    ///< L S L^T in single precision
+    RetryBackoff multigrid;
   };
   Backoffs backoff_;
   bool single_lu_serves_ = true;           ///< whether LU in single precision is worth a try

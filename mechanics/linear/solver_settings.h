@@ -4,13 +4,12 @@
 
 namespace billet::mechanics {
 
-/// Which factorization solves the systems.
-enum class SolverChoice { automatic, cholmod, mumps, umfpack };
+/// What solves the systems.
+enum class SolverChoice { automatic, cholmod, mumps, umfpack, multigrid };
 
 /// How systems are solved.
 struct SolverSettings {
   SolverChoice choice = SolverChoice::automatic;
-  int threads = 1; ///< of large factorizations; the bits of a result depend on them
 };
 
 } // namespace billet::mechanics

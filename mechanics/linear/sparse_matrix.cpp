@@ -1,7 +1,10 @@
 #include "mechanics/linear/sparse_matrix.h"
 
+#include "geometry/base/pieces.h"
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -98,14 +101,16 @@ void multiply_pairs(std::size_t n,
   y[1] = second[0] + second[1];
 }
 
-/// y = A x, the rows of a node side by side: their columns are the same.
+/// y = A x for some nodes, the rows of each side by side: their columns are the same.
 template <std::size_t dim>
 void multiply_blocks(const BlockPattern& pattern,
+                     std::size_t begin,
+                     std::size_t end,
                      const double* values,
                      const double* x,
                      double* y) {
   constexpr std::size_t ahead = 512; // numbers, 4 kB: half and twice of it are as good
-  for (std::size_t a = 0; a < idx(pattern.n_nodes()); ++a) {
+  for (std::size_t a = begin; a < end; ++a) {
     const Index first = pattern.neighbour_start[a];
     const std::size_t n = idx(pattern.neighbour_start[a + 1] - first);
     const double* row = values + pattern.row_start[a * dim];
@@ -126,28 +131,40 @@ void multiply_blocks(const BlockPattern& pattern,
   }
 }
 
-/// Mean of each entry and of the one across the diagonal.
+/// Mean of each entry and of the one across the diagonal, for some nodes.
 template <std::size_t dim>
-void average_blocks(const BlockPattern& pattern, const double* values, double* means) {
-  const auto row = [&](std::size_t node) { return idx(pattern.row_start[node * dim]); };
-  // Nodes are walked in order, so the transpose of a block is the next of its row not met so far.
-  std::vector<Index> next(pattern.neighbour_start.begin(), pattern.neighbour_start.end() - 1);
-  for (std::size_t a = 0; a < idx(pattern.n_nodes()); ++a) {
-    const Index start = pattern.neighbour_start[a], end = pattern.neighbour_start[a + 1];
-    const std::size_t width = idx(end - start) * dim;
-    for (Index k = next[a]; k < end; ++k) {
-      const std::size_t b = idx(pattern.neighbours[idx(k)]);
-      const Index other_start = pattern.neighbour_start[b];
-      const std::size_t other_width = idx(pattern.neighbour_start[b + 1] - other_start) * dim;
-      const std::size_t block = row(a) + idx(k - start) * dim;
-      const std::size_t other = row(b) + idx(next[b]++ - other_start) * dim;
+void average_blocks(const BlockPattern& pattern,
+                    std::size_t begin,
+                    std::size_t end,
+                    const double* values,
+                    double* means) {
+  const auto neighbours = [&](std::size_t node) {
+    return idx(pattern.neighbour_start[node + 1] - pattern.neighbour_start[node]);
+  };
+  for (std::size_t a = begin; a < end; ++a) {
+    const std::size_t first = idx(pattern.neighbour_start[a]), n = neighbours(a);
+    const std::size_t row = idx(pattern.row_start[a * dim]);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t b = idx(pattern.neighbours[first + k]);
+      const std::size_t block = row + k * dim, width = n * dim, other_width = neighbours(b) * dim;
+      const std::size_t other =
+          idx(pattern.row_start[b * dim]) + idx(pattern.mirror[first + k]) * dim;
       for (std::size_t i = 0; i < dim; ++i)
         for (std::size_t j = 0; j < dim; ++j) {
-          const std::size_t here = block + i * width + j, across = other + j * other_width + i;
-          means[here] = means[across] = 0.5 * (values[here] + values[across]);
+          const std::size_t here = block + i * width + j;
+          means[here] = 0.5 * (values[here] + values[other + j * other_width + i]);
         }
     }
   }
+}
+
+/// Calls `work(begin, end)` for pieces of nodes that have so many entries, about, that to share
+/// them is worth it.
+template <class Work> void for_rows(const BlockPattern& pattern, const Work& work) {
+  constexpr std::size_t at_once = 1 << 15; // entries
+  const std::size_t nodes = idx(pattern.n_nodes());
+  const std::size_t per_node = pattern.n_entries() / std::max(nodes, std::size_t{1}) + 1;
+  for_pieces(nodes, at_once / per_node + 1, work);
 }
 
 } // namespace
@@ -172,13 +189,20 @@ BlockPattern pattern_of(int dim, const std::vector<std::vector<Index>>& neighbou
   pattern.dim = dim;
   pattern.neighbour_start.push_back(0);
   pattern.row_start.push_back(0);
+  // Nodes are walked in order, so each comes as the next of its neighbours' not met so far.
+  std::vector<Index> met(neighbours.size(), 0);
   for (const auto& list : neighbours) {
+    for (const Index b : list)
+      pattern.mirror.push_back(met[idx(b)]++);
     pattern.neighbours.insert(pattern.neighbours.end(), list.begin(), list.end());
     pattern.neighbour_start.push_back(static_cast<Index>(pattern.neighbours.size()));
     for (int i = 0; i < pattern.dim; ++i) {
       for (const Index b : list)
-        for (int j = 0; j < pattern.dim; ++j)
+        for (int j = 0; j < pattern.dim; ++j) {
+          if (b * pattern.dim + j == static_cast<Index>(pattern.row_start.size()) - 1)
+            pattern.diagonal.push_back(static_cast<Index>(pattern.columns.size()));
           pattern.columns.push_back(b * pattern.dim + j);
+        }
       pattern.row_start.push_back(static_cast<Index>(pattern.columns.size()));
     }
   }
@@ -218,7 +242,8 @@ Scatter::Scatter(const BlockPattern& pattern, std::vector<Index> groups, int siz
     for (const Index a : nodes(g))
       for (const Index b : nodes(g))
         offsets_.push_back(pattern.offset(a, b));
-  colour(pattern.n_nodes(), pieces(pattern.n_nodes(), together));
+  put_in_order(pattern.n_nodes(), pieces(pattern.n_nodes(), together));
+  find_followers(pattern.n_nodes());
 }
 
 /// Grown from neighbour to neighbour, each piece from where the one before stopped.
@@ -268,40 +293,63 @@ std::vector<std::vector<Index>> Scatter::pieces(Index n_nodes, Index together) c
   return pieces;
 }
 
-void Scatter::colour(Index n_nodes, const std::vector<std::vector<Index>>& pieces) {
+/// By colour, those of one colour without a common node: few wait for each other.
+void Scatter::put_in_order(Index n_nodes, const std::vector<std::vector<Index>>& pieces) {
   // Greedy: each piece takes the first colour none of its nodes has yet. 64 colours suffice for
-  // any mesh met so far; pieces beyond them go to colours of their own, one each.
+  // any mesh met so far; pieces beyond them come last, one after another.
   constexpr std::size_t most = 64;
   std::vector<std::uint64_t> used(idx(n_nodes), 0);
-  std::vector<std::vector<std::size_t>> members(most);
+  std::vector<std::vector<std::size_t>> members(most + 1);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     std::uint64_t taken = 0;
     for (const Index g : pieces[p])
       for (const Index a : nodes(g))
         taken |= used[idx(a)];
-    std::size_t c = 0;
-    while (c < most && ((taken >> c) & 1U) != 0)
-      ++c;
-    if (c == most) {
-      members.push_back({p});
-      continue;
-    }
+    const auto c = static_cast<std::size_t>(std::countr_one(taken));
     members[c].push_back(p);
+    if (c == most)
+      continue;
     for (const Index g : pieces[p])
       for (const Index a : nodes(g))
         used[idx(a)] |= std::uint64_t{1} << c;
   }
   piece_start_.push_back(0);
-  colour_start_.push_back(0);
-  for (const auto& list : members) {
-    if (list.empty())
-      continue;
+  for (const auto& list : members)
     for (const std::size_t p : list) {
       order_.insert(order_.end(), pieces[p].begin(), pieces[p].end());
       piece_start_.push_back(static_cast<Index>(order_.size()));
     }
-    colour_start_.push_back(static_cast<Index>(piece_start_.size()) - 1);
+}
+
+/// Of the pieces that meet at a node each waits for the one before it.
+void Scatter::find_followers(Index n_nodes) {
+  constexpr Index none = -1;
+  const std::size_t n = piece_start_.size() - 1;
+  std::vector<Index> last(idx(n_nodes), none); // piece at a node
+  std::vector<std::vector<Index>> before(n);
+  waits_.resize(n);
+  follower_start_.assign(n + 1, 0);
+  for (std::size_t p = 0; p < n; ++p) {
+    const auto own = static_cast<Index>(p);
+    for (Index k = piece_start_[p]; k < piece_start_[p + 1]; ++k)
+      for (const Index a : nodes(order_[idx(k)]))
+        if (last[idx(a)] != own) {
+          if (last[idx(a)] != none)
+            before[p].push_back(last[idx(a)]);
+          last[idx(a)] = own;
+        }
+    std::sort(before[p].begin(), before[p].end());
+    before[p].erase(std::unique(before[p].begin(), before[p].end()), before[p].end());
+    waits_[p] = static_cast<Index>(before[p].size());
+    for (const Index q : before[p])
+      ++follower_start_[idx(q) + 1];
   }
+  std::partial_sum(follower_start_.begin(), follower_start_.end(), follower_start_.begin());
+  followers_.resize(idx(follower_start_.back()));
+  std::vector<Index> next(follower_start_.begin(), follower_start_.end() - 1);
+  for (std::size_t p = 0; p < n; ++p)
+    for (const Index q : before[p])
+      followers_[idx(next[idx(q)]++)] = static_cast<Index>(p);
 }
 
 void Scatter::find_places(const BlockPattern& pattern,
@@ -365,16 +413,22 @@ void Scatter::add(int dim, Index group, const double* local, std::span<double> v
 }
 
 void SparseMatrix::multiply(std::span<const double> x, std::span<double> y) const {
-  visit_dimension(pattern->dim, [&](auto constant) {
-    multiply_blocks<decltype(constant)::value>(*pattern, values.data(), x.data(), y.data());
+  for_rows(*pattern, [&](std::size_t begin, std::size_t end) {
+    visit_dimension(pattern->dim, [&](auto constant) {
+      multiply_blocks<decltype(constant)::value>(*pattern, begin, end, values.data(), x.data(),
+                                                 y.data());
+    });
   });
 }
 
 void SparseMatrix::take_symmetric_part(SparseMatrix& part) const {
   part.pattern = pattern;
   part.values.resize(values.size());
-  visit_dimension(pattern->dim, [&](auto constant) {
-    average_blocks<decltype(constant)::value>(*pattern, values.data(), part.values.data());
+  for_rows(*pattern, [&](std::size_t begin, std::size_t end) {
+    visit_dimension(pattern->dim, [&](auto constant) {
+      average_blocks<decltype(constant)::value>(*pattern, begin, end, values.data(),
+                                                part.values.data());
+    });
   });
   for (const EntryPart& taken : unsymmetric) {
     part.values[idx(taken.entry)] -= 0.5 * taken.value;

@@ -25,6 +25,9 @@ struct BlockPattern {
   std::vector<Index> neighbours;      ///< sorted within a node, the node itself included
   std::vector<Index> row_start;       ///< shape (n_dofs + 1)
   std::vector<Index> columns;         ///< shape (n_entries), sorted within a row
+  std::vector<Index> diagonal;        ///< shape (n_dofs): the entry of each row on it
+  /// By neighbour of a node: as which of that neighbour's own the node comes.
+  std::vector<Index> mirror;
 
   [[nodiscard]] Index n_nodes() const { return static_cast<Index>(neighbour_start.size()) - 1; }
   [[nodiscard]] Index n_dofs() const { return n_nodes() * dim; }
@@ -71,8 +74,9 @@ struct BlockPlaces {
 };
 
 /// Where the blocks of equally large groups of nodes (elements or faces) go in the matrix, and an
-/// order in pieces of neighbours, those of one colour without a common node: sums come out the same
-/// to the bit for any number of threads, and rows are added to while they are at hand.
+/// order in pieces of neighbours: rows are added to while they are at hand. Pieces with a common
+/// node are worked on one after another, always in the same order: sums come out the same to the
+/// bit for any number of threads.
 class Scatter {
 public:
   /// @param groups    shape (n_groups, size), node numbers
@@ -90,8 +94,13 @@ public:
   /// Groups by piece: piece p holds order[piece_start[p] .. piece_start[p + 1]).
   [[nodiscard]] const std::vector<Index>& order() const { return order_; }
   [[nodiscard]] const std::vector<Index>& piece_start() const { return piece_start_; }
-  /// Pieces by colour: colour c holds those from colour_start[c] to colour_start[c + 1] - 1.
-  [[nodiscard]] const std::vector<Index>& colour_start() const { return colour_start_; }
+  /// Pieces that have to wait for a piece: those with a common node that come after it.
+  [[nodiscard]] std::span<const Index> followers(Index piece) const {
+    const Index first = follower_start_[idx(piece)];
+    return std::span(followers_).subspan(idx(first), idx(follower_start_[idx(piece) + 1] - first));
+  }
+  /// How many pieces each has to wait for, shape (pieces).
+  [[nodiscard]] const std::vector<Index>& waits() const { return waits_; }
 
   /// Finds where a group's blocks lie in `values`. @pre size() is at most BlockPlaces::max_nodes
   void find_places(const BlockPattern& pattern,
@@ -116,14 +125,17 @@ private:
     return static_cast<std::size_t>(group) * static_cast<std::size_t>(size_);
   }
   [[nodiscard]] std::vector<std::vector<Index>> pieces(Index n_nodes, Index together) const;
-  void colour(Index n_nodes, const std::vector<std::vector<Index>>& pieces);
+  void put_in_order(Index n_nodes, const std::vector<std::vector<Index>>& pieces);
+  void find_followers(Index n_nodes);
 
   int size_ = 0;
   std::vector<Index> groups_;
   std::vector<Index> offsets_; ///< shape (n_groups, size, size)
   std::vector<Index> order_;
   std::vector<Index> piece_start_;
-  std::vector<Index> colour_start_;
+  std::vector<Index> followers_;
+  std::vector<Index> follower_start_;
+  std::vector<Index> waits_;
 };
 
 /// Values over a pattern.

@@ -1,6 +1,5 @@
 #include "mechanics/loads/rigid_body_stabilization.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -9,10 +8,7 @@ namespace billet::mechanics {
 Outcome<Assembled> RigidBodyStabilization::assemble(const Trial& trial, System& system) {
   for (Index i = 0; i < pattern_->n_dofs(); ++i) {
     system.residual[idx(i)] += stiffness() * (trial.x[idx(i)] - trial.x_old[idx(i)]);
-    const auto first = pattern_->columns.begin() + pattern_->row_start[idx(i)];
-    const auto last = pattern_->columns.begin() + pattern_->row_start[idx(i) + 1];
-    const auto diagonal = std::lower_bound(first, last, i) - pattern_->columns.begin();
-    system.tangent.values[static_cast<std::size_t>(diagonal)] += stiffness();
+    system.tangent.values[idx(pattern_->diagonal[idx(i)])] += stiffness();
   }
   return Assembled{};
 }

@@ -31,8 +31,8 @@ namespace {
 /// Figures of a solver's work, but for names.
 template <class Archive, class Work> void work_fields(Archive& archive, Work& work) {
   archive(work.analysis, work.factorization, work.substitution, work.flops, work.factorizations,
-          work.substitutions, work.reused, work.nearly_symmetric, work.systems, work.last_flops,
-          work.last_factor_bytes);
+          work.substitutions, work.reused, work.nearly_symmetric, work.multigrid,
+          work.multigrid_failed, work.systems, work.last_flops, work.last_factor_bytes);
 }
 
 } // namespace

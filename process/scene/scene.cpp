@@ -105,7 +105,8 @@ FreeMotions free_motions(const Part& part) {
 double body_size(const mechanics::Mesh& mesh) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& point : mesh.points)
-    middle += point / static_cast<double>(mesh.points.size());
+    middle += point;
+  middle /= static_cast<double>(mesh.points.size());
   double farthest = 0.0;
   for (const Vec3& point : mesh.points)
     farthest = std::max(farthest, (point - middle).norm());

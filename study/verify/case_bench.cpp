@@ -51,7 +51,6 @@ std::unique_ptr<process::Process> CaseBench::ready(const std::string& name,
   write(file, text);
   const io::Case content = io::read_case(folder_ / file);
   process::Scene scene = io::build_scene(content, file).scene;
-  scene.solver.threads = 1;
   return std::make_unique<process::Process>(std::move(scene));
 }
 

@@ -1,5 +1,6 @@
 #include "mechanics/linear/multifrontal/extend_add.h"
 
+#include "geometry/base/pieces.h"
 #include "mechanics/linear/multifrontal/front_vector.h"
 
 #include <algorithm>
@@ -149,9 +150,10 @@ void ExtendAdd::add_columns(std::size_t child,
                             const float* complement,
                             float* to,
                             std::ptrdiff_t origin,
-                            std::size_t step) const {
+                            std::size_t step,
+                            Threads threads) const {
   const std::uint32_t* places = in_parent_.data() + in_parent_start_[child];
-  for (const Piece& piece : columns)
+  const auto add_piece = [&](const Piece& piece) {
     for (std::uint32_t j = piece.from; j < piece.from + piece.count; ++j) {
       const float* from = complement + j * step_[child];
       float* column = to + (origin + static_cast<std::ptrdiff_t>(places[j] * step));
@@ -159,6 +161,12 @@ void ExtendAdd::add_columns(std::size_t child,
       for (const Piece* below = &piece + 1; below != last; ++below)
         add(*below, below->from, places, from, column);
     }
+  };
+  for_pieces(columns.size(), threads == Threads::all ? 4 : columns.size(),
+             [&](std::size_t begin, std::size_t end) {
+               for (const Piece& piece : columns.subspan(begin, end - begin))
+                 add_piece(piece);
+             });
 }
 
 ExtendAdd::Split ExtendAdd::split(std::size_t child, std::size_t columns) const {
@@ -169,21 +177,25 @@ ExtendAdd::Split ExtendAdd::split(std::size_t child, std::size_t columns) const 
   return {all, static_cast<std::size_t>(end - all.begin())};
 }
 
-void ExtendAdd::to_panel(std::size_t child, const float* complement, const Panel& parent) const {
+void ExtendAdd::to_panel(std::size_t child,
+                         const float* complement,
+                         const Panel& parent,
+                         Threads threads) const {
   const auto [all, eliminated] = split(child, parent.columns);
   add_columns(child, all.first(eliminated), all.data() + all.size(), complement, parent.values, 0,
-              padded(parent.rows));
+              padded(parent.rows), threads);
 }
 
 void ExtendAdd::to_complement(std::size_t child,
                               const float* complement,
                               const Panel& parent,
-                              float* to) const {
+                              float* to,
+                              Threads threads) const {
   const auto [all, eliminated] = split(child, parent.columns);
   const std::size_t step = padded(parent.rows - parent.columns);
   const auto origin = -static_cast<std::ptrdiff_t>(parent.columns * (step + 1));
-  add_columns(child, all.subspan(eliminated), all.data() + all.size(), complement, to, origin,
-              step);
+  add_columns(child, all.subspan(eliminated), all.data() + all.size(), complement, to, origin, step,
+              threads);
 }
 
 } // namespace billet::mechanics

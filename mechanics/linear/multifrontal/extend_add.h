@@ -23,13 +23,19 @@ public:
   /// Adds the columns of a child's complement that its parent eliminates.
   ///
   /// @param complement  lower triangle by columns, each padded(rows) apart
-  void to_panel(std::size_t child, const float* complement, const Panel& parent) const;
+  void to_panel(std::size_t child,
+                const float* complement,
+                const Panel& parent,
+                Threads threads = Threads::one) const;
 
   /// Adds the others, which go on to the parent's parent.
   ///
   /// @param to  complement of the parent
-  void
-  to_complement(std::size_t child, const float* complement, const Panel& parent, float* to) const;
+  void to_complement(std::size_t child,
+                     const float* complement,
+                     const Panel& parent,
+                     float* to,
+                     Threads threads = Threads::one) const;
 
 private:
   /// Some rows in turn of a child, all of them columns that the parent eliminates or none.
@@ -59,7 +65,8 @@ private:
                    const float* complement,
                    float* to,
                    std::ptrdiff_t origin,
-                   std::size_t step) const;
+                   std::size_t step,
+                   Threads threads) const;
   /// The pieces of a child and the first that its parent does not eliminate.
   struct Split {
     std::span<const Piece> all;

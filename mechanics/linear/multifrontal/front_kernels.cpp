@@ -1,10 +1,13 @@
 #include "mechanics/linear/multifrontal/front_kernels.h"
 
+#include "geometry/base/pieces.h"
 #include "mechanics/linear/multifrontal/front_vector.h"
 
 #include <cblas.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace billet::mechanics {
@@ -83,134 +86,238 @@ struct Product {
   }
 };
 
-template <Into into> void subtract_small(const Product& of, FrontWork& work) {
-  constexpr std::size_t together = 6; // sums of two vectors each: what registers hold
-  work.factors.resize(std::max(work.factors.size(), of.depth * together));
+/// Some in turn.
+struct Range {
+  std::size_t begin;
+  std::size_t end;
+};
+
+constexpr std::size_t small_columns = 6;   // sums of two vectors each: what registers hold
+constexpr std::size_t large_columns = 128; // that BLAS is given at a time
+
+/// @param rows     of C, whole vectors; none above the diagonal are looked at
+/// @param columns  of C; the first is a multiple of `small_columns`
+template <Into into>
+void subtract_small(const Product& of, Range rows, Range columns, FrontWork& work) {
+  work.factors.resize(std::max(work.factors.size(), of.depth * small_columns));
   float* w = work.factors.data();
   const Columns l{of.l.at(of.first, 0), of.l.step};
-  const std::size_t end = padded(of.rows - of.first);
-  std::size_t q = 0;
-  for (; q + together <= of.columns; q += together) {
-    of.factors(q, together, w);
-    subtract_rows<into, together>(l, w, of.depth, {of.c.at(0, q), of.c.step}, aligned(q), end);
-  }
-  if (q < of.columns)
-    visit_columns<together - 1>(of.columns - q, [&](auto rest) {
-      of.factors(q, rest, w);
-      subtract_rows<into, rest>(l, w, of.depth, {of.c.at(0, q), of.c.step}, aligned(q), end);
-    });
+  const auto take = [&](auto count, std::size_t q) {
+    of.factors(q, count, w);
+    subtract_rows<into, count>(l, w, of.depth, {of.c.at(0, q), of.c.step},
+                               std::max(rows.begin, aligned(q)), rows.end);
+  };
+  std::size_t q = columns.begin;
+  for (; q + small_columns <= columns.end; q += small_columns)
+    take(std::integral_constant<std::size_t, small_columns>{}, q);
+  if (q < columns.end)
+    visit_columns<small_columns - 1>(columns.end - q, [&](auto rest) { take(rest, q); });
 }
 
-/// By BLAS, some columns at a time.
-template <Into into> void subtract_large(const Product& of, FrontWork& work) {
-  constexpr std::size_t together = 128;
-  work.factors.resize(std::max(work.factors.size(), of.depth * together));
-  for (std::size_t q = 0; q < of.columns; q += together) {
-    const std::size_t count = std::min(together, of.columns - q);
-    of.factors(q, count, work.factors.data());
-    cblas_sgemm(CblasColMajor, CblasNoTrans, CblasTrans, static_cast<int>(of.rows - of.first - q),
-                static_cast<int>(count), static_cast<int>(of.depth), -1.0F,
-                of.l.at(of.first + q, 0), static_cast<int>(of.l.step), work.factors.data(),
-                static_cast<int>(count), into == Into::zero ? 0.0F : 1.0F, of.c.at(q, q),
-                static_cast<int>(of.c.step));
-  }
+/// By BLAS.
+///
+/// @param columns  of C, at most `large_columns`
+template <Into into> void subtract_large(const Product& of, Range columns, FrontWork& work) {
+  const std::size_t q = columns.begin, count = columns.end - columns.begin;
+  work.factors.resize(std::max(work.factors.size(), of.depth * large_columns));
+  of.factors(q, count, work.factors.data());
+  cblas_sgemm(CblasColMajor, CblasNoTrans, CblasTrans, static_cast<int>(of.rows - of.first - q),
+              static_cast<int>(count), static_cast<int>(of.depth), -1.0F, of.l.at(of.first + q, 0),
+              static_cast<int>(of.l.step), work.factors.data(), static_cast<int>(count),
+              into == Into::zero ? 0.0F : 1.0F, of.c.at(q, q), static_cast<int>(of.c.step));
 }
 
-template <Into into> void subtract(const Product& of, FrontWork& work) {
+template <Into into> void subtract(const Product& of, FrontWork& work, FrontTeam* team) {
   constexpr std::size_t many_rows = 384, deep = 48; // from which on BLAS is as fast
-  if (of.rows - of.first >= many_rows && of.depth >= deep && of.columns >= deep)
-    subtract_large<into>(of, work);
+  const bool large = of.rows - of.first >= many_rows && of.depth >= deep && of.columns >= deep;
+  const Range rows{0, padded(of.rows - of.first)};
+  const auto take = [&](Range columns, FrontWork& own) {
+    if (large)
+      subtract_large<into>(of, columns, own);
+    else
+      subtract_small<into>(of, rows, columns, own);
+  };
+  constexpr std::size_t some = 8 * small_columns;
+  if (team != nullptr)
+    for_pieces(of.columns, large ? large_columns : some, [&](std::size_t begin, std::size_t end) {
+      take({begin, end}, team->local());
+    });
+  else if (large)
+    for (std::size_t q = 0; q < of.columns; q += large_columns)
+      take({q, std::min(q + large_columns, of.columns)}, work);
   else
-    subtract_small<into>(of, work);
+    take({0, of.columns}, work);
+}
+
+constexpr std::size_t few_columns = front_lanes; // columns that are eliminated one after another
+constexpr std::size_t block_columns = 8 * front_lanes; // after which those to the right are changed
+
+/// How some columns have been eliminated.
+struct Together {
+  std::array<float, few_columns> scales;
+  std::array<std::array<float, few_columns>, few_columns> factors;
+};
+
+/// Does to further rows of columns what was done to the rows of their triangle.
+///
+/// @param from, end  rows, whole vectors
+template <std::size_t count>
+void eliminate_rows(const Together& done, Columns a, std::size_t from, std::size_t end) {
+  FrontVector column[count];
+  for (std::size_t row = from; row < end; row += front_lanes) {
+    for (std::size_t j = 0; j < count; ++j)
+      load(a.at(row, j), column[j]);
+    for (std::size_t j = 0; j < count; ++j) {
+      column[j] *= done.scales[j];
+      for (std::size_t q = j + 1; q < count; ++q)
+        column[q] -= done.factors[j][q] * column[j];
+    }
+    for (std::size_t j = 0; j < count; ++j)
+      store(column[j], a.at(row, j));
+  }
 }
 
 /// Eliminates columns that the columns before have been taken from, one after another.
 ///
 /// @param end  of the rows, whole vectors
 template <std::size_t count>
-bool eliminate_few(Columns a, std::size_t end, const float* least, float* inverses, float* signs) {
-  float scales[count];
-  float factors[count][count];
+bool eliminate_few(Columns a,
+                   std::size_t end,
+                   const float* least,
+                   float* inverses,
+                   float* signs,
+                   Together& done) {
   FrontVector column[count];
-  const auto read = [&](std::size_t row) {
-    for (std::size_t j = 0; j < count; ++j)
-      load(a.at(row, j), column[j]);
-  };
-  const auto write = [&](std::size_t row) {
-    for (std::size_t j = 0; j < count; ++j)
-      store(column[j], a.at(row, j));
-  };
-  read(0);
+  for (std::size_t j = 0; j < count; ++j)
+    load(a.at(0, j), column[j]);
   for (std::size_t j = 0; j < count; ++j) {
     const float pivot = column[j][j];
     if (!(std::abs(pivot) > least[j]))
       return false;
     signs[j] = pivot > 0.0F ? 1.0F : -1.0F;
     inverses[j] = 1.0F / std::sqrt(std::abs(pivot));
-    scales[j] = signs[j] * inverses[j];
-    column[j] *= scales[j];
+    done.scales[j] = signs[j] * inverses[j];
+    column[j] *= done.scales[j];
     for (std::size_t q = j + 1; q < count; ++q) {
-      factors[j][q] = signs[j] * column[j][q];
-      column[q] -= factors[j][q] * column[j];
+      done.factors[j][q] = signs[j] * column[j][q];
+      column[q] -= done.factors[j][q] * column[j];
     }
   }
-  write(0);
-  for (std::size_t row = front_lanes; row < end; row += front_lanes) {
-    read(row);
-    for (std::size_t j = 0; j < count; ++j) {
-      column[j] *= scales[j];
-      for (std::size_t q = j + 1; q < count; ++q)
-        column[q] -= factors[j][q] * column[j];
-    }
-    write(row);
+  for (std::size_t j = 0; j < count; ++j)
+    store(column[j], a.at(0, j));
+  eliminate_rows<count>(done, a, front_lanes, end);
+  return true;
+}
+
+/// Up to `block_columns` columns of a panel, which those to the left have been taken from.
+struct Block {
+  Panel panel;
+  std::size_t first;
+  std::size_t end;
+  const float* least; ///< of the panel, as the following
+  float* inverses;
+  float* signs;
+
+  /// Columns in turn that are eliminated together.
+  [[nodiscard]] Columns at(std::size_t column) const {
+    const std::size_t step = padded(panel.rows);
+    return {panel.values + column * step + column, step};
+  }
+  [[nodiscard]] std::size_t count(std::size_t column) const {
+    return std::min(few_columns, end - column);
+  }
+  /// What those take from the block's columns to the right.
+  [[nodiscard]] Product product(std::size_t column) const {
+    const std::size_t next = column + count(column);
+    return {at(column),    panel.rows - column, signs + column, count(column),
+            count(column), end - next,          at(next)};
+  }
+};
+
+/// Eliminates a block's columns.
+///
+/// @param last  row, whole vectors: those below are left as they are
+bool eliminate_block(const Block& block,
+                     std::size_t last,
+                     std::array<Together, block_columns / few_columns>& done,
+                     FrontWork& work) {
+  for (std::size_t column = block.first; column < block.end; column += few_columns) {
+    bool good = false;
+    visit_columns(block.count(column), [&](auto n) {
+      good = eliminate_few<n>(block.at(column), last - column, block.least + column,
+                              block.inverses + column, block.signs + column,
+                              done[(column - block.first) / few_columns]);
+    });
+    if (!good)
+      return false;
+    const Product product = block.product(column);
+    if (product.columns > 0)
+      subtract_small<Into::present>(product, {0, last - column - few_columns}, {0, product.columns},
+                                    work);
   }
   return true;
 }
 
+/// The same for rows that were left.
+void eliminate_below(const Block& block,
+                     Range rows,
+                     const std::array<Together, block_columns / few_columns>& done,
+                     FrontWork& work) {
+  for (std::size_t column = block.first; column < block.end; column += few_columns) {
+    visit_columns(block.count(column), [&](auto n) {
+      eliminate_rows<n>(done[(column - block.first) / few_columns], block.at(column),
+                        rows.begin - column, rows.end - column);
+    });
+    const Product product = block.product(column);
+    if (product.columns > 0)
+      subtract_small<Into::present>(
+          product, {rows.begin - column - few_columns, rows.end - column - few_columns},
+          {0, product.columns}, work);
+  }
+}
+
 } // namespace
+
+struct FrontTeam::Members {
+  oneapi::tbb::enumerable_thread_specific<FrontWork> works;
+};
+
+FrontTeam::FrontTeam() : members_(std::make_unique<Members>()) {}
+FrontTeam::~FrontTeam() = default;
+FrontWork& FrontTeam::local() { return members_->works.local(); }
+void FrontTeam::clear() { members_->works.clear(); }
 
 bool eliminate(const Panel& panel,
                const float* least,
                float* inverses,
                float* signs,
-               FrontWork& work) {
-  constexpr std::size_t few = front_lanes, many = 8 * front_lanes;
-  const Columns a{panel.values, padded(panel.rows)};
-  for (std::size_t outer = 0; outer < panel.columns; outer += many) {
-    const std::size_t outer_end = std::min(outer + many, panel.columns);
-    for (std::size_t inner = outer; inner < outer_end; inner += few) {
-      const std::size_t inner_end = std::min(inner + few, outer_end);
-      const std::size_t count = inner_end - inner;
-      const Columns block{a.at(inner, inner), a.step};
-      bool good = false;
-      visit_columns(count, [&](auto n) {
-        good = eliminate_few<n>(block, padded(panel.rows) - inner, least + inner, inverses + inner,
-                                signs + inner);
+               FrontWork& work,
+               FrontTeam* team) {
+  constexpr std::size_t rows_at_once = 32 * front_lanes;
+  const std::size_t rows = padded(panel.rows);
+  std::array<Together, block_columns / few_columns> done;
+  for (std::size_t first = 0; first < panel.columns; first += block_columns) {
+    const std::size_t end = std::min(first + block_columns, panel.columns);
+    const Block block{panel, first, end, least, inverses, signs};
+    const std::size_t last = team != nullptr ? padded(end) : rows;
+    if (!eliminate_block(block, last, done, work))
+      return false;
+    if (team != nullptr)
+      for_pieces(rows - last, rows_at_once, [&](std::size_t from, std::size_t to) {
+        eliminate_below(block, {last + from, last + to}, done, team->local());
       });
-      if (!good)
-        return false;
-      subtract<Into::present>({block,
-                               panel.rows - inner,
-                               signs + inner,
-                               count,
-                               count,
-                               outer_end - inner_end,
-                               {a.at(inner_end, inner_end), a.step}},
-                              work);
-    }
-    subtract<Into::present>({{a.at(outer, outer), a.step},
-                             panel.rows - outer,
-                             signs + outer,
-                             outer_end - outer,
-                             outer_end - outer,
-                             panel.columns - outer_end,
-                             {a.at(outer_end, outer_end), a.step}},
-                            work);
+    subtract<Into::present>({block.at(first), panel.rows - first, signs + first, end - first,
+                             end - first, panel.columns - end, block.at(end)},
+                            work, team);
   }
   return true;
 }
 
-void form_complement(const Panel& panel, const float* signs, float* complement, FrontWork& work) {
+void form_complement(const Panel& panel,
+                     const float* signs,
+                     float* complement,
+                     FrontWork& work,
+                     FrontTeam* team) {
   const std::size_t rows = panel.rows - panel.columns;
   subtract<Into::zero>({{panel.values, padded(panel.rows)},
                         panel.rows,
@@ -219,7 +326,7 @@ void form_complement(const Panel& panel, const float* signs, float* complement, 
                         panel.columns,
                         rows,
                         {complement, padded(rows)}},
-                       work);
+                       work, team);
 }
 
 } // namespace billet::mechanics

@@ -13,6 +13,7 @@
 #include "geometry/base/index.h"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace billet::mechanics {
@@ -32,9 +33,31 @@ struct Panel {
   std::size_t columns; ///< at most rows
 };
 
+/// Who works on a front: those of a branch are left to one thread, the work within larger ones is
+/// shared.
+enum class Threads { one, all };
+
 /// Memory that the products work in.
 struct FrontWork {
   std::vector<float> factors;
+};
+
+/// That of each of the threads that share a front.
+class FrontTeam {
+public:
+  FrontTeam();
+  ~FrontTeam();
+  FrontTeam(const FrontTeam&) = delete;
+  FrontTeam& operator=(const FrontTeam&) = delete;
+
+  /// Of the thread that asks.
+  [[nodiscard]] FrontWork& local();
+  /// Gives the memory of all back.
+  void clear();
+
+private:
+  struct Members;
+  std::unique_ptr<Members> members_;
 };
 
 /// Overwrites a panel with L of A = L S L^T, S a diagonal of signs, but for L's diagonal.
@@ -42,15 +65,25 @@ struct FrontWork {
 /// @param least     shape (columns): pivots no larger are lost in rounding
 /// @param inverses  out, shape (columns): of L's diagonal
 /// @param signs     out, shape (columns): S
+/// @param team      of threads that share the work; none: it is done here, with `work`
 /// @return whether no pivot was lost
-[[nodiscard]] bool
-eliminate(const Panel& panel, const float* least, float* inverses, float* signs, FrontWork& work);
+[[nodiscard]] bool eliminate(const Panel& panel,
+                             const float* least,
+                             float* inverses,
+                             float* signs,
+                             FrontWork& work,
+                             FrontTeam* team = nullptr);
 
 /// What an eliminated panel takes from the matrix behind it: -R S R^T, R its rows below the
 /// triangle.
 ///
 /// @param signs       of the panel
 /// @param complement  out: lower triangle by columns, each padded(rows - columns) apart
-void form_complement(const Panel& panel, const float* signs, float* complement, FrontWork& work);
+/// @param team        as above
+void form_complement(const Panel& panel,
+                     const float* signs,
+                     float* complement,
+                     FrontWork& work,
+                     FrontTeam* team = nullptr);
 
 } // namespace billet::mechanics

@@ -1,5 +1,6 @@
 #include "mechanics/linear/multifrontal/packed_panel.h"
 
+#include "geometry/base/pieces.h"
 #include "mechanics/linear/multifrontal/front_vector.h"
 
 #include <algorithm>
@@ -9,8 +10,11 @@ namespace billet::mechanics {
 
 namespace {
 
-/// Inverts the triangles of an eliminated panel.
-void invert_diagonal(const Panel& panel, const float* inverses, DiagonalInverse* diagonal) {
+/// Inverts the triangle of an eliminated panel that begins in column `first`.
+void invert_triangle(const Panel& panel,
+                     std::size_t first,
+                     const float* inverses,
+                     DiagonalInverse& diagonal) {
   static constexpr std::array<float, front_lanes* front_lanes> identity = [] {
     std::array<float, front_lanes * front_lanes> one{};
     for (std::size_t i = 0; i < front_lanes; ++i)
@@ -18,24 +22,22 @@ void invert_diagonal(const Panel& panel, const float* inverses, DiagonalInverse*
     return one;
   }();
   const std::size_t step = padded(panel.rows);
-  for (std::size_t first = 0; first < panel.columns; first += front_lanes, ++diagonal) {
-    const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    const std::size_t rows = std::min(front_lanes, panel.rows - first);
-    const float* values = panel.values + first * step + first;
-    std::array<FrontVector, front_lanes> row; // beyond the panel's columns and rows those of one
-    for (std::size_t i = 0; i < front_lanes; ++i) {
-      load(identity.data() + i * front_lanes, row[i]); // what is set number by number is waited for
-      if (i < rows)
-        for (std::size_t k = 0; k < std::min(i, columns); ++k)
-          row[i] -= values[k * step + i] * row[k];
-      if (i < columns)
-        row[i] *= inverses[first + i];
-      store(row[i], diagonal->rows.data() + i * front_lanes);
-    }
-    for (std::size_t i = 0; i < front_lanes; ++i)
-      for (std::size_t j = 0; j < front_lanes; ++j)
-        diagonal->columns[j * front_lanes + i] = row[i][j];
+  const std::size_t columns = std::min(front_lanes, panel.columns - first);
+  const std::size_t rows = std::min(front_lanes, panel.rows - first);
+  const float* values = panel.values + first * step + first;
+  std::array<FrontVector, front_lanes> row; // beyond the panel's columns and rows those of one
+  for (std::size_t i = 0; i < front_lanes; ++i) {
+    load(identity.data() + i * front_lanes, row[i]); // what is set number by number is waited for
+    if (i < rows)
+      for (std::size_t k = 0; k < std::min(i, columns); ++k)
+        row[i] -= values[k * step + i] * row[k];
+    if (i < columns)
+      row[i] *= inverses[first + i];
+    store(row[i], diagonal.rows.data() + i * front_lanes);
   }
+  for (std::size_t i = 0; i < front_lanes; ++i)
+    for (std::size_t j = 0; j < front_lanes; ++j)
+      diagonal.columns[j * front_lanes + i] = row[i][j];
 }
 
 /// sum of x(i) times line i.
@@ -109,46 +111,93 @@ void take_rows(const float* values, std::size_t blocks, const float* below, floa
   store(all - taken, x);
 }
 
+/// As many columns as a vector holds, or what is left of them, and blocks of rows below.
+struct Group {
+  std::size_t first; ///< column
+  std::size_t columns;
+  const float* values; ///< of the block below the triangle
+
+  /// Blocks of rows are counted from the panel's first on.
+  [[nodiscard]] const float* at(std::size_t block) const {
+    return values + (block - first / front_lanes - 1) * columns * front_lanes;
+  }
+};
+
+Group group(const PackedPanel& panel, std::size_t g) {
+  const std::size_t blocks = padded(panel.rows) / front_lanes;
+  const std::size_t before = g * blocks - g * (g + 1) / 2;
+  const std::size_t first = g * front_lanes;
+  return {first, std::min(front_lanes, panel.columns - first),
+          panel.below + before * front_lanes * front_lanes};
+}
+
+void take_forward(const Group& group, std::size_t begin, std::size_t end, float* x) {
+  visit_columns(group.columns, [&](auto n) {
+    take_columns<n>(group.at(begin), end - begin, x + group.first, x + begin * front_lanes);
+  });
+}
+
+void take_backward(const Group& group, std::size_t begin, std::size_t end, float* x) {
+  visit_columns(group.columns, [&](auto n) {
+    take_rows<n>(group.at(begin), end - begin, x + begin * front_lanes, x + group.first);
+  });
+}
+
+constexpr std::size_t together = 16; ///< groups between which threads wait for each other
+
 } // namespace
 
-void pack(const Panel& panel, const float* inverses, const PackedPanel& packed) {
-  invert_diagonal(panel, inverses, packed.diagonal);
+void pack(const Panel& panel, const float* inverses, const PackedPanel& packed, Threads threads) {
   const std::size_t step = padded(panel.rows);
-  float* to = packed.below;
-  for (std::size_t first = 0; first < panel.columns; first += front_lanes) {
-    const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    for (std::size_t i = first + front_lanes; i < step; i += front_lanes)
-      for (std::size_t j = first; j < first + columns; ++j, to += front_lanes)
-        std::copy_n(panel.values + j * step + i, front_lanes, to);
-  }
+  const auto pack_groups = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      const auto [first, columns, values] = group(packed, g);
+      invert_triangle(panel, first, inverses, packed.diagonal[g]);
+      float* to = packed.below + (values - packed.below);
+      for (std::size_t i = first + front_lanes; i < step; i += front_lanes)
+        for (std::size_t j = first; j < first + columns; ++j, to += front_lanes)
+          std::copy_n(panel.values + j * step + i, front_lanes, to);
+    }
+  };
+  const std::size_t groups = diagonal_triangles(panel.columns);
+  for_pieces(groups, threads == Threads::all ? 2 : groups, pack_groups);
 }
 
-void substitute_forward(const PackedPanel& panel, float* x) {
-  const std::size_t step = padded(panel.rows);
-  const DiagonalInverse* diagonal = panel.diagonal;
-  const float* values = panel.below;
-  for (std::size_t first = 0; first < panel.columns; first += front_lanes, ++diagonal) {
-    const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    const std::size_t blocks = (step - first) / front_lanes - 1;
-    combine(diagonal->columns, x + first);
-    visit_columns(columns, [&](auto n) {
-      take_columns<n>(values, blocks, x + first, x + first + front_lanes);
+void substitute_forward(const PackedPanel& panel, float* x, Threads threads) {
+  const std::size_t groups = diagonal_triangles(panel.columns);
+  const std::size_t blocks = padded(panel.rows) / front_lanes;
+  const std::size_t step = threads == Threads::all ? together : groups;
+  for (std::size_t g = 0; g < groups; g += step) {
+    const std::size_t end = std::min(g + step, groups);
+    const std::size_t alone = threads == Threads::all ? end : blocks;
+    for (std::size_t k = g; k < end; ++k) {
+      combine(panel.diagonal[k].columns, x + k * front_lanes);
+      take_forward(group(panel, k), k + 1, alone, x);
+    }
+    constexpr std::size_t rows_at_once = 32; // blocks
+    for_pieces(blocks - alone, rows_at_once, [&](std::size_t from, std::size_t to) {
+      for (std::size_t k = g; k < end; ++k)
+        take_forward(group(panel, k), alone + from, alone + to, x);
     });
-    values += blocks * columns * front_lanes;
   }
 }
 
-void substitute_backward(const PackedPanel& panel, float* x) {
-  const std::size_t step = padded(panel.rows);
-  const DiagonalInverse* diagonal = panel.diagonal + diagonal_triangles(panel.columns);
-  const float* values = panel.below + packed_size(panel.rows, panel.columns);
-  for (std::size_t end = padded(panel.columns); end > 0; end -= front_lanes) {
-    const std::size_t first = end - front_lanes;
-    const std::size_t columns = std::min(front_lanes, panel.columns - first);
-    const std::size_t blocks = (step - end) / front_lanes;
-    values -= blocks * columns * front_lanes;
-    visit_columns(columns, [&](auto n) { take_rows<n>(values, blocks, x + end, x + first); });
-    combine((--diagonal)->rows, x + first);
+void substitute_backward(const PackedPanel& panel, float* x, Threads threads) {
+  const std::size_t groups = diagonal_triangles(panel.columns);
+  const std::size_t blocks = padded(panel.rows) / front_lanes;
+  const std::size_t step = threads == Threads::all ? together : groups;
+  for (std::size_t end = groups; end > 0;) {
+    const std::size_t g = end > step ? (end - 1) / step * step : 0;
+    const std::size_t alone = threads == Threads::all ? end : blocks;
+    for_pieces(alone < blocks ? end - g : 0, 2, [&](std::size_t from, std::size_t to) {
+      for (std::size_t k = g + from; k < g + to; ++k)
+        take_backward(group(panel, k), alone, blocks, x);
+    });
+    for (std::size_t k = end; k-- > g;) {
+      take_backward(group(panel, k), k + 1, alone, x);
+      combine(panel.diagonal[k].rows, x + k * front_lanes);
+    }
+    end = g;
   }
 }
 

@@ -49,17 +49,21 @@ struct PackedPanel {
 ///
 /// @param inverses  of L's diagonal
 /// @param packed    out; of the same shape
-void pack(const Panel& panel, const float* inverses, const PackedPanel& packed);
+void pack(const Panel& panel,
+          const float* inverses,
+          const PackedPanel& packed,
+          Threads threads = Threads::one);
 
 /// Solves for the unknowns of a panel and takes them from the equations below.
 ///
 /// @param x  shape (padded(rows)): right-hand side, overwritten with the solution in its first part
-void substitute_forward(const PackedPanel& panel, float* x);
+void substitute_forward(const PackedPanel& panel, float* x, Threads threads = Threads::one);
 
-/// Solves for the unknowns of a panel when those below are known, with the transpose.
+/// Solves for the unknowns of a panel when those below are known, with the transpose. Sums are
+/// ordered otherwise with all threads than with one: by how many is the same.
 ///
 /// @param x  shape (padded(rows)): right-hand side and, below, what is known; its first part is
 ///           overwritten with the solution
-void substitute_backward(const PackedPanel& panel, float* x);
+void substitute_backward(const PackedPanel& panel, float* x, Threads threads = Threads::one);
 
 } // namespace billet::mechanics

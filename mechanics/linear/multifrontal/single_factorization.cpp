@@ -1,5 +1,7 @@
+#include "geometry/base/pieces.h"
 #include "mechanics/linear/elimination.h"
 #include "mechanics/linear/linear_solver.h"
+#include "mechanics/linear/multifrontal/branches.h"
 #include "mechanics/linear/multifrontal/extend_add.h"
 #include "mechanics/linear/multifrontal/front_assembly.h"
 #include "mechanics/linear/multifrontal/front_kernels.h"
@@ -7,13 +9,17 @@
 #include "mechanics/linear/multifrontal/packed_panel.h"
 
 #include <Eigen/Core>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <type_traits>
@@ -49,10 +55,19 @@ void clear_vectors(float* values, std::size_t count) {
     store(FrontVector{}, values + i);
 }
 
+/// What a thread works in.
+struct Workspace {
+  std::vector<float> panel; ///< of the front at hand
+  std::vector<float> stack; ///< of complements
+  std::vector<float> local; ///< of a panel's rows
+  FrontWork work;
+};
+
 /// L S L^T with the order given, S a diagonal of signs, in single precision and without pivoting.
 ///
-/// Multifrontal: what a front takes from the matrix behind it waits on a stack until its parent is
-/// put together (Duff & Reid, 1983).
+/// Multifrontal: what a front takes from the matrix behind it waits until its parent is put
+/// together (Duff & Reid, 1983): on a stack within a branch, in memory of its own where it is
+/// handed up.
 class SingleFactorization final : public Factorization {
 public:
   explicit SingleFactorization(std::shared_ptr<const Elimination> elimination);
@@ -60,24 +75,24 @@ public:
   [[nodiscard]] bool factorize(const SparseMatrix& matrix) override;
   void solve(std::span<double> rhs) override;
   void release() override {
-    free_memory(panel_);
+    workspaces_.clear();
+    team_.clear();
     free_memory(diagonal_);
-    free_memory(below_);
-    free_memory(stack_);
+    below_.reset();
   }
   [[nodiscard]] FactorCost cost() const override {
     return {elimination_->flops(), elimination_->entries(), sizeof(float)};
   }
 
 private:
-  [[nodiscard]] Panel panel(std::size_t f) {
-    const Front& front = elimination_->fronts()[f];
-    return {panel_.data(), idx(front.rows + front.columns), idx(front.columns)};
-  }
+  [[nodiscard]] const Front& front(std::size_t f) const { return elimination_->fronts()[f]; }
   [[nodiscard]] PackedPanel packed(std::size_t f) {
-    const Front& front = elimination_->fronts()[f];
-    return {idx(front.rows + front.columns), idx(front.columns),
-            diagonal_.data() + triangle_start_[f], below_.data() + below_start_[f]};
+    return {idx(front(f).rows + front(f).columns), idx(front(f).columns),
+            diagonal_.data() + triangle_start_[f], below_.get() + below_start_[f]};
+  }
+  /// Of a front, in the memory for it.
+  [[nodiscard]] float* complement(std::size_t f, Workspace& workspace) {
+    return handed_up_[f] ? handed_up_[f].get() : workspace.stack.data() + stack_place_[f];
   }
   /// An unknown, and its place in the order of elimination.
   struct Place {
@@ -90,66 +105,85 @@ private:
   void measure_panels();
   void find_children();
   void find_pairs();
-  void measure_stacks();
+  void measure_stacks(const Branch& branch, std::span<const char> odd);
+  void find_targets();
   void find_scale(const SparseMatrix& matrix);
+  [[nodiscard]] bool
+  eliminate_front(std::size_t f, const SparseMatrix& matrix, Workspace& own, Threads threads);
   void forward();
   void backward();
+  void forward(std::size_t f, Workspace& own);
+  void backward(std::size_t f, Workspace& own);
+  /// Calls `work(branch, workspace)` for the branches of a level.
+  template <class Work> void for_branches(std::size_t level, const Work& work);
 
   std::shared_ptr<const Elimination> elimination_;
   FrontAssembly assembly_;
   ExtendAdd extend_add_;
-  std::size_t panel_size_ = 0;              ///< of the largest
+  Branches branches_;
+  std::size_t max_rows_ = 0;                ///< of a panel, padded
   std::vector<std::size_t> triangle_start_; ///< where a front's inverses begin
   std::vector<std::size_t> below_start_;    ///< likewise what is below them
   std::vector<std::vector<std::size_t>> children_;
   std::vector<Place> nodes_;             ///< first unknowns of nodes whose others follow
   std::vector<Place> singles_;           ///< unknowns of the other nodes
-  std::vector<char> paired_;             ///< by front: its rows come two by two, those of a node
+  std::vector<char> paired_;             ///< by front: its rows and targets come two by two
   std::vector<std::size_t> stack_place_; ///< where a front's complement waits
-  std::size_t stack_size_ = 0;
-  std::vector<float> panel_; ///< of the front at hand
+  std::size_t stack_size_ = 0;           ///< of the largest branch
+  std::vector<std::unique_ptr<float[]>>
+      handed_up_; ///< complements that go to other branches, by front
+  /// By row of all fronts: what a substitution adds to. What a branch takes from unknowns of others
+  /// is summed beside them, so that branches do not meet.
+  std::vector<Index> target_;
+  std::vector<Index> beside_;             ///< unknowns that each sum beside goes to
+  std::vector<std::size_t> beside_start_; ///< by branch
   std::vector<DiagonalInverse> diagonal_;
-  std::vector<float> below_;
-  std::vector<float> inverses_; ///< of the factor's diagonal
+  std::unique_ptr<float[]> below_; ///< first touched by the threads that fill it
+  std::vector<float> inverses_;    ///< of the factor's diagonal
   std::vector<float> signs_;
   std::vector<float> least_; ///< pivot by unknown
-  std::vector<float> stack_;
-  std::vector<float> x_;     ///< in the order of elimination
-  std::vector<float> local_; ///< of a panel's rows
+  std::vector<float> x_;     ///< in the order of elimination; then the sums beside
   double scale_ = 1.0;       ///< of the matrix
-  FrontWork work_;
+  oneapi::tbb::enumerable_thread_specific<Workspace> workspaces_;
+  FrontTeam team_;
 };
 
 SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elimination)
-    : elimination_(std::move(elimination)), assembly_(*elimination_), extend_add_(*elimination_) {
+    : elimination_(std::move(elimination)), assembly_(*elimination_), extend_add_(*elimination_),
+      branches_(*elimination_) {
   const std::size_t n = elimination_->order().size();
   inverses_.resize(n);
   signs_.resize(n);
   least_.resize(n);
-  x_.resize(n);
   find_places();
   measure_panels();
   find_children();
+  find_targets();
   find_pairs();
-  measure_stacks();
+  x_.resize(n + beside_.size());
+  const std::span<const Front> fronts = elimination_->fronts();
+  std::vector<char> odd(fronts.size());
+  for (std::size_t f = fronts.size(); f-- > 0;)
+    odd[f] = fronts[f].parent >= 0 && odd[idx(fronts[f].parent)] == 0 ? 1 : 0;
+  stack_place_.resize(fronts.size());
+  for (const Branch& branch : branches_.all())
+    measure_stacks(branch, odd);
+  handed_up_.resize(fronts.size());
 }
 
 void SingleFactorization::measure_panels() {
   std::size_t triangles = 0;
   std::size_t below = 0;
-  std::size_t max_rows = 0;
   for (const Front& front : elimination_->fronts()) {
     const std::size_t rows = idx(front.rows + front.columns), columns = idx(front.columns);
     triangle_start_.push_back(triangles);
     below_start_.push_back(below);
     triangles += diagonal_triangles(columns);
     below += packed_size(rows, columns);
-    panel_size_ = std::max(panel_size_, padded(rows) * columns);
-    max_rows = std::max(max_rows, padded(rows));
+    max_rows_ = std::max(max_rows_, padded(rows));
   }
   triangle_start_.push_back(triangles);
   below_start_.push_back(below);
-  local_.resize(max_rows + front_lanes); // cleared by whole vectors
 }
 
 void SingleFactorization::find_places() {
@@ -168,9 +202,11 @@ void SingleFactorization::find_places() {
 
 template <class Visit> void SingleFactorization::for_each_place(Visit visit) const {
   const auto visit_nodes = [&](auto constant) {
-    for (const auto& [place, unknown] : nodes_)
-      for (std::uint32_t k = 0; k < decltype(constant)::value; ++k)
-        visit(place + k, unknown + k);
+    for_pieces(nodes_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (const auto& [place, unknown] : std::span(nodes_).subspan(begin, end - begin))
+        for (std::uint32_t k = 0; k < decltype(constant)::value; ++k)
+          visit(place + k, unknown + k);
+    });
   };
   if (elimination_->dim() == 2)
     visit_nodes(std::integral_constant<std::uint32_t, 2>{});
@@ -190,35 +226,73 @@ void SingleFactorization::find_children() {
 
 void SingleFactorization::find_pairs() {
   for (std::size_t f = 0; f < children_.size(); ++f) {
-    const std::span<const Index> below = elimination_->rows(elimination_->fronts()[f]);
-    bool paired = below.size() % 2 == 0;
-    for (std::size_t i = 0; paired && i < below.size(); i += 2)
-      paired = below[i + 1] == below[i] + 1;
+    const std::span<const Index> rows = elimination_->rows(front(f));
+    const auto targets = std::span(target_).subspan(front(f).row, rows.size());
+    bool paired = rows.size() % 2 == 0;
+    for (std::size_t i = 0; paired && i < rows.size(); i += 2)
+      paired = rows[i + 1] == rows[i] + 1 && targets[i + 1] == targets[i] + 1;
     paired_.push_back(paired ? 1 : 0);
   }
 }
 
 /// Fronts an even and an odd number of generations below their root have a stack each: a complement
 /// is formed in one while those of its front's children lie in the other.
-void SingleFactorization::measure_stacks() {
-  const std::span<const Front> fronts = elimination_->fronts();
-  std::vector<char> odd(fronts.size());
-  for (std::size_t f = fronts.size(); f-- > 0;)
-    odd[f] = fronts[f].parent >= 0 && odd[idx(fronts[f].parent)] == 0 ? 1 : 0;
+void SingleFactorization::measure_stacks(const Branch& branch, std::span<const char> odd) {
   std::array<std::size_t, 2> top{};
   std::array<std::size_t, 2> size{};
-  for (std::size_t f = 0; f < fronts.size(); ++f) {
+  for (std::size_t f = branch.begin; f < branch.end; ++f) {
     const std::size_t own = idx(odd[f]), other = 1 - own;
-    stack_place_.push_back(top[own]);
-    top[own] += padded(idx(fronts[f].rows)) * idx(fronts[f].rows);
-    size[own] = std::max(size[own], top[own]);
+    if (!branches_.is_handed_up(f)) {
+      stack_place_[f] = top[own];
+      top[own] += padded(idx(front(f).rows)) * idx(front(f).rows);
+      size[own] = std::max(size[own], top[own]);
+    }
     if (!children_[f].empty())
       top[other] = stack_place_[children_[f].front()];
   }
-  for (std::size_t f = 0; f < fronts.size(); ++f)
+  for (std::size_t f = branch.begin; f < branch.end; ++f)
     if (odd[f] != 0)
       stack_place_[f] += size[0];
-  stack_size_ = size[0] + size[1];
+  stack_size_ = std::max(stack_size_, size[0] + size[1]);
+}
+
+void SingleFactorization::find_targets() {
+  const std::size_t n = elimination_->order().size();
+  for (const Front& front : elimination_->fronts())
+    target_.insert(target_.end(), elimination_->rows(front).begin(),
+                   elimination_->rows(front).end());
+  std::vector<Index> place(n);
+  std::vector<Index> met;
+  for (const Branch& branch : branches_.all()) {
+    beside_start_.push_back(beside_.size());
+    const Front& last = front(branch.end - 1);
+    const Index end = last.first + last.columns;
+    const std::size_t first_row = front(branch.begin).row;
+    const auto rows = std::span(target_).subspan(first_row, last.row + idx(last.rows) - first_row);
+    met.clear();
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(met),
+                 [&](Index row) { return row >= end; });
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    for (const Index row : met) {
+      place[idx(row)] = static_cast<Index>(n + beside_.size());
+      beside_.push_back(row);
+    }
+    for (Index& row : rows)
+      if (row >= end)
+        row = place[idx(row)];
+  }
+  beside_start_.push_back(beside_.size());
+}
+
+template <class Work> void SingleFactorization::for_branches(std::size_t level, const Work& work) {
+  const std::size_t first = branches_.begin(level);
+  for_pieces(branches_.begin(level + 1) - first, 1, [&](std::size_t k, std::size_t) {
+    Workspace& own = workspaces_.local();
+    own.local.resize(max_rows_ + front_lanes); // cleared by whole vectors
+    // A thread that waits for others within a front must not begin another in the same memory.
+    oneapi::tbb::this_task_arena::isolate([&] { work(branches_.all()[first + k], own); });
+  });
 }
 
 /// A power of two that brings the largest pivot to about one, whatever the units.
@@ -238,70 +312,117 @@ void SingleFactorization::find_scale(const SparseMatrix& matrix) {
     least_[j] = lost * static_cast<float>(scale_ * pivot(j));
 }
 
-bool SingleFactorization::factorize(const SparseMatrix& matrix) {
-  panel_.resize(panel_size_ + front_lanes); // products read a vector beyond the last row
-  diagonal_.resize(triangle_start_.back());
-  below_.resize(below_start_.back());
-  stack_.resize(stack_size_);
-  find_scale(matrix);
-  for (std::size_t f = 0; f < children_.size(); ++f) {
-    const Front& front = elimination_->fronts()[f];
-    const Panel own = panel(f);
-    assembly_.assemble(f, matrix, scale_, own);
+bool SingleFactorization::eliminate_front(std::size_t f,
+                                          const SparseMatrix& matrix,
+                                          Workspace& own,
+                                          Threads threads) {
+  const std::size_t columns = idx(front(f).columns), rows = columns + idx(front(f).rows);
+  const std::size_t size = padded(rows) * columns + front_lanes; // products read a vector beyond
+  if (own.panel.size() < size)
+    own.panel.resize(size);
+  const Panel panel{own.panel.data(), rows, columns};
+  FrontTeam* team = threads == Threads::all ? &team_ : nullptr;
+  assembly_.assemble(f, matrix, scale_, panel);
+  for (const std::size_t child : children_[f])
+    extend_add_.to_panel(child, complement(child, own), panel, threads);
+  float* signs = signs_.data() + front(f).first;
+  float* inverses = inverses_.data() + front(f).first;
+  if (!eliminate(panel, least_.data() + front(f).first, inverses, signs, own.work, team))
+    return false;
+  pack(panel, inverses, packed(f), threads);
+  if (front(f).rows > 0) {
+    if (branches_.is_handed_up(f))
+      handed_up_[f] =
+          std::make_unique_for_overwrite<float[]>(padded(rows - columns) * (rows - columns));
+    form_complement(panel, signs, complement(f, own), own.work, team);
     for (const std::size_t child : children_[f])
-      extend_add_.to_panel(child, stack_.data() + stack_place_[child], own);
-    float* signs = signs_.data() + front.first;
-    if (!eliminate(own, least_.data() + front.first, inverses_.data() + front.first, signs, work_))
-      return false;
-    pack(own, inverses_.data() + front.first, packed(f));
-    if (front.rows > 0) {
-      float* complement = stack_.data() + stack_place_[f];
-      form_complement(own, signs, complement, work_);
-      for (const std::size_t child : children_[f])
-        extend_add_.to_complement(child, stack_.data() + stack_place_[child], own, complement);
-    }
+      extend_add_.to_complement(child, complement(child, own), panel, complement(f, own), threads);
   }
+  for (const std::size_t child : children_[f])
+    handed_up_[child].reset();
   return true;
 }
 
+bool SingleFactorization::factorize(const SparseMatrix& matrix) {
+  diagonal_.resize(triangle_start_.back());
+  if (!below_)
+    below_ = std::make_unique_for_overwrite<float[]>(below_start_.back());
+  find_scale(matrix);
+  std::atomic<bool> good = true;
+  for (std::size_t level = 0; level < branches_.levels() && good; ++level)
+    for_branches(level, [&](const Branch& branch, Workspace& own) {
+      if (level == 0 && own.stack.size() < stack_size_)
+        own.stack.resize(stack_size_);
+      for (std::size_t f = branch.begin; f < branch.end && good; ++f)
+        if (!eliminate_front(f, matrix, own, level == 0 ? Threads::one : Threads::all))
+          good = false;
+    });
+  if (!good)
+    for (auto& complement : handed_up_)
+      complement.reset();
+  return good;
+}
+
+/// Whether a substitution by a panel takes long enough for threads to share it.
+Threads sharing(const PackedPanel& panel) {
+  constexpr std::size_t many = 1 << 19; // numbers
+  return packed_size(panel.rows, panel.columns) > many ? Threads::all : Threads::one;
+}
+
+void SingleFactorization::forward(std::size_t f, Workspace& own) {
+  const PackedPanel panel = packed(f);
+  float* local = own.local.data();
+  copy_few(x_.data() + front(f).first, panel.columns, local);
+  clear_vectors(local + panel.columns, padded(panel.rows) - panel.columns);
+  substitute_forward(panel, local, sharing(panel));
+  copy_few(local, panel.columns, x_.data() + front(f).first);
+  local += panel.columns;
+  const auto targets = std::span(target_).subspan(front(f).row, idx(front(f).rows));
+  if (paired_[f] != 0)
+    for (std::size_t i = 0; i < targets.size(); i += 2)
+      add_pair(local + i, x_.data() + targets[i]);
+  else
+    for (const Index to : targets)
+      x_[idx(to)] += *local++;
+}
+
 void SingleFactorization::forward() {
-  for (std::size_t f = 0; f < children_.size(); ++f) {
-    const Front& front = elimination_->fronts()[f];
-    const PackedPanel own = packed(f);
-    float* local = local_.data();
-    copy_few(x_.data() + front.first, own.columns, local);
-    clear_vectors(local + own.columns, padded(own.rows) - own.columns);
-    substitute_forward(own, local);
-    copy_few(local, own.columns, x_.data() + front.first);
-    local += own.columns;
-    const std::span<const Index> rows = elimination_->rows(front);
-    if (paired_[f] != 0)
-      for (std::size_t i = 0; i < rows.size(); i += 2)
-        add_pair(local + i, x_.data() + rows[i]);
-    else
-      for (const Index row : rows)
-        x_[idx(row)] += *local++;
+  const std::size_t n = elimination_->order().size();
+  std::fill(x_.begin() + static_cast<std::ptrdiff_t>(n), x_.end(), 0.0F);
+  for (std::size_t level = 0; level < branches_.levels(); ++level) {
+    for_branches(level, [&](const Branch& branch, Workspace& own) {
+      for (std::size_t f = branch.begin; f < branch.end; ++f)
+        forward(f, own);
+    });
+    for (std::size_t i = beside_start_[branches_.begin(level)];
+         i < beside_start_[branches_.begin(level + 1)]; ++i)
+      x_[idx(beside_[i])] += x_[n + i];
   }
 }
 
+void SingleFactorization::backward(std::size_t f, Workspace& own) {
+  const PackedPanel panel = packed(f);
+  float* local = own.local.data();
+  copy_few(x_.data() + front(f).first, panel.columns, local);
+  local += panel.columns;
+  const std::span<const Index> rows = elimination_->rows(front(f));
+  if (paired_[f] != 0)
+    for (std::size_t i = 0; i < rows.size(); i += 2)
+      std::memcpy(local + i, x_.data() + rows[i], 2 * sizeof(float));
+  else
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      local[i] = x_[idx(rows[i])];
+  clear_vectors(local + rows.size(), padded(panel.rows) - panel.rows);
+  substitute_backward(panel, own.local.data(), sharing(panel));
+  copy_few(own.local.data(), panel.columns, x_.data() + front(f).first);
+}
+
 void SingleFactorization::backward() {
-  for (std::size_t f = children_.size(); f-- > 0;) {
-    const Front& front = elimination_->fronts()[f];
-    const PackedPanel own = packed(f);
-    float* local = local_.data();
-    copy_few(x_.data() + front.first, own.columns, local);
-    local += own.columns;
-    const std::span<const Index> rows = elimination_->rows(front);
-    if (paired_[f] != 0)
-      for (std::size_t i = 0; i < rows.size(); i += 2)
-        std::memcpy(local + i, x_.data() + rows[i], 2 * sizeof(float));
-    else
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        local[i] = x_[idx(rows[i])];
-    clear_vectors(local + rows.size(), padded(own.rows) - own.rows);
-    substitute_backward(own, local_.data());
-    copy_few(local_.data(), own.columns, x_.data() + front.first);
-  }
+  for (std::size_t level = branches_.levels(); level-- > 0;)
+    for_branches(level, [&](const Branch& branch, Workspace& own) {
+      for (std::size_t f = branch.end; f-- > branch.begin;)
+        backward(f, own);
+    });
 }
 
 void SingleFactorization::solve(std::span<double> rhs) {
@@ -318,8 +439,10 @@ void SingleFactorization::solve(std::span<double> rhs) {
     x_[place] = static_cast<float>(to_one * rhs[unknown]);
   });
   forward();
-  for (std::size_t i = 0; i < x_.size(); ++i)
-    x_[i] *= signs_[i];
+  for_pieces(signs_.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      x_[i] *= signs_[i];
+  });
   backward();
   for_each_place([&](std::uint32_t place, std::uint32_t unknown) {
     rhs[unknown] = back * static_cast<double>(x_[place]);

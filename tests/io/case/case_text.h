@@ -102,7 +102,6 @@ unload = true
 linear = "mumps"
 tolerance = 1e-7
 threads = 2
-reproducible = true
 accuracy = "standard"
 
 [output]

@@ -7,6 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -64,23 +65,27 @@ public:
 
 class ResumedRun : public testing::Test {
 protected:
-  [[nodiscard]] std::unique_ptr<Process> made(const std::string& text, int threads = 1) const {
+  [[nodiscard]] std::unique_ptr<Process> made(const std::string& text) const {
     const Case content = read_case(folder_.file("case.toml", text), {}, {});
     process::Scene scene = build_scene(content, "case.toml").scene;
-    scene.solver.threads = threads;
     return std::make_unique<Process>(std::move(scene));
   }
 
-  /// Goes on from every n-th place at which the run was stored.
-  void expect_same(const std::string& text, std::size_t every, int threads = 1) const {
+  /// Goes on from every n-th place at which the run, made by one thread, was stored.
+  void expect_same(const std::string& text, std::size_t every, std::size_t threads = 1) const {
+    using oneapi::tbb::global_control;
     Recorder whole;
-    const std::unique_ptr<Process> reference = made(text, threads);
-    ASSERT_EQ(reference->run({&whole}), RunStatus::done);
+    const std::unique_ptr<Process> reference = made(text);
+    {
+      const global_control one(global_control::max_allowed_parallelism, 1);
+      ASSERT_EQ(reference->run({&whole}), RunStatus::done);
+    }
+    const global_control limit(global_control::max_allowed_parallelism, threads);
     ASSERT_FALSE(whole.stored.empty());
     std::size_t resumed = 0;
     for (std::size_t i = 0; i < whole.stored.size(); i += every, ++resumed) {
       Recorder rest;
-      const std::unique_ptr<Process> process = made(text, threads);
+      const std::unique_ptr<Process> process = made(text);
       process->resume(whole.stored[i].bytes);
       ASSERT_EQ(process->run({&rest}), RunStatus::done);
       const std::size_t after = whole.stored[i].after;

@@ -59,7 +59,18 @@ TEST(BlockPattern, keeps_a_node_that_no_element_uses) {
   EXPECT_EQ(pattern.offset(mesh.n_points() - 1, mesh.n_points() - 1), 0);
 }
 
-TEST(Scatter, pieces_of_one_colour_share_no_node_and_every_group_is_in_one) {
+TEST(BlockPattern, knows_where_its_diagonal_and_the_mirror_of_each_block_are) {
+  for (const ElementKind kind : kinds) {
+    const BlockPattern pattern = block_pattern(sample(kind));
+    for (Index i = 0; i < pattern.n_dofs(); ++i)
+      ASSERT_EQ(pattern.diagonal[idx(i)], pattern.entry(i, i));
+    for (Index a = 0; a < pattern.n_nodes(); ++a)
+      for (Index k = pattern.neighbour_start[idx(a)]; k < pattern.neighbour_start[idx(a) + 1]; ++k)
+        ASSERT_EQ(pattern.mirror[idx(k)], pattern.offset(pattern.neighbours[idx(k)], a));
+  }
+}
+
+TEST(Scatter, pieces_with_a_common_node_wait_for_each_other_and_every_group_is_in_one) {
   for (const ElementKind kind : kinds) {
     const Mesh mesh = sample(kind);
     const BlockPattern pattern = block_pattern(mesh);
@@ -70,21 +81,29 @@ TEST(Scatter, pieces_of_one_colour_share_no_node_and_every_group_is_in_one) {
     for (Index e = 0; e < mesh.n_elements(); ++e)
       ASSERT_EQ(all[static_cast<std::size_t>(e)], e);
     const auto& pieces = scatter.piece_start();
-    const auto& start = scatter.colour_start();
     EXPECT_EQ(pieces.back(), mesh.n_elements());
-    EXPECT_EQ(start.back(), static_cast<Index>(pieces.size()) - 1);
-    for (std::size_t c = 0; c + 1 < start.size(); ++c) {
-      std::set<Index> of_colour;
-      for (Index p = start[c]; p < start[c + 1]; ++p) {
-        std::set<Index> of_piece;
-        const auto first = static_cast<std::size_t>(p);
-        for (Index k = pieces[first]; k < pieces[first + 1]; ++k)
-          for (const Index a : scatter.nodes(scatter.order()[static_cast<std::size_t>(k)]))
-            of_piece.insert(a);
-        for (const Index a : of_piece)
-          EXPECT_TRUE(of_colour.insert(a).second) << "node " << a << " twice in colour " << c;
+    const std::size_t n = pieces.size() - 1;
+    std::vector<std::set<Index>> nodes(n);
+    std::vector<std::set<std::size_t>> after(n); // by any way along those that wait
+    std::vector<Index> waits(n, 0);
+    for (std::size_t p = n; p-- > 0;) {
+      for (Index k = pieces[p]; k < pieces[p + 1]; ++k)
+        for (const Index a : scatter.nodes(scatter.order()[idx(k)]))
+          nodes[p].insert(a);
+      for (const Index q : scatter.followers(static_cast<Index>(p))) {
+        ASSERT_GT(idx(q), p);
+        ++waits[idx(q)];
+        after[p].insert(idx(q));
+        after[p].insert(after[idx(q)].begin(), after[idx(q)].end());
       }
     }
+    EXPECT_EQ(waits, scatter.waits());
+    for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t q = p + 1; q < n; ++q) {
+        const bool meet = std::any_of(nodes[p].begin(), nodes[p].end(),
+                                      [&](Index a) { return nodes[q].count(a) > 0; });
+        EXPECT_TRUE(!meet || after[p].count(q) > 0) << p << " " << q;
+      }
   }
 }
 
@@ -119,8 +138,8 @@ TEST(Scatter, stays_right_when_there_are_more_colours_than_bits) {
       lines.insert(lines.end(), {0, a});
   }
   const Scatter scatter(pattern, lines, 2);
-  EXPECT_EQ(scatter.colour_start().size(), scatter.piece_start().size()) << "one piece each";
-  EXPECT_GT(scatter.colour_start().size(), 64U);
+  EXPECT_GT(scatter.waits().size(), 64U);
+  EXPECT_EQ(std::count(scatter.waits().begin(), scatter.waits().end(), 0), 1) << "one begins";
   std::set<Index> groups(scatter.order().begin(), scatter.order().end());
   EXPECT_EQ(static_cast<Index>(groups.size()), n);
 }

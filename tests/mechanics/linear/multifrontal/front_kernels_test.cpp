@@ -100,7 +100,7 @@ TEST(FrontKernels, leave_the_complement_that_a_dense_elimination_leaves) {
     }
 }
 
-TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
+void expect_dense_substitution(Threads threads) {
   for (const auto& [rows, columns] : sizes)
     for (const bool indefinite : {false, true}) {
       Problem problem(rows, columns, indefinite);
@@ -114,8 +114,8 @@ TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
       std::vector<DiagonalInverse> diagonal(diagonal_triangles(columns));
       std::vector<float> numbers(packed_size(rows, columns));
       const PackedPanel packed{rows, columns, diagonal.data(), numbers.data()};
-      pack(problem.panel(), problem.inverses.data(), packed);
-      substitute_forward(packed, x.data());
+      pack(problem.panel(), problem.inverses.data(), packed, threads);
+      substitute_forward(packed, x.data(), threads);
       // What is left below: b2 - A21 A11^-1 b1.
       const auto solve = [&](const VectorXd& of) -> VectorXd {
         return problem.block(false, false).partialPivLu().solve(of);
@@ -132,12 +132,46 @@ TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
         x[static_cast<std::size_t>(i)] *= problem.signs[static_cast<std::size_t>(i)];
       for (Eigen::Index i = k; i < n; ++i)
         x[static_cast<std::size_t>(i)] = static_cast<float>(known[i - k]);
-      substitute_backward(packed, x.data());
+      substitute_backward(packed, x.data(), threads);
       const VectorXd reference =
           solve(n == k ? VectorXd(b) : VectorXd(b.head(k) - problem.block(false, true) * known));
       for (Eigen::Index i = 0; i < k; ++i)
         ASSERT_NEAR(x[static_cast<std::size_t>(i)], reference[i], digits) << rows << " " << columns;
     }
+}
+
+TEST(FrontKernels, substitute_as_the_dense_matrix_does) {
+  expect_dense_substitution(Threads::one);
+  expect_dense_substitution(Threads::all);
+}
+
+// By other loops, in which the compiler fuses other multiplications and additions.
+TEST(FrontKernels, leave_the_same_whether_threads_share_them) {
+  constexpr float digits = 2e-6F;
+  FrontTeam team;
+  for (const auto& [rows, columns] : sizes) {
+    Problem alone(rows, columns, true), shared(rows, columns, true);
+    const std::size_t rest = rows - columns;
+    std::vector<float> complement(padded(rest) * rest), other(complement.size());
+    ASSERT_TRUE(eliminate(alone.panel(), alone.least.data(), alone.inverses.data(),
+                          alone.signs.data(), alone.work));
+    form_complement(alone.panel(), alone.signs.data(), complement.data(), alone.work);
+    ASSERT_TRUE(eliminate(shared.panel(), shared.least.data(), shared.inverses.data(),
+                          shared.signs.data(), shared.work, &team));
+    form_complement(shared.panel(), shared.signs.data(), other.data(), shared.work, &team);
+    EXPECT_EQ(alone.signs, shared.signs);
+    for (std::size_t j = 0; j < columns; ++j) {
+      ASSERT_NEAR(alone.inverses[j], shared.inverses[j], digits);
+      for (std::size_t i = j; i < rows; ++i)
+        ASSERT_NEAR(alone.values[j * padded(rows) + i], shared.values[j * padded(rows) + i],
+                    digits);
+    }
+    const float largest = std::sqrt(static_cast<float>(rows));
+    for (std::size_t j = 0; j < rest; ++j)
+      for (std::size_t i = j; i < rest; ++i)
+        ASSERT_NEAR(complement[j * padded(rest) + i], other[j * padded(rest) + i],
+                    digits * largest);
+  }
 }
 
 TEST(PackedPanel, holds_the_rows_below_each_eight_columns) {

@@ -1,4 +1,4 @@
-#include "app/memory.h"
+#include "geometry/base/memory.h"
 
 #include <sys/resource.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace billet::app {
+namespace billet {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::optional<double> available_memory() {
   return least;
 }
 
-} // namespace billet::app
+} // namespace billet

@@ -1,0 +1,110 @@
+#include "mechanics/linear/multigrid/multigrid.h"
+
+#include "mechanics/linear/multigrid/component.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace billet::mechanics {
+
+namespace {
+
+constexpr const char* component_file = "libbillet-multigrid.so";
+
+/// Beside the program or the library that this is part of, and where they are installed.
+std::vector<std::filesystem::path> places() {
+  std::vector<std::filesystem::path> found;
+  Dl_info own{};
+  if (dladdr(static_cast<const void*>(component_file), &own) != 0 && own.dli_fname != nullptr) {
+    std::error_code none;
+    const std::filesystem::path self = std::filesystem::exists("/proc/self/exe", none)
+                                           ? std::filesystem::canonical(own.dli_fname, none)
+                                           : own.dli_fname;
+    for (const char* folder : {".", "../lib", "../lib/billet"})
+      found.push_back(self.parent_path() / folder / component_file);
+  }
+  found.emplace_back(component_file); // where the system's linker looks
+  return found;
+}
+
+Outcome<const MultigridComponent*> load() {
+  // Its BLAS is another than the program's, and would start threads of its own.
+  setenv("OPENBLAS_NUM_THREADS", "1", 0); // NOLINT(concurrency-mt-unsafe): before its first use
+  std::string why;
+  for (const std::filesystem::path& file : places()) {
+    // Deep: PETSc must find its own MPI and MUMPS, not those of the program.
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+    if (library == nullptr) {
+      const char* text = dlerror(); // NOLINT(concurrency-mt-unsafe)
+      why = text != nullptr ? text : "";
+      continue;
+    }
+    const auto entry = reinterpret_cast<MultigridEntry>(dlsym(library, multigrid_entry));
+    if (entry != nullptr && entry()->version == multigrid_version)
+      return entry();
+    why = fmt::format("{} belongs to another version", file.string());
+    dlclose(library);
+  }
+  return Failure{fmt::format("the multigrid component is not there: {}", why)};
+}
+
+/// Loaded when it is first asked for.
+const Outcome<const MultigridComponent*>& component_of_process() {
+  static const Outcome<const MultigridComponent*> component = load();
+  return component;
+}
+
+} // namespace
+
+bool Multigrid::is_there() { return bool(component_of_process()); }
+
+Outcome<std::unique_ptr<Multigrid>> Multigrid::make() {
+  const Outcome<const MultigridComponent*>& component = component_of_process();
+  if (!component)
+    return component.error();
+  void* multigrid = (*component)->make();
+  if (multigrid == nullptr)
+    return Failure{fmt::format("multigrid does not start: {}", (*component)->reason())};
+  return std::make_unique<Multigrid>(**component, multigrid);
+}
+
+Multigrid::Multigrid(const MultigridComponent& component, void* multigrid)
+    : component_(&component), multigrid_(multigrid) {}
+
+Multigrid::~Multigrid() { component_->destroy(multigrid_); }
+
+bool Multigrid::factorize(const SparseMatrix& matrix) {
+  const BlockPattern& pattern = *matrix.pattern;
+  const MultigridSystem system{pattern.dim,
+                               pattern.n_dofs(),
+                               pattern.row_start.data(),
+                               pattern.columns.data(),
+                               const_cast<double*>(matrix.values.data()),
+                               positions_.data()};
+  entries_ = 0.0;
+  if (component_->set_up(multigrid_, &system) != 0)
+    return false;
+  entries_ = static_cast<double>(pattern.n_entries()) + component_->entries(multigrid_);
+  return true;
+}
+
+void Multigrid::solve(std::span<double> rhs) {
+  if (component_->apply(multigrid_, rhs.data()) != 0)
+    std::fill(rhs.begin(), rhs.end(), 0.0); // GMRES sees that it does not converge
+}
+
+void Multigrid::release() { component_->release(multigrid_); }
+
+FactorCost Multigrid::cost() const {
+  constexpr double cycles = 40.0, products = 8.0, per_entry = 2.0;
+  return {cycles * products * per_entry * entries_, entries_, sizeof(double)};
+}
+
+} // namespace billet::mechanics
