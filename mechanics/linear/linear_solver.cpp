@@ -481,20 +481,25 @@ Outcome<SolveReport> LinearSolver::solve_symmetric(const SparseMatrix& matrix,
 bool LinearSolver::takes_multigrid() {
   if (settings_.choice == SolverChoice::multigrid)
     return true;
-  if (settings_.choice != SolverChoice::automatic || pattern_->dim != 3)
+  if (settings_.choice != SolverChoice::automatic)
     return false;
-  if (!takes_multigrid_) {
+  const auto is_cheaper = [this] {
     SystemSize size{pattern_->dim, static_cast<double>(pattern_->n_entries())};
-    takes_multigrid_ = false;
-    if (may_pay(size)) {
+    if (!may_pay(size))
+      return false;
+    try {
       size.factor_entries = elimination()->entries();
       size.operations = elimination()->flops();
-      const double all = std::numeric_limits<double>::infinity();
-      takes_multigrid_ =
-          prefers_multigrid(size, available_memory().value_or(all)) && Multigrid::is_there();
-      if (*takes_multigrid_)
-        elimination_.reset(); // it may never be needed
+    } catch (const std::bad_alloc&) {
+      return true; // the factors have more entries than can be counted
     }
+    const double all = std::numeric_limits<double>::infinity();
+    return prefers_multigrid(size, available_memory().value_or(all));
+  };
+  if (!takes_multigrid_) {
+    takes_multigrid_ = is_cheaper() && Multigrid::is_there();
+    if (*takes_multigrid_)
+      elimination_.reset(); // it may never be needed
   }
   return *takes_multigrid_;
 }
@@ -513,7 +518,7 @@ Outcome<SolveReport> LinearSolver::solve_by_multigrid(const SparseMatrix& matrix
   multigrid_->set_positions(options.positions);
   if (!factorize(*multigrid_, "multigrid", matrix))
     return Failure{"multigrid cannot be set up"};
-  constexpr int most = 150;
+  constexpr int most = 300; // the first do little where contact is stiff
   const double enough = std::max(options.tolerance, exact);
   const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
   if (!report.converged) {
@@ -535,6 +540,12 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
     ++(outcome ? work_.multigrid : work_.multigrid_failed);
     if (outcome)
       return outcome;
+    try {
+      static_cast<void>(elimination());
+    } catch (const std::bad_alloc&) { // nothing else can solve it: a shorter increment may
+      backoff_.multigrid = {};
+      return outcome;
+    }
   }
   const bool fast = settings_.choice == SolverChoice::automatic ||
                     settings_.choice == SolverChoice::cholmod ||

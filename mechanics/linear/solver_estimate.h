@@ -32,8 +32,8 @@ struct SystemCost {
 [[nodiscard]] bool may_pay(const SystemSize& size);
 
 /// Whether multigrid solves such systems: where it is far cheaper, or where factors find no room.
-/// Where metal flows all over a part it takes three to five times the cycles it takes while little
-/// of it does, so it has to be cheaper by that.
+/// Where metal flows all over a part it takes five times the cycles it takes while little of it
+/// does, and more, so it has to be cheaper by that.
 ///
 /// @param memory  that is left [byte]
 [[nodiscard]] bool prefers_multigrid(const SystemSize& size, double memory);

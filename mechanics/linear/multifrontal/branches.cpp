@@ -61,7 +61,8 @@ Branches::Branches(const Elimination& elimination, double of_flops, double few) 
   for (std::size_t f = 0; f < fronts.size(); ++f)
     if (fronts[f].parent < 0)
       all += flops[f];
-  const double most = all > few ? of_flops * all : all;
+  constexpr double least = 8.0; // branches that are worth a level above them
+  const double most = all > least * few ? std::max(of_flops * all, few) : all;
   branches_ = gathered_subtrees(fronts, flops, most);
   std::vector<std::size_t> level(fronts.size(), 0); // of the fronts above
   std::size_t highest = 0;

@@ -25,8 +25,8 @@ struct Branch {
 class Branches {
 public:
   /// @param of_flops  share of all operations above which a subtree is cut [-]
-  /// @param few       operations that are not worth a cut
-  explicit Branches(const Elimination& elimination, double of_flops = 1.0 / 64, double few = 2e7);
+  /// @param few       operations that are not worth a branch
+  explicit Branches(const Elimination& elimination, double of_flops = 1.0 / 64, double few = 2e5);
 
   /// All branches, those of a level side by side.
   [[nodiscard]] std::span<const Branch> all() const { return branches_; }

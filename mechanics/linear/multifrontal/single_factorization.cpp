@@ -112,10 +112,15 @@ private:
   eliminate_front(std::size_t f, const SparseMatrix& matrix, Workspace& own, Threads threads);
   void forward();
   void backward();
+  /// Whether substitutions take long enough for threads to share the branches.
+  [[nodiscard]] Threads sharing() const {
+    constexpr std::size_t many = 1 << 18; // numbers
+    return below_start_.back() > many ? Threads::all : Threads::one;
+  }
   void forward(std::size_t f, Workspace& own);
   void backward(std::size_t f, Workspace& own);
   /// Calls `work(branch, workspace)` for the branches of a level.
-  template <class Work> void for_branches(std::size_t level, const Work& work);
+  template <class Work> void for_branches(std::size_t level, Threads threads, const Work& work);
 
   std::shared_ptr<const Elimination> elimination_;
   FrontAssembly assembly_;
@@ -285,14 +290,21 @@ void SingleFactorization::find_targets() {
   beside_start_.push_back(beside_.size());
 }
 
-template <class Work> void SingleFactorization::for_branches(std::size_t level, const Work& work) {
-  const std::size_t first = branches_.begin(level);
-  for_pieces(branches_.begin(level + 1) - first, 1, [&](std::size_t k, std::size_t) {
-    Workspace& own = workspaces_.local();
-    own.local.resize(max_rows_ + front_lanes); // cleared by whole vectors
-    // A thread that waits for others within a front must not begin another in the same memory.
-    oneapi::tbb::this_task_arena::isolate([&] { work(branches_.all()[first + k], own); });
-  });
+template <class Work>
+void SingleFactorization::for_branches(std::size_t level, Threads threads, const Work& work) {
+  const auto some = branches_.all().subspan(branches_.begin(level),
+                                            branches_.begin(level + 1) - branches_.begin(level));
+  for_pieces(some.size(), threads == Threads::all ? 1 : some.size(),
+             [&](std::size_t begin, std::size_t end) {
+               Workspace& own = workspaces_.local();
+               own.local.resize(max_rows_ + front_lanes); // cleared by whole vectors
+               // A thread that waits for others within a front must not begin another in the same
+               // memory.
+               oneapi::tbb::this_task_arena::isolate([&] {
+                 for (const Branch& branch : some.subspan(begin, end - begin))
+                   work(branch, own);
+               });
+             });
 }
 
 /// A power of two that brings the largest pivot to about one, whatever the units.
@@ -350,7 +362,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
   find_scale(matrix);
   std::atomic<bool> good = true;
   for (std::size_t level = 0; level < branches_.levels() && good; ++level)
-    for_branches(level, [&](const Branch& branch, Workspace& own) {
+    for_branches(level, Threads::all, [&](const Branch& branch, Workspace& own) {
       if (level == 0 && own.stack.size() < stack_size_)
         own.stack.resize(stack_size_);
       for (std::size_t f = branch.begin; f < branch.end && good; ++f)
@@ -364,7 +376,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
 }
 
 /// Whether a substitution by a panel takes long enough for threads to share it.
-Threads sharing(const PackedPanel& panel) {
+Threads sharing_of(const PackedPanel& panel) {
   constexpr std::size_t many = 1 << 19; // numbers
   return packed_size(panel.rows, panel.columns) > many ? Threads::all : Threads::one;
 }
@@ -374,7 +386,7 @@ void SingleFactorization::forward(std::size_t f, Workspace& own) {
   float* local = own.local.data();
   copy_few(x_.data() + front(f).first, panel.columns, local);
   clear_vectors(local + panel.columns, padded(panel.rows) - panel.columns);
-  substitute_forward(panel, local, sharing(panel));
+  substitute_forward(panel, local, sharing_of(panel));
   copy_few(local, panel.columns, x_.data() + front(f).first);
   local += panel.columns;
   const auto targets = std::span(target_).subspan(front(f).row, idx(front(f).rows));
@@ -390,7 +402,7 @@ void SingleFactorization::forward() {
   const std::size_t n = elimination_->order().size();
   std::fill(x_.begin() + static_cast<std::ptrdiff_t>(n), x_.end(), 0.0F);
   for (std::size_t level = 0; level < branches_.levels(); ++level) {
-    for_branches(level, [&](const Branch& branch, Workspace& own) {
+    for_branches(level, sharing(), [&](const Branch& branch, Workspace& own) {
       for (std::size_t f = branch.begin; f < branch.end; ++f)
         forward(f, own);
     });
@@ -413,13 +425,13 @@ void SingleFactorization::backward(std::size_t f, Workspace& own) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       local[i] = x_[idx(rows[i])];
   clear_vectors(local + rows.size(), padded(panel.rows) - panel.rows);
-  substitute_backward(panel, own.local.data(), sharing(panel));
+  substitute_backward(panel, own.local.data(), sharing_of(panel));
   copy_few(own.local.data(), panel.columns, x_.data() + front(f).first);
 }
 
 void SingleFactorization::backward() {
   for (std::size_t level = branches_.levels(); level-- > 0;)
-    for_branches(level, [&](const Branch& branch, Workspace& own) {
+    for_branches(level, sharing(), [&](const Branch& branch, Workspace& own) {
       for (std::size_t f = branch.end; f-- > branch.begin;)
         backward(f, own);
     });
