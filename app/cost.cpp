@@ -83,6 +83,15 @@ void choose_solver(CostEstimate& cost, int dim, mechanics::SolverChoice choice) 
        mechanics::Multigrid::is_there());
 }
 
+/// In large parts several systems go with one factorization, in small ones hardly any.
+double seconds_of_a_system(const CostEstimate& cost) {
+  constexpr double per_operation = 1e-10; // [s]
+  if (cost.by_multigrid)
+    return mechanics::cost_by_multigrid(cost.systems).seconds;
+  return mechanics::may_pay(cost.systems) ? mechanics::cost_by_factorization(cost.systems).seconds
+                                          : per_operation * cost.operations;
+}
+
 /// Memory and time, which follow from the rest.
 void add_totals(CostEstimate& cost) {
   // Of an entry: value, column, the symmetric neighbour's value, and the copy that is permuted.
@@ -93,11 +102,9 @@ void add_totals(CostEstimate& cost) {
       matrix + (cost.by_multigrid ? mechanics::cost_by_multigrid(cost.systems).memory : factors);
   // Measured with the cases that come along: elements, contact and substitutions go with the
   // entries of the tangent, the factorization with its operations.
-  constexpr double per_entry = 1.3e-7, per_operation = 1e-10; // [s]
+  constexpr double per_entry = 1.3e-7; // [s]
   cost.seconds = cost.increments * cost.iterations *
-                 (per_entry * static_cast<double>(cost.entries) +
-                  (cost.by_multigrid ? mechanics::cost_by_multigrid(cost.systems).seconds
-                                     : per_operation * cost.operations));
+                 (per_entry * static_cast<double>(cost.entries) + seconds_of_a_system(cost));
 }
 
 } // namespace

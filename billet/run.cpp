@@ -71,10 +71,12 @@ struct Run::Inside {
     });
   }
 
-  [[nodiscard]] io::WorkpieceFrame frame() const {
+  [[nodiscard]] io::WorkpieceFrame frame() {
     const std::vector<Vec3> points =
         io::points_of(process->view().positions(), process->view().mesh().dimension());
-    return io::workpiece_frame(process->view(), points, {content.units, "", content.title});
+    return threads.execute([&] {
+      return io::workpiece_frame(process->view(), points, {content.units, "", content.title});
+    });
   }
 
   [[nodiscard]] contact::ToolLoad load(std::size_t tool) const {
@@ -159,7 +161,7 @@ std::string Run::save() { return inside_->process->store(); }
 void Run::load(std::string_view saved) {
   translated([&] {
     inside_->prepare();
-    inside_->process->resume(saved);
+    inside_->threads.execute([&] { inside_->process->resume(saved); });
   });
   inside_->status = Status::running;
   inside_->observer = {};

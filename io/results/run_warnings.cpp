@@ -92,9 +92,11 @@ void on_work_made(const process::Run& run, const UnitSystem& units, Lines& lines
 void on_multigrid(const process::Run& run, Lines& lines) {
   const mechanics::SolverWork work = run.solver_work();
   if (work.multigrid_failed > 0)
-    lines.push_back(fmt::format("note: multigrid did not solve {} of {} systems that were given to "
-                                "it; factorizations did",
-                                work.multigrid_failed, work.multigrid_failed + work.multigrid));
+    lines.push_back(fmt::format(
+        "warning: multigrid did not solve {} of {} systems that it was set up for: they were "
+        "factorized, or the increment was taken shorter where no factorization has room; with "
+        "many of them solver.linear = \"cholmod\" may be faster",
+        work.multigrid_failed, work.multigrid_failed + work.multigrid));
 }
 
 void on_limited_friction(const process::Run& run, Lines& lines) {

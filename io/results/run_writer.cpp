@@ -278,7 +278,8 @@ void RunWriter::incremented(const process::Run& run, const process::IncrementRep
   if (!record_.worn && report.min_quality < bad)
     record_.worn = report;
   if (!record_.squeezed_at && report.max_plastic_strain > 0.0 &&
-      process::gives_way(run, report.volume) && process::squeeze_of(run, report.volume).is_full())
+      process::has_lost_volume(run, report.volume) &&
+      process::squeeze_of(run, report.volume).is_full())
     record_.squeezed_at = report.time;
   const double missed =
       report.energy.missing() - (record_.last ? record_.last->energy.missing() : 0.0);

@@ -1,7 +1,7 @@
 // The workpiece's own resistance: all elements of one material, with their history.
 //
-// Assembly runs over colours of elements that share no node, so the sums are the same to the bit
-// for any number of threads. Theory: docs/theory/mechanics.md.
+// Pieces of elements that have a node in common are assembled one after another, always in the same
+// order: sums are the same to the bit for any number of threads. Theory: docs/theory/mechanics.md.
 
 #pragma once
 

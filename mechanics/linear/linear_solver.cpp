@@ -3,6 +3,7 @@
 #include "geometry/base/memory.h"
 #include "geometry/base/pieces.h"
 #include "geometry/base/stopwatch.h"
+#include "mechanics/linear/blas.h"
 #include "mechanics/linear/multigrid/multigrid.h"
 #include "mechanics/linear/solver_estimate.h"
 
@@ -216,6 +217,7 @@ bool LinearSolver::factorize(Factorization& factorization,
   const Stopwatch watch(work_.factorization);
   last_ = nullptr;
   release_all_but(factorization);
+  set_blas_threads(1); // threads are ours: a program that links the library may have asked for more
   const bool done = factorization.factorize(matrix);
   const FactorCost cost = factorization.cost();
   ++work_.factorizations;

@@ -56,7 +56,7 @@ struct SolverWork {
   long reused = 0;                ///< systems solved without a factorization of their own
   long nearly_symmetric = 0;      ///< unsymmetric systems solved with their symmetric part
   long multigrid = 0;             ///< systems solved around a set-up of multigrid of their own
-  long multigrid_failed = 0;      ///< systems that it did not solve: a factorization did
+  long multigrid_failed = 0;      ///< systems that it did not solve
   long systems = 0;               ///< however many right-hand sides each has
   std::string_view last_method;   ///< of the last factorization
   double last_flops = 0.0;        ///< of the last factorization

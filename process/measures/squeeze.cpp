@@ -31,7 +31,7 @@ bool Squeeze::is_nearly_full() const {
   return volume_lost > little && pressure > open * flow_stress;
 }
 
-bool gives_way(const Run& run, double volume) {
+bool has_lost_volume(const Run& run, double volume) {
   return volume < (1.0 - Squeeze::little) * run.model.bulk->reference_volume();
 }
 

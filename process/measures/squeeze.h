@@ -30,7 +30,7 @@ struct Squeeze {
 /// Whether more than a little of the volume is gone: where it is not, no cavity is full.
 ///
 /// @param volume  of the workpiece now [mm^3]
-[[nodiscard]] bool gives_way(const Run& run, double volume);
+[[nodiscard]] bool has_lost_volume(const Run& run, double volume);
 
 /// @param volume  of the workpiece now [mm^3]
 [[nodiscard]] Squeeze squeeze_of(const Run& run, double volume);

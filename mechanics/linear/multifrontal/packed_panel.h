@@ -59,8 +59,8 @@ void pack(const Panel& panel,
 /// @param x  shape (padded(rows)): right-hand side, overwritten with the solution in its first part
 void substitute_forward(const PackedPanel& panel, float* x, Threads threads = Threads::one);
 
-/// Solves for the unknowns of a panel when those below are known, with the transpose. Sums are
-/// ordered otherwise with all threads than with one: by how many is the same.
+/// Solves for the unknowns of a panel when those below are known, with the transpose. With
+/// Threads::all sums have another order than with Threads::one, the same for any number of threads.
 ///
 /// @param x  shape (padded(rows)): right-hand side and, below, what is known; its first part is
 ///           overwritten with the solution

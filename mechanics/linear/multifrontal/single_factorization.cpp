@@ -137,11 +137,14 @@ private:
   std::size_t stack_size_ = 0;           ///< of the largest branch
   std::vector<std::unique_ptr<float[]>>
       handed_up_; ///< complements that go to other branches, by front
-  /// By row of all fronts: what a substitution adds to. What a branch takes from unknowns of others
-  /// is summed beside them, so that branches do not meet.
-  std::vector<Index> target_;
-  std::vector<Index> beside_;             ///< unknowns that each sum beside goes to
-  std::vector<std::size_t> beside_start_; ///< by branch
+  /// What a branch takes from unknowns of other branches is summed beside them, so that branches do
+  /// not meet.
+  struct Beside {
+    std::vector<Index> unknowns;    ///< that each sum goes to
+    std::vector<std::size_t> start; ///< of a branch's sums
+  };
+  std::vector<Index> target_; ///< by row of all fronts: what a substitution adds to
+  Beside beside_;
   std::vector<DiagonalInverse> diagonal_;
   std::unique_ptr<float[]> below_; ///< first touched by the threads that fill it
   std::vector<float> inverses_;    ///< of the factor's diagonal
@@ -165,7 +168,7 @@ SingleFactorization::SingleFactorization(std::shared_ptr<const Elimination> elim
   find_children();
   find_targets();
   find_pairs();
-  x_.resize(n + beside_.size());
+  x_.resize(n + beside_.unknowns.size());
   const std::span<const Front> fronts = elimination_->fronts();
   std::vector<char> odd(fronts.size());
   for (std::size_t f = fronts.size(); f-- > 0;)
@@ -269,7 +272,7 @@ void SingleFactorization::find_targets() {
   std::vector<Index> place(n);
   std::vector<Index> met;
   for (const Branch& branch : branches_.all()) {
-    beside_start_.push_back(beside_.size());
+    beside_.start.push_back(beside_.unknowns.size());
     const Front& last = front(branch.end - 1);
     const Index end = last.first + last.columns;
     const std::size_t first_row = front(branch.begin).row;
@@ -280,14 +283,14 @@ void SingleFactorization::find_targets() {
     std::sort(met.begin(), met.end());
     met.erase(std::unique(met.begin(), met.end()), met.end());
     for (const Index row : met) {
-      place[idx(row)] = static_cast<Index>(n + beside_.size());
-      beside_.push_back(row);
+      place[idx(row)] = static_cast<Index>(n + beside_.unknowns.size());
+      beside_.unknowns.push_back(row);
     }
     for (Index& row : rows)
       if (row >= end)
         row = place[idx(row)];
   }
-  beside_start_.push_back(beside_.size());
+  beside_.start.push_back(beside_.unknowns.size());
 }
 
 template <class Work>
@@ -406,9 +409,9 @@ void SingleFactorization::forward() {
       for (std::size_t f = branch.begin; f < branch.end; ++f)
         forward(f, own);
     });
-    for (std::size_t i = beside_start_[branches_.begin(level)];
-         i < beside_start_[branches_.begin(level + 1)]; ++i)
-      x_[idx(beside_[i])] += x_[n + i];
+    for (std::size_t i = beside_.start[branches_.begin(level)];
+         i < beside_.start[branches_.begin(level + 1)]; ++i)
+      x_[idx(beside_.unknowns[i])] += x_[n + i];
   }
 }
 

@@ -7,10 +7,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <system_error>
-#include <vector>
 
 namespace billet::mechanics {
 
@@ -18,41 +14,20 @@ namespace {
 
 constexpr const char* component_file = "libbillet-multigrid.so";
 
-/// Beside the program or the library that this is part of, and where they are installed.
-std::vector<std::filesystem::path> places() {
-  std::vector<std::filesystem::path> found;
-  Dl_info own{};
-  if (dladdr(static_cast<const void*>(component_file), &own) != 0 && own.dli_fname != nullptr) {
-    std::error_code none;
-    const std::filesystem::path self = std::filesystem::exists("/proc/self/exe", none)
-                                           ? std::filesystem::canonical(own.dli_fname, none)
-                                           : own.dli_fname;
-    for (const char* folder : {".", "../lib", "../lib/billet"})
-      found.push_back(self.parent_path() / folder / component_file);
-  }
-  found.emplace_back(component_file); // where the system's linker looks
-  return found;
-}
-
 Outcome<const MultigridComponent*> load() {
   // Its BLAS is another than the program's, and would start threads of its own.
   setenv("OPENBLAS_NUM_THREADS", "1", 0); // NOLINT(concurrency-mt-unsafe): before its first use
-  std::string why;
-  for (const std::filesystem::path& file : places()) {
-    // Deep: PETSc must find its own MPI and MUMPS, not those of the program.
-    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
-    if (library == nullptr) {
-      const char* text = dlerror(); // NOLINT(concurrency-mt-unsafe)
-      why = text != nullptr ? text : "";
-      continue;
-    }
-    const auto entry = reinterpret_cast<MultigridEntry>(dlsym(library, multigrid_entry));
-    if (entry != nullptr && entry()->version == multigrid_version)
-      return entry();
-    why = fmt::format("{} belongs to another version", file.string());
-    dlclose(library);
+  // Beside the program or library that this is part of, or where it was installed: their run path.
+  // Deep: PETSc must find its own MPI and MUMPS, not those of the program.
+  void* library = dlopen(component_file, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+  if (library == nullptr) {
+    const char* why = dlerror(); // NOLINT(concurrency-mt-unsafe)
+    return Failure{fmt::format("the multigrid component is not there: {}", why)};
   }
-  return Failure{fmt::format("the multigrid component is not there: {}", why)};
+  const auto entry = reinterpret_cast<MultigridEntry>(dlsym(library, multigrid_entry));
+  if (entry != nullptr && entry()->version == multigrid_version)
+    return entry();
+  return Failure{fmt::format("{} belongs to another version", component_file)};
 }
 
 /// Loaded when it is first asked for.

@@ -8,7 +8,7 @@
 
 #include <petscksp.h>
 
-#include <cstdlib>
+#include <iterator>
 #include <string>
 
 namespace billet::mechanics {
@@ -50,8 +50,6 @@ PetscErrorCode start() {
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
   for (std::size_t i = 0; i < std::size(options); i += 2)
     PetscCall(PetscOptionsSetValue(nullptr, options[i], options[i + 1]));
-  if (const char* more = std::getenv("BILLET_PETSC_OPTIONS"))
-    PetscCall(PetscOptionsInsertString(nullptr, more));
   started = true;
   return good;
 }

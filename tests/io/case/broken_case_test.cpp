@@ -330,6 +330,7 @@ const std::vector<Mistake>& mistakes() {
       {plane, "tolerance = 1e-7", "tolerance = 1", "found 1, allowed is 0 < value < 1"},
       {plane, "threads = 2", "threads = 0", "solver.threads: found 0, allowed is a whole number"},
       {plane, "\"standard\"", "\"finest\"", "did you mean 'fine'?"},
+      {plane, "threads = 2", "reproducible = true", "for any number of threads, always"},
       // measures
       {plane, "[output]", "[[measure]]\nname = \"r\"\nkind = \"barrelling\"\n[output]",
        "measure.r.tool: missing", 0},
