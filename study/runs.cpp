@@ -61,14 +61,6 @@ identity_of(const io::Case& content, const fs::path& case_file, const std::strin
   return checksum.text();
 }
 
-/// A word in quotes for a shell.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word)
-    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 /// Why a run failed, by its summary or else by what it printed last.
 std::string reason_of(const fs::path& folder) {
   std::ifstream stream(folder / "results" / "summary.json");
@@ -137,6 +129,13 @@ std::vector<std::string> command_of(const PlannedRun& run) {
       fs::is_directory(checkpoints, error) && !fs::is_empty(checkpoints, error))
     command.emplace_back("--resume");
   return command;
+}
+
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word)
+    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
 }
 
 std::string shell_line(const PlannedRun& run) {

@@ -48,6 +48,9 @@ struct EndedRun {
 /// The command as it goes on where it was stopped.
 [[nodiscard]] std::vector<std::string> command_of(const PlannedRun& run);
 
+/// A word in quotes for a shell.
+[[nodiscard]] std::string quoted(const std::string& word);
+
 /// As a line for a shell, which notes the status when it has ended.
 [[nodiscard]] std::string shell_line(const PlannedRun& run);
 

@@ -9,6 +9,7 @@
 
 #include "study/file_text.h"
 #include "study/local_engine.h"
+#include "study/runs.h"
 
 namespace billet::study {
 
@@ -23,9 +24,9 @@ constexpr std::size_t most_tasks = 1000;
 
 std::string slurm_script(const fs::path& list, std::size_t n_tasks) {
   return fmt::format("#!/bin/bash\n"
-                     "awk -v first=\"$SLURM_ARRAY_TASK_ID\" 'NR % {0} == first % {0}' '{1}' |\n"
+                     "awk -v first=\"$SLURM_ARRAY_TASK_ID\" 'NR % {0} == first % {0}' {1} |\n"
                      "  while IFS= read -r line; do bash -c \"$line\"; done\n",
-                     n_tasks, fs::absolute(list).string());
+                     n_tasks, quoted(fs::absolute(list).string()));
 }
 
 void run_by_slurm(const fs::path& list, std::size_t n_lines, const Engine& engine) {

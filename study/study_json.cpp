@@ -130,6 +130,27 @@ std::string trade_text(const Study& study, const Trade& trade) {
   return text;
 }
 
+/// What each setting makes of each problem: its error and its cost; empty: there is one problem.
+std::string problems_text(const Study& study, const Trade& trade) {
+  if (trade.problems.size() < 2)
+    return {};
+  std::string text = fmt::format("\nError and cost [{}] by problem:\n\n| {} |",
+                                 unit_of(study.trade->cost), fmt::join(trade.problem_axes, " | "));
+  for (const Setting& setting : trade.settings)
+    text += fmt::format(" {} |", fmt::join(setting.labels, ", "));
+  text += "\n|";
+  for (std::size_t i = 0; i < trade.problem_axes.size() + trade.settings.size(); ++i)
+    text += "---|";
+  text += '\n';
+  for (const TradeProblem& problem : trade.problems) {
+    text += fmt::format("| {} |", fmt::join(problem.labels, " | "));
+    for (std::size_t s = 0; s < trade.settings.size(); ++s)
+      text += fmt::format(" {}, {:.4g} |", percent(problem.errors[s]), problem.costs[s]);
+    text += '\n';
+  }
+  return text;
+}
+
 std::string convergence_text(const Study& study, const std::vector<Convergence>& all) {
   std::vector<std::string> problems;
   for (const Axis& axis : study.axes) {
@@ -185,7 +206,7 @@ json_text(const Study& study, const std::vector<OutcomeRow>& rows, const Finding
 std::string in_words(const Study& study, const Findings& findings) {
   std::string text;
   if (findings.trade)
-    text += trade_text(study, *findings.trade);
+    text += trade_text(study, *findings.trade) + problems_text(study, *findings.trade);
   if (study.convergence)
     text += (text.empty() ? "" : "\n") + convergence_text(study, findings.convergence);
   return text;

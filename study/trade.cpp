@@ -116,6 +116,29 @@ std::optional<std::size_t> knee_of(const std::vector<Setting>& settings,
   return knee;
 }
 
+/// The rows' errors and costs by problem and setting.
+std::vector<TradeProblem> problems_of(const Study& study,
+                                      const std::vector<OutcomeRow>& rows,
+                                      const Split& split,
+                                      const Trade& trade) {
+  std::vector<TradeProblem> problems;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::vector<std::string> labels = labels_of(rows[r].row, split.problem),
+                                   setting = labels_of(rows[r].row, split.setting);
+    auto problem = std::find_if(problems.begin(), problems.end(),
+                                [&](const TradeProblem& known) { return known.labels == labels; });
+    if (problem == problems.end())
+      problem = problems.insert(problem, {labels, std::vector<double>(trade.settings.size(), none),
+                                          std::vector<double>(trade.settings.size(), none)});
+    const auto place = std::find_if(trade.settings.begin(), trade.settings.end(),
+                                    [&](const Setting& known) { return known.labels == setting; });
+    const auto s = static_cast<std::size_t>(place - trade.settings.begin());
+    problem->errors[s] = trade.errors[r];
+    problem->costs[s] = cost_in(study.trade->cost, rows[r].cost);
+  }
+  return problems;
+}
+
 } // namespace
 
 double cost_in(TradeSettings::Cost unit, const RunCost& cost) {
@@ -176,6 +199,9 @@ Trade trade_of(const Study& study, const std::vector<OutcomeRow>& rows) {
   }
   for (std::size_t s = 0; s < trade.settings.size(); ++s)
     trade.settings[s].cost /= counts[s];
+  for (const std::size_t a : split.problem)
+    trade.problem_axes.push_back(study.axes[a].name);
+  trade.problems = problems_of(study, rows, split, trade);
   trade.front = front_of(trade.settings);
   trade.knee = knee_of(trade.settings, trade.front);
   for (const std::size_t s : trade.front) // from the cheapest on

@@ -24,8 +24,17 @@ struct Setting {
   bool on_front = false; ///< no other is both nearer and cheaper
 };
 
+/// Levels of the other axes, and what each setting makes of this problem.
+struct TradeProblem {
+  std::vector<std::string> labels; ///< of those axes
+  std::vector<double> errors;      ///< by setting [-]; not a number: it or its reference failed
+  std::vector<double> costs;       ///< by setting, in the trade's unit
+};
+
 struct Trade {
-  std::vector<std::string> axes;   ///< whose levels make a setting
+  std::vector<std::string> axes;         ///< whose levels make a setting
+  std::vector<std::string> problem_axes; ///< the others
+  std::vector<TradeProblem> problems;    ///< in the order of the rows
   std::vector<double> errors;      ///< of each row [-]; not a number: it or its reference failed
   std::vector<Setting> settings;   ///< in the order of the rows
   std::vector<std::size_t> front;  ///< settings, from the cheapest on

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "study/local_engine.h"
+#include "study/runs.h"
 #include "study/slurm_engine.h"
 
 namespace billet::study::engines_test {
@@ -68,17 +69,21 @@ TEST(LocalEngine, StopsWhatRunsAndStartsNoMore) {
 
 TEST(SlurmEngine, GivesEveryLineToOneTask) {
   const test::TemporaryFolder folder;
+  // Names of folders may hold what a shell reads otherwise.
+  const std::filesystem::path runs = folder.path() / "the smith's $runs";
+  std::filesystem::create_directory(runs);
   std::string lines;
   for (int i = 1; i <= 7; ++i)
-    lines += "echo " + std::to_string(i) + " >> '" + (folder.path() / "seen").string() + "'\n";
+    lines += "echo " + std::to_string(i) + " >> " + quoted((runs / "seen").string()) + "\n";
+  std::ofstream(runs / "commands.txt") << lines;
   const std::filesystem::path script =
-      folder.file("slurm.sh", slurm_script(folder.file("commands.txt", lines), 3));
+      folder.file("slurm.sh", slurm_script(runs / "commands.txt", 3));
   for (int task = 1; task <= 3; ++task)
-    ASSERT_EQ(std::system(("SLURM_ARRAY_TASK_ID=" + std::to_string(task) + " bash '" +
-                           script.string() + "'")
+    ASSERT_EQ(std::system(("SLURM_ARRAY_TASK_ID=" + std::to_string(task) + " bash " +
+                           quoted(script.string()))
                               .c_str()),
               0);
-  EXPECT_EQ(text_of(folder.path() / "seen"), "1\n4\n7\n2\n5\n3\n6\n");
+  EXPECT_EQ(text_of(runs / "seen"), "1\n4\n7\n2\n5\n3\n6\n");
 }
 
 } // namespace

@@ -72,6 +72,23 @@ TEST(Trade, NamesTheFrontAndTheCheapestThatIsGoodEnough) {
   EXPECT_NE(text.find("k = fine"), std::string::npos) << text;
 }
 
+TEST(Trade, TellsErrorAndCostOfEachProblem) {
+  const Study study = two_problems();
+  std::vector<OutcomeRow> rows = outcomes(study);
+  rows[4].values.clear(); // coarse, of problem b
+  rows[4].end = EndedRun{5, "no"};
+  const Trade trade = trade_of(study, rows);
+  ASSERT_EQ(trade.problems.size(), 2U);
+  EXPECT_EQ(trade.problem_axes, std::vector<std::string>{"problem"});
+  EXPECT_EQ(trade.problems[1].labels, std::vector<std::string>{"b"});
+  EXPECT_NEAR(trade.problems[0].errors[0], 0.14 / 1.02, 1e-12);
+  EXPECT_TRUE(std::isnan(trade.problems[1].errors[0]));
+  EXPECT_DOUBLE_EQ(trade.problems[1].costs[2], 4.0);
+  const std::string text = in_words(study, {trade, {}});
+  EXPECT_NE(text.find("| problem | coarse | middle | fine | finest |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| b | failed, 1 | 5.88 %, 2 |"), std::string::npos) << text;
+}
+
 TEST(Trade, KneesWhereErrorsStopToFall) {
   Study study = two_problems();
   std::vector<OutcomeRow> rows = outcomes(study);
