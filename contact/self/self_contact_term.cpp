@@ -1,6 +1,7 @@
 #include "contact/self/self_contact_term.h"
 
 #include "contact/self/laps.h"
+#include "contact/term/couplings.h"
 #include "contact/term/penalty_factors.h"
 #include "mechanics/equilibrium/faces.h"
 
@@ -121,21 +122,6 @@ private:
   std::span<const Index> face_, own_;
   std::vector<NodeVariables> variables_;
 };
-
-/// Sums parts of the same entry: several points of a face write to the same nodes.
-void merge(std::vector<Coupling>& couplings) {
-  std::sort(couplings.begin(), couplings.end(), [](const Coupling& a, const Coupling& b) {
-    return a.row != b.row ? a.row < b.row : a.column < b.column;
-  });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < couplings.size(); ++i)
-    if (kept > 0 && couplings[kept - 1].row == couplings[i].row &&
-        couplings[kept - 1].column == couplings[i].column)
-      couplings[kept - 1].value += couplings[i].value;
-    else
-      couplings[kept++] = couplings[i];
-  couplings.resize(kept);
-}
 
 /// The shear and the offset of a closed point in axes of the place that it touches.
 void store(const ContactSurface& surface,

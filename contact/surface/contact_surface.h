@@ -9,6 +9,7 @@
 #pragma once
 
 #include "contact/law/interface_law.h"
+#include "contact/trapped/trapped_medium.h"
 #include "geometry/curved/bezier_patch.h"
 #include "mechanics/bulk/bulk.h"
 #include "mechanics/equilibrium/faces.h"
@@ -41,6 +42,7 @@ struct ContactSettings {
   std::optional<double> max_penetration = std::nullopt; ///< of any point of a face [mm]
   SlipScheme scheme{};                                  ///< how sliding is integrated
   std::optional<Friction> self = std::nullopt; ///< of the workpiece on itself; none: not looked at
+  std::optional<TrappedMedium> trapped = std::nullopt; ///< in pockets; none: they stay empty
 };
 
 /// How a contact point's traction is shared by the nodes of its face.

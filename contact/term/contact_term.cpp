@@ -152,6 +152,21 @@ void ContactTerm::press_corners(std::size_t t,
 
 void ContactTerm::commit(const mechanics::Trial& trial) { commit_contact(model_, state_, trial); }
 
+void ContactTerm::bear(std::size_t tool,
+                       const Vec3& force,
+                       const Vec3& place,
+                       const mechanics::Trial& trial) {
+  ToolLoad& load = state_.loads[tool];
+  // Around the full turn radial forces and all torques cancel.
+  if (model_.surface->analysis() == mechanics::Analysis::axisymmetric) {
+    load.force.y() += force.y();
+    return;
+  }
+  load.force += force;
+  const Vec3 reference = pose(tool, trial.time, trial.x).to_space(model_.tools[tool].reference);
+  load.torque += (place - reference).cross(force);
+}
+
 void ContactTerm::restart() {
   forget_prediction(state_);
   state_.penalty.restart();

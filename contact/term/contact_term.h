@@ -96,6 +96,10 @@ public:
   /// (n_dofs) [N], and forgets its history. The penalties' energy goes with it.
   [[nodiscard]] std::vector<double> release(std::size_t tool);
 
+  /// Adds a force at a place to what a tool feels in the increment just committed: of what is
+  /// neither metal nor tool.
+  void bear(std::size_t tool, const Vec3& force, const Vec3& place, const mechanics::Trial& trial);
+
   /// Resultants of the last committed trial, one a tool.
   [[nodiscard]] std::span<const ToolLoad> loads() const { return state_.loads; }
   [[nodiscard]] const ContactWork& work() const { return state_.work; }

@@ -91,6 +91,23 @@ struct SelfContact {
   bool operator==(const SelfContact&) const = default;
 };
 
+/// A gas in pockets that metal closes off on a tool.
+struct TrappedGas {
+  double pressure = 0.0; ///< of the surroundings, absolute [MPa]
+  double exponent = 1.0; ///< [-]
+
+  bool operator==(const TrappedGas&) const = default;
+};
+
+/// A lubricant there.
+struct TrappedLubricant {
+  double bulk_modulus = 0.0; ///< [MPa]
+
+  bool operator==(const TrappedLubricant&) const = default;
+};
+
+using Trapped = std::variant<TrappedGas, TrappedLubricant>;
+
 struct ContactSettings {
   /// Absent, which no case is that was read: mixed, or compatible where the part is meshed anew in
   /// the plane.
@@ -103,6 +120,7 @@ struct ContactSettings {
   std::optional<int> substeps;  ///< of the midpoint integrator; absent: as many as needed
   std::optional<Where> surface; ///< where the workpiece may touch; absent: all free faces
   SelfContact self;
+  std::optional<Trapped> trapped; ///< absent: pockets stay empty
 
   bool operator==(const ContactSettings&) const = default;
 };

@@ -25,4 +25,9 @@ inline constexpr std::array<std::string_view, 17> fixed_columns{"increment",
                                                                 "remeshings",
                                                                 "wall_time"};
 
+/// After those of the tools, where the case has `contact.trapped`: number of pockets, their volume,
+/// and the highest pressure in them.
+inline constexpr std::array<std::string_view, 3> trapped_columns{
+    "trapped.pockets", "trapped.volume", "trapped.pressure"};
+
 } // namespace billet::io

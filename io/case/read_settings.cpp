@@ -1,6 +1,7 @@
 // Contact, time, solver, remeshing and output.
 
 #include "io/case/accuracy_preset.h"
+#include "io/case/one_kind.h"
 #include "io/case/read_parts.h"
 #include "io/case/setting_words.h"
 #include "io/case/values.h"
@@ -177,6 +178,30 @@ std::optional<SelfContact> as_self_contact(const At& at) {
   return self;
 }
 
+std::optional<Trapped> read_gas(TableReader& /*table*/, const At& at) {
+  TableReader inner(at);
+  TrappedGas gas;
+  inner.required("pressure", gas.pressure, as_number, positive_stress);
+  inner.optional("exponent", gas.exponent, as_number,
+                 Number{quantity::number, {.low = 1.0, .high = 2.0}});
+  inner.finish();
+  return gas;
+}
+
+std::optional<Trapped> read_lubricant(TableReader& /*table*/, const At& at) {
+  TableReader inner(at);
+  TrappedLubricant lubricant;
+  inner.required("bulk_modulus", lubricant.bulk_modulus, as_number, positive_stress);
+  inner.finish();
+  return lubricant;
+}
+
+std::optional<Trapped> as_trapped(const At& at) {
+  constexpr std::array kinds{Kind<Trapped>{"gas", Scenes::plane, read_gas},
+                             Kind<Trapped>{"lubricant", Scenes::plane, read_lubricant}};
+  return read_one_kind<Trapped>(at, kinds);
+}
+
 } // namespace
 
 std::optional<ContactSettings> as_contact(const At& at) {
@@ -193,6 +218,7 @@ std::optional<ContactSettings> as_contact(const At& at) {
     table.find("substeps")->complain("only integrator = \"midpoint\" has sub-increments");
   table.optional("surface", contact.surface, as_where);
   table.optional("self", contact.self, as_self_contact);
+  table.optional("trapped", contact.trapped, as_trapped);
   table.finish();
   return contact;
 }

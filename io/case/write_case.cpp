@@ -62,6 +62,16 @@ std::string self_contact_text(const SelfContact& self, int size) {
   return TomlTable().add("friction", toml_text(self.friction, size)).on_one_line();
 }
 
+std::string trapped_text(const Trapped& trapped) {
+  TomlTable inside;
+  if (const auto* const gas = std::get_if<TrappedGas>(&trapped)) {
+    inside.add("pressure", toml_text(gas->pressure)).add("exponent", toml_text(gas->exponent));
+    return TomlTable().add("gas", inside.on_one_line()).on_one_line();
+  }
+  inside.add("bulk_modulus", toml_text(std::get<TrappedLubricant>(trapped).bulk_modulus));
+  return TomlTable().add("lubricant", inside.on_one_line()).on_one_line();
+}
+
 std::string contact_text(const ContactSettings& contact, int size) {
   TomlTable table;
   if (contact.form)
@@ -74,6 +84,8 @@ std::string contact_text(const ContactSettings& contact, int size) {
   add_if(table, "substeps", contact.substeps);
   add_if(table, "surface", contact.surface);
   table.add("self", self_contact_text(contact.self, size));
+  if (contact.trapped)
+    table.add("trapped", trapped_text(*contact.trapped));
   return table.on_lines();
 }
 

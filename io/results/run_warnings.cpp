@@ -188,6 +188,24 @@ void on_walls_that_met(const process::Run& run, const Case& content, Lines& line
       content.units.time, deepest.closed ? "closed" : "open"));
 }
 
+/// What is left in a pocket at the end keeps the die from being filled there.
+void on_trapped(const process::Run& run, const Case& content, Lines& lines) {
+  if (!run.model.trapped || run.model.trapped->state().pockets.empty())
+    return;
+  const std::vector<contact::Pocket>& pockets = run.model.trapped->state().pockets;
+  const contact::Pocket& largest =
+      *std::max_element(pockets.begin(), pockets.end(),
+                        [](const auto& a, const auto& b) { return a.volume < b.volume; });
+  lines.push_back(fmt::format(
+      "warning: {} closed off at the end, {}near ({:.6g}, {:.6g}) on tool {}: {:.3g} of {:.3g} "
+      "{}^3 left, {:.4g} {} above the surroundings; a vent there would let it out, trapped in "
+      "summary.json lists all",
+      pockets.size() == 1 ? "a pocket is" : fmt::format("{} pockets are", pockets.size()),
+      pockets.size() == 1 ? "" : "the largest ", largest.place.centre.x(), largest.place.centre.y(),
+      run.tools()[largest.place.tool].name, largest.volume, largest.rest_volume,
+      content.units.length, largest.pressure, content.units.stress));
+}
+
 void on_met_walls(const process::Run& run, const Case& content, Lines& lines) {
   for (const process::Wall& wall : run.state.walls)
     if (wall.met)
@@ -360,6 +378,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   on_initial_penetrations(run, content_->units, lines);
   on_walls_that_met(run, *content_, lines);
   on_met_walls(run, *content_, lines);
+  on_trapped(run, *content_, lines);
   on_laps(run, *content_, lines);
   warn_of_elements(run, lines);
   warn_of_metal(run, lines);

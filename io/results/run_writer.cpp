@@ -53,9 +53,20 @@ std::vector<std::string> history_columns(const process::Scene& scene) {
     for (const char* what : {"force", "torque", "displacement"})
       for (const char* axis : {"_x", "_y", "_z"})
         columns.push_back(tool.name + "." + what + axis);
+  if (scene.contact.trapped && !scene.tools.empty())
+    columns.insert(columns.end(), trapped_columns.begin(), trapped_columns.end());
   for (const process::Measure& measure : scene.measures)
     columns.push_back(measure.name);
   return columns;
+}
+
+void add_trapped(const contact::TrappedState& state, std::vector<double>& row) {
+  double volume = 0.0, highest = 0.0;
+  for (const contact::Pocket& pocket : state.pockets) {
+    volume += pocket.volume;
+    highest = std::max(highest, pocket.pressure);
+  }
+  row.insert(row.end(), {static_cast<double>(state.pockets.size()), volume, highest});
 }
 
 std::vector<double> history_row(const process::Run& run, const process::IncrementReport& r) {
@@ -82,6 +93,8 @@ std::vector<double> history_row(const process::Run& run, const process::Incremen
     for (const Vec3& v : {load.force, load.torque, way})
       row.insert(row.end(), v.data(), v.data() + 3);
   }
+  if (run.model.trapped)
+    add_trapped(run.model.trapped->state(), row);
   const std::vector<double> measures = process::measured(run);
   row.insert(row.end(), measures.begin(), measures.end());
   return row;

@@ -109,6 +109,25 @@ ordered_json self_contact_json(const process::Run& run) {
   return json;
 }
 
+/// Pockets that a tool closes off, and what is in them.
+ordered_json trapped_json(const process::Run& run) {
+  const contact::TrappedState& state = run.model.trapped->state();
+  ordered_json json{{"closed", state.n_closed},
+                    {"vented", state.n_vented},
+                    {"filled", state.n_filled},
+                    {"highest_pressure", state.highest},
+                    {"work", state.work}};
+  json["pockets"] = ordered_json::array();
+  for (const contact::Pocket& pocket : state.pockets)
+    json["pockets"].push_back({{"at", {pocket.place.centre[0], pocket.place.centre[1]}},
+                               {"tool", run.tools()[pocket.place.tool].name},
+                               {"since", pocket.since},
+                               {"volume", pocket.volume},
+                               {"volume_at_rest", pocket.rest_volume},
+                               {"pressure", pocket.pressure}});
+  return json;
+}
+
 /// Walls that have met: those that are there, and those that new meshes have welded.
 ordered_json laps_json(const process::Run& run) {
   ordered_json all = ordered_json::array();
@@ -281,6 +300,8 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
   if (run.model.self_contact)
     if (ordered_json self = self_contact_json(run); !self["places"].empty())
       summary["self_contact"] = std::move(self);
+  if (run.model.trapped)
+    summary["trapped"] = trapped_json(run);
   if (ordered_json laps = laps_json(run); !laps.empty())
     summary["laps"] = std::move(laps);
   if (ordered_json walls = met_walls_json(run); !walls.empty())

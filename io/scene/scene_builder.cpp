@@ -303,6 +303,14 @@ std::optional<contact::Friction> self_friction_of(const Case& content) {
   return friction;
 }
 
+std::optional<contact::TrappedMedium> medium_of(const std::optional<Trapped>& trapped) {
+  if (!trapped)
+    return std::nullopt;
+  if (const auto* const gas = std::get_if<TrappedGas>(&*trapped))
+    return contact::TrappedGas{gas->pressure, gas->exponent};
+  return contact::TrappedLubricant{std::get<TrappedLubricant>(*trapped).bulk_modulus};
+}
+
 process::StopRules stop_rules_of(const Case& content) {
   process::StopRules rules{.on_full_cavity = content.stop.on_full_cavity,
                            .on_tools_overloaded = content.stop.on_tools_overloaded,
@@ -518,7 +526,8 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
                                                                       : contact::Method::penalty,
                    content.contact.max_penetration,
                    scheme_of(content.contact),
-                   self_friction_of(content)};
+                   self_friction_of(content),
+                   medium_of(content.contact.trapped)};
   scene.measures = measures_of(content);
   add_stages(content, scene);
   scene.increments = {

@@ -35,6 +35,8 @@ EnergyBalance balance_of(const Run& run,
   } else {
     energy.penalty_update = energy.friction = energy.contact = 0.0;
   }
+  if (run.model.trapped)
+    energy.external += run.model.trapped->work();
   if (self_contact != nullptr) {
     const contact::ContactWork& work = self_contact->work();
     energy.external += work.penalty_update + work.unseen;
@@ -84,6 +86,8 @@ EnergyBalance energy_after(const Run& run, double dt) {
   for (const auto* loads : {&run.model.loads, &run.model.decaying})
     for (const auto& load : *loads)
       energy.external += load->work_in(trial);
+  if (run.model.trapped)
+    energy.external += run.model.trapped->work_in(trial);
   if (run.model.stabilization)
     energy.stabilization += run.model.stabilization->work_in(trial);
   return energy;

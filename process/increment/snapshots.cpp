@@ -57,6 +57,8 @@ Snapshot snapshot(const Run& run) {
     s.contact = contact::snapshot(run.model.contact->state());
   if (run.model.self_contact)
     s.self_contact = run.model.self_contact->snapshot(run.state.x);
+  if (run.model.trapped)
+    s.trapped = run.model.trapped->snapshot();
   s.reference_volume = run.model.bulk->reference_volume();
   s.plastic_work = run.model.bulk->plastic_work();
   s.support_work = run.state.works.supports;

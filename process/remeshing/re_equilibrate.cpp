@@ -113,6 +113,8 @@ void start_from(Run& run,
   }
   if (run.model.self_contact)
     run.model.self_contact->go_on_from(to.self_contact, sources, run.state.x);
+  if (run.model.trapped)
+    run.model.trapped->go_on_from(to.trapped, run.state.x, run.state.time);
   lead_presses(run, to, end);
   hold_where_on_walls(run);
   FieldIntegrals after = field_integrals(*run.model.bulk, to);

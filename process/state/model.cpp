@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace billet::process {
 
@@ -24,6 +26,7 @@ void clear(Model& model) {
   model.newton.reset();
   model.narrow.reset();
   model.blows.reset();
+  model.trapped.reset();
   model.self_contact.reset();
   model.contact.reset();
   model.surface.reset();
@@ -40,6 +43,26 @@ void build_loads(Model& model, const Part& part) {
                                                       std::get<DeadForces>(spec).amplitude));
     model.terms.push_back(model.loads.back().get());
   }
+}
+
+/// Lines on which supports hold the part, and the axis: in the plane.
+std::vector<contact::SymmetryLine> lines_of_symmetry(const Part& part, std::span<const double> x) {
+  std::vector<contact::SymmetryLine> lines;
+  if (part.analysis == mechanics::Analysis::axisymmetric)
+    lines.push_back({0, 0.0});
+  const double rounding = 1e-9 * body_size(part.mesh);
+  for (const Support& support : part.supports) {
+    const auto at = [&](Index node) { return x[idx(2 * node + support.component)]; };
+    const auto& way = support.displacement.points();
+    if (!support.nodes.empty() &&
+        std::all_of(way.begin(), way.end(),
+                    [](const auto& point) { return point.second == 0.0; }) &&
+        std::all_of(support.nodes.begin(), support.nodes.end(), [&](Index node) {
+          return std::abs(at(node) - at(support.nodes.front())) <= rounding;
+        }))
+      lines.push_back({support.component, at(support.nodes.front())});
+  }
+  return lines;
 }
 
 void build_contact(Model& model, const Scene& scene, const Part& part, std::span<const double> x) {
@@ -60,6 +83,11 @@ void build_contact(Model& model, const Scene& scene, const Part& part, std::span
                                                          model.tools, reach * body_size(part.mesh),
                                                          drive_scale(scene, part));
   model.terms.push_back(model.contact.get());
+  if (scene.contact.trapped) {
+    model.trapped = std::make_unique<contact::TrappedTerm>(*model.contact, *scene.contact.trapped,
+                                                           lines_of_symmetry(part, x));
+    model.terms.push_back(model.trapped.get());
+  }
   model.narrow = std::make_unique<NarrowTools>(part.mesh, model.tools, *model.surface, x);
 }
 

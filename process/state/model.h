@@ -6,6 +6,7 @@
 
 #include "contact/self/self_contact_term.h"
 #include "contact/term/contact_term.h"
+#include "contact/trapped/trapped_term.h"
 #include "contact/wear/wear.h"
 #include "geometry/base/owned.h"
 #include "geometry/surfaces/retreating_surface.h"
@@ -41,6 +42,7 @@ struct Model {
   Owned<contact::ContactSurface> surface;                 ///< empty: nothing can touch
   Owned<contact::ContactTerm> contact;                    ///< empty: there are no tools
   Owned<contact::SelfContactTerm> self_contact;           ///< empty: not looked at
+  Owned<contact::TrappedTerm> trapped;                    ///< empty: pockets stay empty
   Owned<NarrowTools> narrow;                              ///< empty: there are no tools
   Owned<Blows> blows;                                     ///< empty: no press strikes
   Owned<contact::Wear> wear;                              ///< empty: no tool has a law of wear

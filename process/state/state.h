@@ -11,6 +11,7 @@
 
 #include "contact/self/self_state.h"
 #include "contact/term/contact_term.h"
+#include "contact/trapped/trapped_term.h"
 #include "contact/wear/process_window.h"
 #include "geometry/base/time_function.h"
 #include "process/control/increment_control.h"
@@ -41,6 +42,7 @@ struct Snapshot {
   std::vector<double> plastic_rate; ///< of the points [1/s]
   contact::ContactSnapshot contact;
   contact::SelfContactSnapshot self_contact;
+  contact::TrappedSnapshot trapped;
   double reference_volume = 0.0; ///< the part's without pressure [mm^3]
   double plastic_work = 0.0;     ///< done so far [N mm]
   double support_work = 0.0;     ///< likewise
@@ -49,7 +51,7 @@ struct Snapshot {
 
   template <class Archive> void fields(Archive& archive) {
     archive(time, increment, x, states, temperatures, velocity, last_step, last_dt, plastic_rate,
-            contact, self_contact, reference_volume, plastic_work, support_work, load_work,
+            contact, self_contact, trapped, reference_volume, plastic_work, support_work, load_work,
             stabilization);
   }
 };

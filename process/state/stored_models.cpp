@@ -38,9 +38,9 @@ void store_models(const Run& run, ArchiveWriter& archive) {
   for (const auto& load : run.model.decaying)
     archive(*load);
   archive(has(run.model.stabilization), has(run.model.contact), has(run.model.self_contact),
-          has(run.model.blows), has(run.model.wear));
+          has(run.model.trapped), has(run.model.blows), has(run.model.wear));
   archive_present(archive, run.model.stabilization, run.model.contact, run.model.self_contact,
-                  run.model.blows, run.model.wear);
+                  run.model.trapped, run.model.blows, run.model.wear);
 }
 
 void restore_models(Run& run, ArchiveReader& archive) {
@@ -58,14 +58,15 @@ void restore_models(Run& run, ArchiveReader& archive) {
     archive(*load);
   for (const auto& load : run.model.decaying)
     archive(*load);
-  bool grounded = false, touches = false, touches_itself = false, strikes = false, wears = false;
-  archive(grounded, touches, touches_itself, strikes, wears);
+  bool grounded = false, touches = false, touches_itself = false, traps = false, strikes = false,
+       wears = false;
+  archive(grounded, touches, touches_itself, traps, strikes, wears);
   if (grounded != has(run.model.stabilization) || touches != has(run.model.contact) ||
-      touches_itself != has(run.model.self_contact) || strikes != has(run.model.blows) ||
-      wears != has(run.model.wear))
+      touches_itself != has(run.model.self_contact) || traps != has(run.model.trapped) ||
+      strikes != has(run.model.blows) || wears != has(run.model.wear))
     another_scene("supports, tools, presses or laws of wear");
   archive_present(archive, run.model.stabilization, run.model.contact, run.model.self_contact,
-                  run.model.blows, run.model.wear);
+                  run.model.trapped, run.model.blows, run.model.wear);
 }
 
 std::string present(const Run& run) {
