@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What the pages show works: their files are read, their commands run, their outputs compared.
+"""What the pages show works: their files are read, their commands run, their outputs compared; and
+every command and option of the program is on the page of the command line.
 
 usage: snippets_test.py PROGRAM [--long | --list] [PAGE ...]
 
@@ -141,6 +142,17 @@ class Page:
             self.complain(block, f"`{command}` ended with {done.returncode}\n{done.stdout}{done.stderr}")
 
 
+def undocumented_options(program):
+    """Commands and options that the program knows and docs/guide/command-line.md does not."""
+    page = (ROOT / "docs" / "guide" / "command-line.md").read_text(encoding="utf-8")
+    for command in re.findall(r"^  billet (\w+) ", subprocess.check_output([program, "help"], text=True), re.MULTILINE):
+        if f"billet {command}" not in page:
+            yield f"docs/guide/command-line.md: no command {command}"
+        for option in re.findall(r"(?<!\w)--[a-z-]+", subprocess.check_output([program, command, "--help"], text=True)):
+            if option not in page:
+                yield f"docs/guide/command-line.md: {command} has an option {option}"
+
+
 def main():
     words = sys.argv[1:]
     long, listed = "--long" in words, "--list" in words
@@ -152,7 +164,7 @@ def main():
     if listed:
         print("\n".join(f"{page}{' (long)' if is_long(page) else ''}" for page in pages))
         return
-    complaints = []
+    complaints = list(undocumented_options(program))
     for page in pages:
         if long or not is_long(page):
             complaints += Page(page, program, long).run()
