@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The words keep step with the code: an equation tag such as (F.3) in a source stands in
 # docs/theory/, no tag is given twice, a link from one page to another leads somewhere, and no page
-# uses a word of tests/dialect.txt.
+# uses a word of tests/dialect.txt; the citation has the version of the program.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 export LC_ALL=C.UTF-8
@@ -58,9 +58,15 @@ dialect() {
   done <tests/dialect.txt
 }
 
+version_of_citation() {
+  local version
+  version=$(sed -nE 's/^project\(billet VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
+  grep -qx "version: $version" CITATION.cff || echo "CITATION.cff: version is not that of CMakeLists.txt, $version"
+}
+
 scratch=$(mktemp)
 trap 'rm -f "$scratch"' EXIT
-complaints=$(unknown_tags; tags_given_twice; dead_links; dialect)
+complaints=$(unknown_tags; tags_given_twice; dead_links; dialect; version_of_citation)
 [[ -z $complaints ]] && exit 0
 printf '%s\n' "$complaints"
 exit 1
