@@ -256,8 +256,8 @@ TEST(SceneAdvice, nothing_where_nothing_is_to_be_said) {
   const std::string turning = edited(block, {{"motion   = { velocity = [0, -1] }",
                                               "motion = { velocity = [0, -1], rotation = { point = "
                                               "[5, 20], speed = 1 } }"}});
-  const std::string lifted = edited(disk, {{"[time]\nend = 2.5\n",
-                                            "[[stage]]\nname = \"press\"\nend = 0.4\n"
+  const std::string lifted =
+      edited(disk, {{"[time]\nend = 2.5\n", "[[stage]]\nname = \"press\"\nend = 0.4\n"
                                             "[[stage]]\nname = \"lift\"\nend = 0.5\n"
                                             "unload = true\n"}});
   expect_labels({
