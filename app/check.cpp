@@ -101,7 +101,7 @@ void print_remeshing(const process::RemeshSettings& remesh,
     when += fmt::format(" ({:.2g} in new meshes)", later);
   when += " or increments fail";
   if (plane && run.contact() != nullptr)
-    when += ", a tool touches on fewer than three sides";
+    when += ", a tool touches on fewer than three edges";
   if (remesh.strain)
     when += fmt::format(", plastic strain has grown by {:.3g}", *remesh.strain);
   if (remesh.interval)
@@ -110,8 +110,8 @@ void print_remeshing(const process::RemeshSettings& remesh,
     when +=
         fmt::format(", a face lies {:.3g} {} deep in a tool", *remesh.penetration, units.length);
   const geometry::RemeshSizes sizes = process::remesh_sizes(run);
-  fmt::print("remeshing with {} when {}; {} of {:.4g} to {:.4g} {}\n", plane ? "tri6" : "tet10",
-             when, plane ? "sides" : "edges", sizes.min, sizes.max, units.length);
+  fmt::print("remeshing with {} when {}; edges of {:.4g} to {:.4g} {}\n", plane ? "tri6" : "tet10",
+             when, sizes.min, sizes.max, units.length);
 }
 
 /// " (along x, about z)".

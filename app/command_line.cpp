@@ -174,7 +174,7 @@ const std::vector<Command>& commands() {
       {"identify", "CHART MEASUREMENTS.csv [-o DIR]",
        "a law's parameters from measured values, with their intervals", &identify_parameters, 2},
       {"verify", "[NAME ...] [options]",
-       "run problems that have closed forms: every figure beside its reference", &verify_problems,
+       "run problems that have closed forms: every figure next to its reference", &verify_problems,
        0},
   };
   return all;

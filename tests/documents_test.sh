@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The words keep step with the code: an equation tag such as (F.3) in a source stands in
-# docs/theory/, no tag is given twice, and a link from one page to another leads somewhere.
+# docs/theory/, no tag is given twice, a link from one page to another leads somewhere, and no page
+# uses a word of tests/dialect.txt; the citation has the version of the program.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 export LC_ALL=C.UTF-8
@@ -40,7 +41,32 @@ dead_links() {
     done
 }
 
-complaints=$(unknown_tags; tags_given_twice; dead_links)
+# Running text only: no blocks of code, `code`, formulas and targets of links.
+running_text() { # FILE...: "file:line:text"
+  awk 'FNR == 1 { code = 0 } /^```/ { code = !code; next } code || /^    / { next }
+       { gsub(/`[^`]*`|\$[^$]*\$|\]\([^)]*\)/, " "); print FILENAME ":" FNR ":" $0 }' "$@"
+}
+
+dialect() {
+  local all word advice
+  mapfile -t all < <(pages | sort)
+  running_text "${all[@]#./}" >"$scratch"
+  while IFS=$'\t' read -r word advice; do
+    [[ -z $word || $word == '#'* ]] ||
+      { grep -oiE "^[^:]*:[0-9]+:.*$word" "$scratch" || true; } |
+        sed -E "s/^([^:]*:[0-9]+):.*($word)\$/\1: '\2': write ${advice##*$'\t'}/I"
+  done <tests/dialect.txt
+}
+
+version_of_citation() {
+  local version
+  version=$(sed -nE 's/^project\(billet VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
+  grep -qx "version: $version" CITATION.cff || echo "CITATION.cff: version is not that of CMakeLists.txt, $version"
+}
+
+scratch=$(mktemp)
+trap 'rm -f "$scratch"' EXIT
+complaints=$(unknown_tags; tags_given_twice; dead_links; dialect; version_of_citation)
 [[ -z $complaints ]] && exit 0
 printf '%s\n' "$complaints"
 exit 1

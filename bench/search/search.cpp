@@ -105,7 +105,7 @@ void load(Report& report) {
     surface = geometry::make_smooth_triangle_surface(tool.mesh, feature_angle).surface;
   });
   report.line(
-      "| triangles | read | mend and check | ready | together | wall | memory | smoothed in "
+      "| triangles | read | repair and check | ready | together | wall | memory | smoothed in "
       "| memory |");
   report.line("|---|---|---|---|---|---|---|---|---|");
   report.line(fmt::format("| {} | {:.2f} s | {:.2f} s | {:.2f} s | {:.2f} s | {:.2f} s | {:.0f} MB "

@@ -14,8 +14,9 @@ std::vector<Look> looks_at(const process::Scene& scene) {
   std::vector<Look> looks;
   double start = 0.0;
   for (const process::Stage& stage : scene.stages) {
-    for (int k = 0; k <= looks_a_stage; ++k)
+    for (int k = 0; k < looks_a_stage; ++k)
       looks.push_back({start + (stage.end - start) * k / looks_a_stage, &stage});
+    looks.push_back({stage.end, &stage}); // not a rounding after it, when the next stage has begun
     for (const double time : scene.landing_times)
       if (time > start && time < stage.end)
         looks.push_back({time, &stage});

@@ -27,7 +27,7 @@ constexpr std::string_view in_flow = "Such as flow = { law = \"perfect\", yield 
 constexpr std::string_view linear_locks = "Linear triangles and tetrahedra are too stiff";
 constexpr std::string_view or_round = "Or 'axisymmetric', of a round part";
 constexpr std::string_view longest = "Such as increments = { max = 0.1 }, a time";
-constexpr std::string_view count = "They are the numbers of elements along each side";
+constexpr std::string_view count = "They are the numbers of elements in each direction";
 
 } // namespace remark
 

@@ -63,7 +63,7 @@ void on_work_missing(const process::Run& run,
         "warning: {:.1f} % of the work ({:.3g} {} {}) went into the stabilization, which holds the "
         "part "
         "where neither supports nor tools do: forces and shape are off by as much and more; a "
-        "[[support]] for its free motions mends that",
+        "[[support]] for its free motions helps",
         100.0 * energy.stabilization / energy.scale(), energy.stabilization, units.force,
         units.length));
 }
@@ -83,7 +83,7 @@ void on_work_made(const process::Run& run, const UnitSystem& units, Lines& lines
         "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
         "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
         "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
-        "quadratic ones also contact.form = \"compatible\") mend that",
+        "quadratic ones also contact.form = \"compatible\") help",
         100.0 * energy.penalty_update / energy.scale(), energy.penalty_update, units.force,
         units.length));
 }
@@ -130,7 +130,7 @@ void on_resolution(const process::Run& run, const Case& content, Lines& lines) {
         run.tools()[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone), zone.length,
         content.units.length,
         content.remesh ? "a smaller remesh.size.min would let a new mesh follow it"
-                       : "a finer mesh there or a [remesh] section mends that"));
+                       : "a finer mesh there or a [remesh] section helps"));
   constexpr double most_of_corner = 0.5;
   if (const process::CornerLoad load = process::most_at_corner(run); load.share > most_of_corner)
     lines.push_back(fmt::format(
@@ -257,7 +257,7 @@ void RunWriter::warn_of_unmet_tools(const process::Run& run,
       lines.push_back(fmt::format(
           "warning: from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} deep, and no "
           "contact point meets it, so it has no force: it is narrower than they are apart, or a "
-          "hollow that sides are too long for; take smaller elements there",
+          "hollow that element edges are too long for; take smaller elements there",
           record_.unmet[t].time, content_->units.time, run.tools()[t].name, record_.unmet[t].depth,
           content_->units.length));
   for (std::size_t t = 0; t < record_.unmet.size(); ++t)

@@ -58,8 +58,8 @@ void require_remeshable(const Case& content, const process::Part& part, const st
   const std::vector<Face> boundary = mechanics::boundary_faces(part.mesh);
   for (const process::Support& support : part.supports)
     if (!can_be_carried(part.mesh, boundary, support.nodes))
-      refuse("a support of the middle of a side alone is",
-             "support whole sides, corners, nodes inside the part or all nodes");
+      refuse("a support of the middle node of an edge alone is",
+             "support whole edges, corners, nodes inside the part or all nodes");
   for (const std::string& name : content.remesh->keep)
     if (!part.mesh.node_sets.contains(name))
       throw Error(Fault::case_file, place,

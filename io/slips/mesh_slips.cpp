@@ -98,7 +98,7 @@ Slip one_element_high(const process::Scene& scene) {
   if (lone.empty())
     return std::nullopt;
   return fmt::format(
-      "{} of {} elements are the only one between two sides of the workpiece, the "
+      "{} of {} elements are the only one between two faces of the workpiece, the "
       "first is element {}: a single {} shows neither bulging nor bending; take four "
       "or more over the height, or quadratic elements",
       lone.size(), scene.part.mesh.n_elements(), lone.front(),

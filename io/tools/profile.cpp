@@ -74,7 +74,7 @@ private:
     const toml::node* start = file.get("start");
     const toml::node* segments = file.get("segment");
     if (points != nullptr && (start != nullptr || segments != nullptr))
-      complain(points->source(), "'points' stands beside 'start' or 'segment'",
+      complain(points->source(), "'points' stands next to 'start' or 'segment'",
                "give either points or start and segments");
     else if (points != nullptr)
       read_points(*points, profile);

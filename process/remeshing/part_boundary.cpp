@@ -326,7 +326,7 @@ std::vector<ContactZone> contact_zones(const PartBoundary& boundary) {
 bool ContactZone::too_short() const { return ends_in_side && n_sides < least_sides_of_zone; }
 
 std::string sides_of(const ContactZone& zone) {
-  return fmt::format("{} side{}", zone.n_sides, zone.n_sides == 1 ? "" : "s");
+  return fmt::format("{} edge{}", zone.n_sides, zone.n_sides == 1 ? "" : "s");
 }
 
 double size_in_zone(double length) { return length / sides_of_zone; }

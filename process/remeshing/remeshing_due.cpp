@@ -219,7 +219,7 @@ std::optional<std::string> remeshing_due(const Run& run, double left) {
     return fmt::format("element aspect {:.3g} > {:.3g}", now, longest);
   if (const OutgrownSide side = most_outgrown_side(run);
       side.excess > most_excess * std::max(1.0, run.state.mesh.excess))
-    return fmt::format("{} turns by {:.0f} degrees along a side", run.tools()[side.tool].name,
+    return fmt::format("{} turns by {:.0f} degrees along an edge", run.tools()[side.tool].name,
                        side.turn * 180.0 / std::numbers::pi);
   constexpr double rounding = 1e-9;
   if (settings.interval &&
@@ -240,7 +240,7 @@ std::optional<std::string> remeshing_due(const Run& run, double left) {
     if (const CornerLoad load = most_at_corner(run); load.share > most_of_corner)
       return fmt::format("{} presses with a corner", run.tools()[load.tool].name);
   if (coarse_contact(run) > coarse_share + run.state.mesh.coarse)
-    return fmt::format("contact on sides longer than {:.3g}",
+    return fmt::format("contact on edges longer than {:.3g}",
                        most_of_wanted * *settings.size_contact);
   if (const std::optional<ContactZone> zone = zone_to_refine(run))
     return fmt::format("{} touches on {}", run.tools()[idx(zone->tool)].name, sides_of(*zone));

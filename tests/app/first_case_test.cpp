@@ -1,4 +1,4 @@
-// docs/guide/first-case.md prints what the program prints.
+// docs/tutorials/first-case.md prints what the program prints.
 
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -54,7 +54,7 @@ protected:
   }
 
   std::string guide_ =
-      whole_file(std::filesystem::path(BILLET_SOURCE_DIR) / "docs" / "guide" / "first-case.md");
+      whole_file(std::filesystem::path(BILLET_SOURCE_DIR) / "docs" / "tutorials" / "first-case.md");
   TemporaryFolder folder_;
 };
 

@@ -432,10 +432,10 @@ TEST_F(Remeshing, WouldHaveHelpedARunThatTouchesOnOneSide) {
       edited(upsetting, {{"analysis = \"axisymmetric\"", "analysis = \"plane-strain\""},
                          {"plane = { point = [0, 7.5], normal = [0, -1] }",
                           "circle = { centre = [0, 17.5], radius = 10 }"}});
-  const std::string advice = "at the end punch touches on 1 side of elements only";
+  const std::string advice = "at the end punch touches on 1 edge of elements only";
   const auto coarse = run(pressed_by_a_bar, "coarse");
   EXPECT_TRUE(warns(coarse, advice)) << summary(coarse).dump(1);
-  EXPECT_TRUE(warns(coarse, "a [remesh] section mends that"));
+  EXPECT_TRUE(warns(coarse, "a [remesh] section helps"));
   const auto bound = run(
       edited(pressed_by_a_bar, {{"[time]", "[remesh]\nsize = { min = 2.5 }\n[time]"}}), "bound");
   EXPECT_TRUE(warns(bound, "a smaller remesh.size.min would")) << summary(bound).dump(1);
@@ -450,7 +450,7 @@ TEST_F(Remeshing, IsDescribedByCheck) {
   const Outcome usual = check(remeshed(""));
   EXPECT_TRUE(usual.prints(
       "remeshing with tri6 when an element is worse than 0.35 (0.2 in new meshes) or increments "
-      "fail, a tool touches on fewer than three sides; sides of 0.3125 to "
+      "fail, a tool touches on fewer than three edges; edges of 0.3125 to "
       "2.5 mm"))
       << usual.out;
   const Outcome all = check(remeshed("when = { quality = 0.1, strain = 0.5, interval = 0.03, "
@@ -458,7 +458,7 @@ TEST_F(Remeshing, IsDescribedByCheck) {
                                      "max = 2 }"));
   EXPECT_TRUE(all.prints("worse than 0.1 or increments fail, a tool touches on fewer than three "
                          "sides, plastic strain has grown by 0.5, "
-                         "every 0.03 s, a face lies 0.004 mm deep in a tool; sides of 0.3 to 2 mm"))
+                         "every 0.03 s, a face lies 0.004 mm deep in a tool; edges of 0.3 to 2 mm"))
       << all.out;
 }
 

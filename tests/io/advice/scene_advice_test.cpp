@@ -256,8 +256,13 @@ TEST(SceneAdvice, nothing_where_nothing_is_to_be_said) {
   const std::string turning = edited(block, {{"motion   = { velocity = [0, -1] }",
                                               "motion = { velocity = [0, -1], rotation = { point = "
                                               "[5, 20], speed = 1 } }"}});
+  const std::string lifted =
+      edited(disk, {{"[time]\nend = 2.5\n", "[[stage]]\nname = \"press\"\nend = 0.4\n"
+                                            "[[stage]]\nname = \"lift\"\nend = 0.5\n"
+                                            "unload = true\n"}});
   expect_labels({
       {"a half of a disk", disk, {}},
+      {"a die that is lifted off at a time that 48 looks do not divide", lifted, {}},
       {"an eighth of a brick", brick, {}},
       {"two dies that rub differently", edited(whole_disk(), {{"mu = 0.1", "mu = 0.2"}}), {}},
       {"a punch beside the middle", edited(block, {{"[5, 20]", "[6, 20]"}}), {}},

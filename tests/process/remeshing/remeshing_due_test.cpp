@@ -126,7 +126,7 @@ TEST(Remeshing, FollowsAContactThatBeginsAsALine) {
   ASSERT_EQ(done.status, RunStatus::done);
   ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
   const RemeshReport& first = done.process->view().state.record.remeshings.front();
-  EXPECT_EQ(first.cause, "bar comes to touch on 1 side");
+  EXPECT_EQ(first.cause, "bar comes to touch on 1 edge");
   EXPECT_EQ(first.increment, 0) << "before anything is out of place";
   EXPECT_TRUE(first.balanced);
   EXPECT_EQ(first.energy, 0.0);
@@ -157,7 +157,7 @@ TEST(Remeshing, ComesBeforeASecondToolTouchesOnAFewSides) {
   ASSERT_EQ(done.status, RunStatus::done);
   ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
   const RemeshReport& first = done.process->view().state.record.remeshings.front();
-  EXPECT_EQ(first.cause, "bar comes to touch on 1 side");
+  EXPECT_EQ(first.cause, "bar comes to touch on 1 edge");
   EXPECT_GT(first.increment, 0);
   EXPECT_LE(first.time, 0.05);
   EXPECT_EQ(first.forces[0].after, 0.0) << "it touches nothing yet";
@@ -180,8 +180,8 @@ TEST(Remeshing, ResolvesAllThatComesToTouchAtOnce) {
   EXPECT_EQ(made[0].increment, 0);
   EXPECT_EQ(std::count_if(made.begin(), made.end(),
                           [](const RemeshReport& r) {
-                            return r.cause.ends_with("touch on 1 side") ||
-                                   r.cause.ends_with("touches on 1 side");
+                            return r.cause.ends_with("touch on 1 edge") ||
+                                   r.cause.ends_with("touches on 1 edge");
                           }),
             1);
   EXPECT_TRUE(poorly_resolved_tools(*done.process).empty());
@@ -214,7 +214,7 @@ TEST(Remeshing, ComesWhereSidesCutOffTheEdgeOfATool) {
   ASSERT_EQ(done.status, RunStatus::done);
   ASSERT_FALSE(done.process->view().state.record.remeshings.empty());
   const RemeshReport& first = done.process->view().state.record.remeshings.front();
-  EXPECT_EQ(first.cause, "punch turns by 34 degrees along a side");
+  EXPECT_EQ(first.cause, "punch turns by 34 degrees along an edge");
   EXPECT_LT(first.time, 0.05);
   const double worst = most_off(done, fine, {0.25, 0.5, 0.75, 1.0});
   const double worst_kept = most_off(kept, fine, {0.25, 0.5, 0.75, 1.0});
@@ -269,7 +269,7 @@ TEST(Remeshing, DoesNotFollowACornerForEver) {
   const auto for_the_corner =
       std::count_if(done.process->view().state.record.remeshings.begin(),
                     done.process->view().state.record.remeshings.end(),
-                    [](const RemeshReport& r) { return r.cause.ends_with("along a side"); });
+                    [](const RemeshReport& r) { return r.cause.ends_with("along an edge"); });
   EXPECT_GE(for_the_corner, 1);
   EXPECT_LE(for_the_corner, 2);
 }
@@ -311,7 +311,7 @@ TEST(Remeshing, FollowsASharpWedgeFromItsFirstTouchOn) {
         "by at most %.1f %%\n",
         degrees, done.process->view().state.record.remeshings.size(), worst, 100.0 * largest);
     const RemeshReport& first = done.process->view().state.record.remeshings.front();
-    EXPECT_EQ(first.cause, "wedge comes to touch on 1 side");
+    EXPECT_EQ(first.cause, "wedge comes to touch on 1 edge");
     EXPECT_EQ(first.forces[0].before, 0.0);
     EXPECT_TRUE(done.process->view().state.record.refusals.empty());
     EXPECT_GT(worst, 0.05);
