@@ -1,0 +1,23 @@
+// Our errors as those of the public headers. Not installed.
+
+#pragma once
+
+#include "billet/case.h"
+#include "geometry/base/error.h"
+
+#include <new>
+
+namespace billet {
+
+/// Calls a function; what is wrong with a case or with the machine becomes a RunError.
+template <class Function> auto translated(Function&& function) {
+  try {
+    return function();
+  } catch (const Error& error) {
+    throw RunError(error.what());
+  } catch (const std::bad_alloc&) {
+    throw RunError("too little memory");
+  }
+}
+
+} // namespace billet
