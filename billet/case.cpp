@@ -119,10 +119,14 @@ Case& Case::operator=(const Case& other) {
 Case::Case(Case&& other) noexcept = default;
 Case& Case::operator=(Case&& other) noexcept = default;
 
-Case Case::load(const std::filesystem::path& file, bool allow_outside) {
+Case Case::load(const std::filesystem::path& file,
+                const std::vector<std::string>& overrides,
+                bool allow_outside) {
   return translated([&] {
     auto inside = std::make_unique<Inside>(
         Inside{io::case_file_text(file), file.string(), file.parent_path(), allow_outside});
+    for (const std::string& text : overrides)
+      add(assignment(text), inside->changes);
     inside->content = inside->read();
     return Case(std::move(inside));
   });

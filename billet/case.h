@@ -36,9 +36,12 @@ struct CaseReport {
 class Case {
 public:
   /// Reads a case file.
+  /// @param overrides      changes to begin with, "key=value"
   /// @param allow_outside  the case may name files outside of its folder
   /// @throws RunError
-  [[nodiscard]] static Case load(const std::filesystem::path& file, bool allow_outside = false);
+  [[nodiscard]] static Case load(const std::filesystem::path& file,
+                                 const std::vector<std::string>& overrides = {},
+                                 bool allow_outside = false);
   /// The same of a text.
   /// @param folder  that paths in the text are relative to
   /// @throws RunError

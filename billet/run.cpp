@@ -15,7 +15,6 @@
 #include "process/loop/run_checks.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
@@ -181,7 +180,8 @@ struct Run::Inside {
 };
 
 Run::Run(const std::filesystem::path& case_file, const RunOptions& options)
-    : Run(Case::load(case_file, options.allow_outside), options) {}
+    : inside_(std::make_unique<Inside>(
+          Case::load(case_file, options.overrides, options.allow_outside), options)) {}
 Run::Run(Case content, const RunOptions& options)
     : inside_(std::make_unique<Inside>(with_overrides(std::move(content), options.overrides),
                                        options)) {}
@@ -261,8 +261,8 @@ NodalField Run::nodal_field(std::string_view name) const {
       return std::move(field);
     known.push_back(field.name);
   }
-  throw RunError(fmt::format("there is no field '{}' at the nodes; {}; known are {}", name,
-                             io::suggestion(std::string(name), known), fmt::join(known, ", ")));
+  throw RunError(fmt::format("there is no field '{}' at the nodes; {}", name,
+                             io::suggestion(name, known)));
 }
 
 std::vector<NodalField> Run::nodal_fields() const {
