@@ -1,8 +1,8 @@
 """Builds the package for `pip install`: billet by its own CMake, then the module for this Python.
 
 billet is built in the folder `build` of the repository where `./dev` has configured it, so that
-nothing is compiled twice, else in `build/pip`; BILLET_BUILD names another folder that is configured.
-The package holds the libraries and programs.
+nothing is compiled twice, else in `build/pip`. BILLET_PREFIX names an installed billet that is taken
+in its place. The package holds the libraries and programs.
 """
 
 import os
@@ -39,9 +39,7 @@ def jobs() -> int:
 def build_billet() -> Path:
     """Builds library and programs; returns the build folder."""
     cache = ROOT / "build" / "CMakeCache.txt"
-    if "BILLET_BUILD" in os.environ:
-        build = Path(os.environ["BILLET_BUILD"]).resolve()
-    elif cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text():
+    if cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text():
         build = ROOT / "build"
     else:
         build = ROOT / "build" / "pip"
@@ -59,9 +57,8 @@ class BuildByCMake(build_ext):
 
     def build_extension(self, extension: Extension) -> None:
         work = Path(self.build_temp).resolve()
-        installed, module = work / "installed", work / "module"
+        installed, module = self.installed_billet(work), work / "module"
         package = Path(self.get_ext_fullpath(extension.name)).resolve().parent
-        cmake("--install", build_billet(), "--prefix", installed, "--component", "Unspecified")
         cmake("-S", HERE, "-B", module, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "--fresh",
               f"-DCMAKE_PREFIX_PATH={installed}", f"-DPython3_EXECUTABLE={sys.executable}",
               "-DBILLET_PYTHON_DIR=module")  # fmt: skip
@@ -73,11 +70,20 @@ class BuildByCMake(build_ext):
         self.copy_installed(installed, package)
 
     @staticmethod
+    def installed_billet(work: Path) -> Path:
+        if "BILLET_PREFIX" in os.environ:
+            return Path(os.environ["BILLET_PREFIX"]).resolve()
+        cmake("--install", build_billet(), "--prefix", work / "installed", "--component", "Unspecified")
+        return work / "installed"
+
+    @staticmethod
     def copy_installed(installed: Path, package: Path) -> None:
         """A wheel has no links: each library once, under the name that it is looked for by."""
-        shutil.copytree(installed / "bin", package / "bin", dirs_exist_ok=True)
-        (package / "lib").mkdir(exist_ok=True)
-        for library in installed.rglob("libbillet*.so*"):
+        for folder in ("bin", "lib"):
+            (package / folder).mkdir(exist_ok=True)
+        for program in (installed / "bin").glob("billet*"):
+            shutil.copy2(program, package / "bin")
+        for library in [*installed.glob("lib*/libbillet*.so*"), *installed.glob("lib/*/libbillet*.so*")]:
             versions = library.name.partition(".so")[2].count(".")
             if versions == 1 or (versions == 0 and not library.is_symlink()):
                 shutil.copy2(library, package / "lib" / library.name)

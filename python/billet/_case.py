@@ -85,7 +85,7 @@ class _View:
         return copy.deepcopy(self._values())
 
     def __eq__(self, other: object) -> bool:
-        return self._values() == (other._values() if isinstance(other, _View) else other)
+        return bool(self._values() == (other._values() if isinstance(other, _View) else other))
 
     def __repr__(self) -> str:
         return repr(self._values())
@@ -246,7 +246,7 @@ class Case(TableView):
         """The same with every default filled in, as case.resolved.toml of results."""
         return self._native.resolved_text()
 
-    def copy(self) -> Case:  # type: ignore[override]
+    def copy(self) -> Case:
         """Another case, which may be changed without this one."""
         return Case(self._native.copy())
 

@@ -1,6 +1,6 @@
 """What is raised: every error of this package is a billet.Error."""
 
-from ._native import Error
+from ._native import Error as Error
 
 Error.__module__ = "billet"
 Error.__doc__ = """What cannot be run, read or found, and why.

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import _native
 from ._case import Case, _assignments
 from ._errors import Error, ProgramError
 
@@ -33,7 +34,7 @@ def program() -> Path:
             raise Error(f"BILLET_PROGRAM names {named}, which is no program")
         return Path(found)
     package = Path(__file__).parent
-    native = Path(__import__("billet._native", fromlist=["_native"]).__file__).parent
+    native = Path(str(_native.__file__)).resolve().parent  # in a build the other files are links
     for folder in (package / "bin", native / "../../bin", native / "../../../../bin"):
         file = folder / "billet"
         if os.access(file, os.X_OK):

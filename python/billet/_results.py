@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ._arrays import Floats, Integers, Values
 from ._errors import Error, MissingKey, MissingPackage
 from ._program import FilePath
 from ._studies import read_json
@@ -22,13 +23,13 @@ from ._table import Table, no_such, read_csv
 class FrameData:
     """A part at one time, as NumPy arrays."""
 
-    points: np.ndarray
+    points: Floats
     """current places, shape (n_points, 3) [mm]"""
-    cells: list[np.ndarray]
+    cells: list[Integers]
     """for each kind of cell in turn its cells' points, shape (n_cells, points of a cell)"""
-    point_data: dict[str, np.ndarray]
+    point_data: dict[str, Values]
     """fields at points, shape (n_points,) or (n_points, components)"""
-    cell_data: dict[str, np.ndarray]
+    cell_data: dict[str, Values]
     """fields of cells, in the order of cells, likewise"""
 
 
@@ -104,7 +105,8 @@ class Results:
         file = self.folder / "summary.json"
         if not file.exists():
             raise Error(f"{file}: is not there: the run is going on, or was killed")
-        return read_json(file)
+        summary: dict[str, Any] = read_json(file)
+        return summary
 
     @property
     def failed_checks(self) -> list[str]:
@@ -195,19 +197,19 @@ def _arrays_by_vtk(file: Path) -> FrameData:
     as_array = importlib.import_module("vtkmodules.util.numpy_support").vtk_to_numpy
     data = _by_vtk(file)
 
-    def fields(of: Any) -> dict[str, np.ndarray]:
+    def fields(of: Any) -> dict[str, Values]:
         arrays = (of.GetArray(i) for i in range(of.GetNumberOfArrays()))
         return {array.GetName(): as_array(array).copy() for array in arrays}
 
     groups = [data.GetCells()] if file.suffix == ".vtu" else [data.GetLines(), data.GetPolys()]
-    cells: list[np.ndarray] = []
+    cells: list[Integers] = []
     for group in groups:
         cells += _by_size(as_array(group.GetConnectivityArray()), as_array(group.GetOffsetsArray()))
     points = as_array(data.GetPoints().GetData()).copy()
     return FrameData(points, cells, fields(data.GetPointData()), fields(data.GetCellData()))
 
 
-def _by_size(connectivity: np.ndarray, offsets: np.ndarray) -> list[np.ndarray]:
+def _by_size(connectivity: Integers, offsets: Integers) -> list[Integers]:
     """Cells that follow each other with as many points each, as one array."""
     sizes = np.diff(offsets)
     if len(sizes) == 0:

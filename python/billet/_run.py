@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _native
+from ._arrays import Floats, Integers
 from ._case import Case
 from ._errors import Error, MissingKey, NotConverged
 from ._table import Table, no_such
@@ -51,21 +52,21 @@ class Increment:
         return self.row[column]
 
     @property
-    def forces(self) -> dict[str, np.ndarray]:
+    def forces(self) -> dict[str, Floats]:
         """Of the workpiece on each tool, shape (3,) [N]; in plane strain per length [N/mm]."""
         return self._vectors("force")
 
     @property
-    def torques(self) -> dict[str, np.ndarray]:
+    def torques(self) -> dict[str, Floats]:
         """Of these forces about each tool's point of rotation, shape (3,) [N mm]."""
         return self._vectors("torque")
 
     @property
-    def displacements(self) -> dict[str, np.ndarray]:
+    def displacements(self) -> dict[str, Floats]:
         """Of each tool by its motion, shape (3,) [mm]."""
         return self._vectors("displacement")
 
-    def _vectors(self, what: str) -> dict[str, np.ndarray]:
+    def _vectors(self, what: str) -> dict[str, Floats]:
         return {
             tool: np.array([self.row[f"{tool}.{what}_{axis}"] for axis in "xyz"])
             for tool in self.tools
@@ -219,7 +220,7 @@ class Run:
         return self._native.dimension()
 
     @property
-    def positions(self) -> np.ndarray:
+    def positions(self) -> Floats:
         """Where the nodes are, shape (n_nodes, dimension) [mm].
 
         The run's own memory, read-only. It stays as it is when the run goes on: that copies it for
@@ -228,7 +229,7 @@ class Run:
         return self._native.positions()
 
     @property
-    def elements(self) -> np.ndarray:
+    def elements(self) -> Integers:
         """Nodes of the elements, shape (n_elements, nodes_per_element), int32.
 
         The mesh's own memory, read-only and never copied; a new mesh has another array.
@@ -259,12 +260,12 @@ class Run:
         return self._tools
 
     @property
-    def forces(self) -> dict[str, np.ndarray]:
+    def forces(self) -> dict[str, Floats]:
         """Of the workpiece on each tool now, shape (3,) [N]; in plane strain per length [N/mm]."""
         return {t: np.array(self._native.tool_force(i)) for i, t in enumerate(self._tools)}
 
     @property
-    def torques(self) -> dict[str, np.ndarray]:
+    def torques(self) -> dict[str, Floats]:
         """Of these forces about each tool's point of rotation, shape (3,) [N mm]."""
         return {t: np.array(self._native.tool_torque(i)) for i, t in enumerate(self._tools)}
 

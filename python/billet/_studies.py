@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ._arrays import Floats
 from ._errors import Error, MissingKey
 from ._program import FilePath, folder_of, options, run_program
 from ._table import no_such
@@ -40,9 +41,10 @@ class Study:
     @property
     def rows(self) -> list[dict[str, Any]]:
         """A row a run: "settings", "status", "reason", "quantities", "cost", "folder"."""
-        return self.data["rows"]
+        rows: list[dict[str, Any]] = self.data["rows"]
+        return rows
 
-    def values(self, quantity: str) -> np.ndarray:
+    def values(self, quantity: str) -> Floats:
         """A quantity of each run, shape (n_rows,); nan where a run has not given it.
 
         Raises billet.MissingKey.
@@ -85,13 +87,13 @@ def study(
 class ChartedQuantity:
     """What a chart says of a measured quantity for a law."""
 
-    x: np.ndarray
+    x: Floats
     """how far the test has gone, shape (n_stations,)"""
-    parameters: dict[str, np.ndarray]
+    parameters: dict[str, Floats]
     """values of the law's one or two parameters"""
-    values: np.ndarray
+    values: Floats
     """shape (n_values of each parameter, n_stations); nan where a run did not get there"""
-    model_error: np.ndarray
+    model_error: Floats
     """half widths of 95 % for what mesh and increments leave, likewise"""
 
 

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from ._arrays import Floats
 from ._errors import Error, MissingKey, MissingPackage
 
 
-class Table(Mapping[str, np.ndarray]):
+class Table(Mapping[str, Floats]):
     """Columns of a table by name, each an array of shape (n_rows,), float64.
 
     Of increments they are those of history.csv: docs/guide/results.md has their units.
@@ -22,7 +23,7 @@ class Table(Mapping[str, np.ndarray]):
     def __init__(self, columns: Mapping[str, Any]) -> None:
         self._columns = {name: np.asarray(values) for name, values in columns.items()}
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str) -> Floats:
         """A column. Raises billet.MissingKey, with the name that may have been meant."""
         if name not in self._columns:
             raise MissingKey(no_such("column", name, list(self._columns)))

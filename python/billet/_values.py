@@ -15,7 +15,7 @@ import numpy as np
 from ._errors import Error
 
 
-class Field(np.ndarray):
+class Field(np.ndarray[Any, np.dtype[np.float64]]):
     """An array of values at the nodes, with its name and unit.
 
     name   as in frames: "von_mises"

@@ -29,5 +29,5 @@ site=$(find "$work/installed" -name billet -path '*-packages/*' -type d)
 PYTHONPATH=${site%/billet} quietly "$python" use.py "$work/installed"
 
 quietly "$python" -m venv --system-site-packages "$work/venv"
-BILLET_BUILD=$build quietly "$work/venv/bin/pip" install --no-build-isolation --no-index --no-deps "$source"
+BILLET_PREFIX=$work/installed quietly "$work/venv/bin/pip" install --no-build-isolation --no-index --no-deps "$source"
 quietly "$work/venv/bin/python" use.py "$work/venv"

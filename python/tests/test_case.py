@@ -115,7 +115,7 @@ def test_a_broken_file_has_the_readers_text(case_file: Path) -> None:
 
 
 def test_a_broken_text_names_its_line() -> None:
-    with pytest.raises(billet.Error, match=r"case text:6:\d+: workpiece: "):
+    with pytest.raises(billet.Error, match=r"^case text:6:1: workpiece.metal: unknown key"):
         billet.Case.from_string(DISK.replace("material = ", "metal = "))
 
 
@@ -155,11 +155,11 @@ def test_any_text_comes_back(case: billet.Case, text: str, tmp_path: Path) -> No
     assert billet.Case.load(tmp_path / "case.toml")["title"] == text
 
 
-def test_names_with_dots_stand_in_quotes(case: billet.Case) -> None:
-    case.update({'material."steel 1.0"': case["material.steel"].copy(), "workpiece.material": "steel 1.0"})
-    assert case["material"]["steel 1.0"]["elastic"]["poisson"] == 0.3
-    case["material"]["steel 1.0"]["elastic.poisson"] = 0.29
-    assert case['material."steel 1.0".elastic.poisson'] == 0.29
+def test_names_with_spaces_stand_in_quotes(case: billet.Case) -> None:
+    case.update({'material."steel 10"': case["material.steel"].copy(), "workpiece.material": "steel 10"})
+    assert case["material"]["steel 10"]["elastic"]["poisson"] == 0.3
+    case["material"]["steel 10"]["elastic.poisson"] = 0.29
+    assert case['material."steel 10".elastic.poisson'] == 0.29
 
 
 def test_an_unchanged_case_is_saved_as_it_was(case: billet.Case, tmp_path: Path) -> None:
@@ -176,14 +176,14 @@ def test_a_changed_case_is_saved_with_its_changes(case: billet.Case, tmp_path: P
 
 
 def test_a_case_is_not_saved_where_its_files_are_not(tmp_path: Path) -> None:
-    (tmp_path / "die.csv").write_text("0,5\n20,5\n")
+    (tmp_path / "die.toml").write_text("points = [[20, 5], [0, 5]]\n")
     profile = DISK.replace(
-        "plane = { point = [0, 5], normal = [0, -1] }", 'profile = { file = "die.csv" }'
+        "plane = { point = [0, 5], normal = [0, -1] }", 'profile = "die.toml"'
     )
     assert profile != DISK
     case = billet.Case.from_string(profile, tmp_path)
     (tmp_path / "sub").mkdir()
-    with pytest.raises(billet.Error, match="die.csv"):
+    with pytest.raises(billet.Error, match="die.toml"):
         case.save(tmp_path / "sub" / "case.toml")
     assert not (tmp_path / "sub" / "case.toml").exists()
 
@@ -219,5 +219,5 @@ def test_check_warns_and_advises(case: billet.Case) -> None:
     assert any("young" in line for line in warnings)
     case["material.steel.elastic.young"] = "210 GPa"
     case["tool.punch.motion.velocity"] = [0, -5000]
-    case["material.steel.density"] = 7.85e-9
-    assert any("inertia" in line or "ρ" in line or "fast" in line for line in case.check().advice)
+    case["time"] = {"end": 0.0005}
+    assert any("heats the metal by about" in line for line in case.check().advice)

@@ -39,18 +39,13 @@ def test_every_block_of_the_guide_runs(tmp_path: Path, monkeypatch: pytest.Monke
         exec(compile("\n" * line + text, str(GUIDE), "exec"), names)
 
 
-def test_every_indented_block_of_the_guide_is_a_command() -> None:
-    """What is Python stands in a block that is run."""
-    for line in GUIDE.read_text().splitlines():
-        assert not re.match(r"    (import|case\[|run\.|for )", line), line
-
-
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
-def test_a_notebook_runs(file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_notebook_runs(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     nbclient = pytest.importorskip("nbclient")
     nbformat = pytest.importorskip("nbformat")
     pytest.importorskip("ipykernel")
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join(sys.path))
+    monkeypatch.delenv("MPLBACKEND", raising=False)  # the kernel's own puts pictures into cells
     notebook = nbformat.read(file, as_version=4)
     nbclient.NotebookClient(
         notebook, timeout=500, resources={"metadata": {"path": str(file.parent)}}
