@@ -1,7 +1,5 @@
 #include "billet/case.h"
 
-#include "billet/case_inside.h"
-#include "billet/translated.h"
 #include "io/advice/scene_advice.h"
 #include "io/case/read_case.h"
 #include "io/results/atomic_file.h"
@@ -14,6 +12,9 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+
+#include "billet/case_inside.h"
+#include "billet/translated.h"
 
 namespace billet {
 
@@ -134,8 +135,8 @@ Case Case::load(const std::filesystem::path& file,
 
 Case Case::from_text(std::string text, const std::filesystem::path& folder, bool allow_outside) {
   return translated([&] {
-    auto inside = std::make_unique<Inside>(
-        Inside{std::move(text), "case text", folder, allow_outside});
+    auto inside =
+        std::make_unique<Inside>(Inside{std::move(text), "case text", folder, allow_outside});
     inside->content = inside->read();
     return Case(std::move(inside));
   });

@@ -36,6 +36,7 @@ struct CaseReport {
 class Case {
 public:
   /// Reads a case file.
+  /// @param file           its name, relative to the current folder
   /// @param overrides      changes to begin with, "key=value"
   /// @param allow_outside  the case may name files outside of its folder
   /// @throws RunError
@@ -43,7 +44,9 @@ public:
                                  const std::vector<std::string>& overrides = {},
                                  bool allow_outside = false);
   /// The same of a text.
-  /// @param folder  that paths in the text are relative to
+  /// @param text           of a case file
+  /// @param folder         that paths in the text are relative to
+  /// @param allow_outside  the case may name files outside of that folder
   /// @throws RunError
   [[nodiscard]] static Case from_text(std::string text,
                                       const std::filesystem::path& folder = ".",

@@ -4,7 +4,6 @@
 
 #pragma once
 
-#include "billet/case.h"
 #include "io/case/case.h"
 #include "io/case/document.h"
 
@@ -12,6 +11,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "billet/case.h"
 
 namespace billet {
 

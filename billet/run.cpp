@@ -1,7 +1,5 @@
 #include "billet/run.h"
 
-#include "billet/case_inside.h"
-#include "billet/translated.h"
 #include "geometry/base/archive.h"
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
@@ -20,12 +18,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "billet/case_inside.h"
+#include "billet/translated.h"
+
 namespace billet {
 
 namespace {
 
 Increment increment_of(const process::IncrementReport& report) {
-  Increment increment{report.increment, report.time, report.dt, report.iterations,
+  Increment increment{report.increment, report.time, report.dt,    report.iterations,
                       report.cutbacks,  {},          report.events};
   for (const mechanics::IterationRecord& record : report.records)
     increment.residuals.push_back(record.residual);
@@ -151,8 +152,7 @@ struct Run::Inside {
 
   [[nodiscard]] std::unique_ptr<process::Process> prepared() {
     return work([&] {
-      return std::make_unique<process::Process>(
-          io::build_scene(content(), source.name()).scene);
+      return std::make_unique<process::Process>(io::build_scene(content(), source.name()).scene);
     });
   }
 
@@ -180,8 +180,9 @@ struct Run::Inside {
 };
 
 Run::Run(const std::filesystem::path& case_file, const RunOptions& options)
-    : inside_(std::make_unique<Inside>(
-          Case::load(case_file, options.overrides, options.allow_outside), options)) {}
+    : inside_(
+          std::make_unique<Inside>(Case::load(case_file, options.overrides, options.allow_outside),
+                                   options)) {}
 Run::Run(Case content, const RunOptions& options)
     : inside_(std::make_unique<Inside>(with_overrides(std::move(content), options.overrides),
                                        options)) {}
@@ -261,15 +262,15 @@ NodalField Run::nodal_field(std::string_view name) const {
       return std::move(field);
     known.push_back(field.name);
   }
-  throw RunError(fmt::format("there is no field '{}' at the nodes; {}", name,
-                             io::suggestion(name, known)));
+  throw RunError(
+      fmt::format("there is no field '{}' at the nodes; {}", name, io::suggestion(name, known)));
 }
 
 std::vector<NodalField> Run::nodal_fields() const {
   std::vector<NodalField> fields;
   for (io::Field& field : inside_->fields())
-    fields.push_back({std::move(field.name), std::move(field.unit), field.components,
-                      std::move(field.values)});
+    fields.push_back(
+        {std::move(field.name), std::move(field.unit), field.components, std::move(field.values)});
   return fields;
 }
 

@@ -9,8 +9,6 @@
 
 #pragma once
 
-#include "billet/case.h"
-
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -19,6 +17,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "billet/case.h"
 
 namespace billet {
 
@@ -46,18 +46,18 @@ struct Units {
 
 /// How the last increment was solved.
 struct Increment {
-  int number = 0;                ///< from 1; 0: there has been none
-  double time = 0.0;             ///< at its end [s]
-  double length = 0.0;           ///< [s]
-  int iterations = 0;            ///< of Newton's method
-  int cutbacks = 0;              ///< tries that failed before it
-  std::vector<double> residuals; ///< relative, at its start and after each iteration [-]
+  int number = 0;                       ///< from 1; 0: there has been none
+  double time = 0.0;                    ///< at its end [s]
+  double length = 0.0;                  ///< [s]
+  int iterations = 0;                   ///< of Newton's method
+  int cutbacks = 0;                     ///< tries that failed before it
+  std::vector<double> residuals;        ///< relative, at its start and after each iteration [-]
   std::vector<std::string> events = {}; ///< what happened at its end, a line each
 };
 
 /// Values at the nodes.
 struct NodalField {
-  std::string name;
+  std::string name;           ///< as in frames: "von_mises"
   std::string unit;           ///< "MPa"; "1" of pure numbers
   int components = 1;         ///< 1, 3 (X, Y, Z) or 6 (XX, YY, ZZ, XY, YZ, XZ)
   std::vector<double> values; ///< shape (n_nodes, components)

@@ -2,10 +2,11 @@
 
 #pragma once
 
-#include "billet/case.h"
 #include "geometry/base/error.h"
 
 #include <new>
+
+#include "billet/case.h"
 
 namespace billet {
 

@@ -77,8 +77,8 @@ std::string section(const std::string& key, const Table& table) {
     return fmt::format("\n[{}]\n{}", key, on_lines(table));
   std::string text;
   for (const Entry* entry : in_order(table))
-    text += fmt::format("\n[{}.{}]\n{}", key, toml_key(entry->key),
-                        on_lines(*entry->node.as<Table>()));
+    text +=
+        fmt::format("\n[{}.{}]\n{}", key, toml_key(entry->key), on_lines(*entry->node.as<Table>()));
   return text;
 }
 

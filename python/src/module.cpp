@@ -4,8 +4,6 @@
 // arrays are handed over without copies, and calls that take time leave the interpreter to other
 // threads. They take turns among each other: MUMPS has one state for all runs.
 
-#include "billet/run.h"
-
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -17,6 +15,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "billet/run.h"
 
 namespace py = pybind11;
 
@@ -39,14 +39,15 @@ template <class Function> auto alone(Function&& function) {
 /// A run that is freed in its turn.
 class OwnRun {
 public:
-  OwnRun(const billet::Case& content, int threads)
+  /// @param content  a copy, for other threads may change the case meanwhile
+  OwnRun(billet::Case content, int threads)
       : run_(alone([&] {
-          return std::make_unique<billet::Run>(content, billet::RunOptions{{}, threads, false});
+          return std::make_unique<billet::Run>(std::move(content),
+                                               billet::RunOptions{{}, threads, false});
         })) {}
   explicit OwnRun(billet::Run run) : run_(std::make_unique<billet::Run>(std::move(run))) {}
   ~OwnRun() {
-    const std::scoped_lock lock(turn());
-    run_.reset();
+    alone([&] { run_.reset(); });
   }
   OwnRun(const OwnRun&) = delete;
   OwnRun& operator=(const OwnRun&) = delete;
@@ -141,14 +142,15 @@ void bind_increment(py::module_& module) {
 /// How a run goes on, and how it is stored.
 void bind_progress(py::class_<OwnRun>& run) {
   using billet::Run;
-  run.def(py::init<const billet::Case&, int>())
+  run.def(py::init<billet::Case, int>())
       .def("advance",
            [](OwnRun& self) { return name_of(self.call([](Run& r) { return r.advance(); })); })
       .def("status",
            [](OwnRun& self) { return name_of(self.call([](Run& r) { return r.status(); })); })
       .def("reason", [](OwnRun& self) { return self.call([](Run& r) { return r.reason(); }); })
       .def("time", [](OwnRun& self) { return self.call([](Run& r) { return r.time(); }); })
-      .def("increment", [](OwnRun& self) { return self.call([](Run& r) { return r.increment(); }); })
+      .def("increment",
+           [](OwnRun& self) { return self.call([](Run& r) { return r.increment(); }); })
       .def("last_increment",
            [](OwnRun& self) { return self.call([](Run& r) { return r.last_increment(); }); })
       .def("failed_checks",
@@ -184,7 +186,8 @@ void bind_view(py::class_<OwnRun>& run) {
       .def("last_row",
            [](OwnRun& self) {
              return self.call([](Run& r) {
-               const auto row = r.history().last(std::min(r.history().size(), r.history_columns().size()));
+               const auto row =
+                   r.history().last(std::min(r.history().size(), r.history_columns().size()));
                return std::vector<double>(row.begin(), row.end());
              });
            })
@@ -195,11 +198,12 @@ void bind_view(py::class_<OwnRun>& run) {
                              py::arg("time") = units.time, py::arg("stress") = units.stress,
                              py::arg("temperature") = units.temperature);
            })
-      .def("dimension", [](OwnRun& self) { return self.call([](Run& r) { return r.dimension(); }); })
+      .def("dimension",
+           [](OwnRun& self) { return self.call([](Run& r) { return r.dimension(); }); })
       .def("positions",
            [](OwnRun& self) {
-             const auto [kept, columns] = self.call(
-                 [](Run& r) { return std::pair(r.keep_positions(), r.dimension()); });
+             const auto [kept, columns] =
+                 self.call([](Run& r) { return std::pair(r.keep_positions(), r.dimension()); });
              return read_only(kept, columns);
            })
       .def("elements",

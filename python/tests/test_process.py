@@ -150,3 +150,15 @@ def test_without_the_package_numpy_first(tmp_path: Path) -> None:
     for order in ("numpy, billet", "billet, numpy"):
         code = f"import {order}; print(numpy.ones((9, 9)) @ numpy.ones(9), billet.__version__)"
         subprocess.run([sys.executable, "-c", code], check=True, capture_output=True)
+
+
+def test_a_run_that_is_dropped_does_not_hold_the_interpreter(case: billet.Case) -> None:
+    """A run is freed in its turn, while another one solves and a third thread works."""
+    run = billet.Run(case, {"workpiece.mesh.cells": [60, 30]})
+    solver = threading.Thread(target=run.finish)
+    solver.start()
+    for _ in range(5):
+        other = billet.Run(case)
+        del other
+    solver.join()
+    assert run.status == "done"

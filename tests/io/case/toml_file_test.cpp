@@ -20,8 +20,9 @@ TEST(TomlFile, says_the_same_as_the_text_that_was_parsed) {
 }
 
 TEST(TomlFile, keeps_overrides) {
-  const std::vector<std::string> overrides{"tool.punch.friction.m=0.2", "title=\"a \\\"new\\\" one\"",
-                                           "solver={threads=3}", "output.at=[0.5, 1.0]"};
+  const std::vector<std::string> overrides{"tool.punch.friction.m=0.2",
+                                           "title=\"a \\\"new\\\" one\"", "solver={threads=3}",
+                                           "output.at=[0.5, 1.0]"};
   EXPECT_TRUE(read(written(plane_case, overrides)) == read(plane_case, overrides));
 }
 
@@ -42,8 +43,8 @@ TEST(TomlFile, quotes_what_has_to_be_quoted) {
 
 TEST(EraseKey, removes_values_tables_and_items_by_name_or_index) {
   Complaints complaints("case.toml");
-  Node root = parse_document("a = { b = 1, c = 2 }\n[[tool]]\nname = \"p\"\n[[tool]]\nname = \"q\"\n",
-                             "case.toml");
+  Node root = parse_document(
+      "a = { b = 1, c = 2 }\n[[tool]]\nname = \"p\"\n[[tool]]\nname = \"q\"\n", "case.toml");
   for (const char* key : {"a.b", "tool.p", "tool.0"})
     erase_key(root, key, complaints);
   EXPECT_TRUE(complaints.empty());
