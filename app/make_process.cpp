@@ -4,9 +4,6 @@
 #include "io/results/frames.h"
 #include "io/scene/scene_builder.h"
 #include "io/slips/slips.h"
-#include "process/setup/tool_meetings.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -16,27 +13,6 @@
 
 namespace billet::app {
 
-namespace {
-
-/// Tools that go through each other: legal, for they do not feel it, and hardly ever meant.
-void note_meetings(const process::Scene& scene,
-                   const io::UnitSystem& units,
-                   std::vector<std::string>& notes) {
-  for (const process::ToolMeeting& m : process::tool_meetings(scene)) {
-    const std::string pair = fmt::format("warning: tools '{}' and '{}'", scene.tools[m.first].name,
-                                         scene.tools[m.second].name);
-    const std::string place = fmt::format("({:.6g}, {:.6g}, {:.6g}) {}", m.place[0], m.place[1],
-                                          m.place[2], units.length);
-    notes.push_back(
-        m.from_start ? fmt::format("{} overlap by {:.3g} {} from t = {:.6g} {} on, deepest at {}",
-                                   pair, m.depth, units.length, m.time, units.time, place)
-                     : fmt::format("{} meet at t = {:.6g} {} at {} and go through each other", pair,
-                                   m.time, units.time, place));
-  }
-}
-
-} // namespace
-
 ReadyProcess make_process(const io::Case& content, const std::string& file, const io::Say& say) {
   std::vector<std::string> notes;
   try {
@@ -45,7 +21,8 @@ ReadyProcess make_process(const io::Case& content, const std::string& file, cons
     io::BuiltScene built = io::build_scene(content, file, say);
     std::move(built.notes.begin(), built.notes.end(), std::back_inserter(notes));
     auto process = std::make_unique<process::Process>(std::move(built.scene));
-    note_meetings(process->view().scene, content.units, notes);
+    for (std::string& slip : io::meeting_slips(process->view().scene, content.units))
+      notes.push_back(std::move(slip));
     for (std::string& slip : io::scene_slips(content, process->view()))
       notes.push_back(std::move(slip));
     std::optional<CostEstimate> cost;

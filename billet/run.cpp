@@ -1,40 +1,61 @@
 #include "billet/run.h"
 
+#include "geometry/base/archive.h"
 #include "geometry/base/error.h"
 #include "io/case/read_case.h"
+#include "io/case/suggestion.h"
+#include "io/results/checkpoint.h"
 #include "io/results/frames.h"
+#include "io/results/history_row.h"
 #include "io/scene/scene_builder.h"
+#include "mechanics/linear/blas.h"
 #include "process/loop/process.h"
+#include "process/loop/run_checks.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
-#include <new>
 #include <utility>
+
+#include "billet/case_inside.h"
+#include "billet/translated.h"
 
 namespace billet {
 
 namespace {
 
-/// Calls a function; what is wrong with a case or with the machine becomes a RunError.
-template <class Function> auto translated(Function&& function) {
-  try {
-    return function();
-  } catch (const Error& error) {
-    throw RunError(error.what());
-  } catch (const std::bad_alloc&) {
-    throw RunError("too little memory");
-  }
+Increment increment_of(const process::IncrementReport& report) {
+  Increment increment{report.increment, report.time, report.dt,    report.iterations,
+                      report.cutbacks,  {},          report.events};
+  for (const mechanics::IterationRecord& record : report.records)
+    increment.residuals.push_back(record.residual);
+  return increment;
 }
 
-/// Ends a run after each increment, and keeps why one could not be solved.
+/// What a run has told of its increments.
+struct Told {
+  Increment last;
+  std::vector<double> history; ///< shape (n_increments, n_columns)
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(last.number, last.time, last.length, last.iterations, last.cutbacks, last.residuals,
+            last.events, history);
+  }
+};
+
+/// Ends a run after each increment; keeps what was told of it, and why one could not be solved.
 class OneIncrement final : public process::Observer {
 public:
+  Told told;
   std::string reason;
 
   void begin() { solved_ = false; }
-  void incremented(const process::Run&, const process::IncrementReport&) override {
+  void incremented(const process::Run& run, const process::IncrementReport& report) override {
     solved_ = true;
+    told.last = increment_of(report);
+    const std::vector<double> row = io::history_row(run, report);
+    told.history.insert(told.history.end(), row.begin(), row.end());
   }
   void failed(const process::Run&, const process::PostMortem& post) override {
     reason = post.reason;
@@ -45,37 +66,109 @@ private:
   bool solved_ = false;
 };
 
+/// A run as it was saved, and of what.
+struct Saved {
+  std::string version;
+  std::string content; ///< the resolved case
+  std::string scene;   ///< fingerprint of mesh and tools
+  std::size_t stage = 0;
+  Told told;
+  std::string run; ///< of the process
+
+  template <class Archive> void fields(Archive& archive) {
+    archive(version, content, scene, stage, told, run);
+  }
+};
+
+constexpr std::string_view saved_by = "billet run " BILLET_VERSION;
+
+Saved saved_of(std::string_view bytes) {
+  ArchiveWriter writer;
+  writer(std::string(saved_by));
+  if (!bytes.starts_with(writer.bytes()))
+    throw Error(Fault::input_output, "",
+                "these bytes are not those of a run that billet " BILLET_VERSION " saved");
+  Saved saved;
+  ArchiveReader reader(bytes);
+  reader(saved);
+  return saved;
+}
+
+/// A process that goes on from a saved run.
+/// @throws Error if that is of another case
+void go_on_from(const Saved& saved, const io::Case& content, process::Process& process) {
+  std::vector<Complaint> complaints;
+  for (std::string& change :
+       io::changes_of_case(saved.content, io::resolved_toml(content), saved.stage))
+    complaints.push_back({"", "the run was saved of another case: " + change,
+                          "it may go on with another time.end and later stages only"});
+  if (!complaints.empty())
+    throw Error(Fault::case_file, std::move(complaints));
+  if (saved.scene != io::scene_fingerprint(process.view().scene))
+    throw Error(Fault::case_file, "",
+                "the mesh or a tool's surface is not that of the run that was saved");
+  process.resume(saved.run);
+}
+
+Case with_overrides(Case content, const std::vector<std::string>& overrides) {
+  if (!overrides.empty())
+    content.set(overrides);
+  return content;
+}
+
 std::array<double, 3> as_array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 } // namespace
 
 struct Run::Inside {
-  std::filesystem::path file;
+  Case source;
   RunOptions options;
-  io::Case content;
   oneapi::tbb::task_arena threads; ///< none of them works outside of it
   std::unique_ptr<process::Process> process;
+  std::vector<std::string> columns;
+  Units units;
   OneIncrement observer;
   Status status = Status::running;
+  std::weak_ptr<std::vector<double>> kept; ///< who keeps the positions; theirs once we go on
 
-  Inside(std::filesystem::path case_file, RunOptions run_options)
-      : file(std::move(case_file)), options(std::move(run_options)),
-        content(io::read_case(file, options.overrides, {options.allow_outside})),
-        threads(std::max(options.threads, 1)) {
-    prepare();
+  Inside(Case source_case, RunOptions run_options)
+      : source(std::move(source_case)), options(std::move(run_options)),
+        threads(std::max(options.threads, 1)), process(prepared()) {
+    const io::UnitSystem& labels = content().units;
+    columns = io::history_columns(process->view().scene);
+    units = {labels.length, labels.force, labels.time, labels.stress, labels.temperature};
+  }
+  ~Inside() { leave_positions(); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+  [[nodiscard]] const io::Case& content() const { return source.inside_->content; }
+
+  /// Does what takes time, within the threads of this run.
+  template <class Function> auto work(Function&& function) {
+    const mechanics::KernelSettings settings;
+    return translated([&] { return threads.execute(function); });
   }
 
-  void prepare() {
-    threads.execute([&] {
-      process = std::make_unique<process::Process>(io::build_scene(content, file.string()).scene);
+  [[nodiscard]] std::unique_ptr<process::Process> prepared() {
+    return work([&] {
+      return std::make_unique<process::Process>(io::build_scene(content(), source.name()).scene);
     });
   }
 
-  [[nodiscard]] io::WorkpieceFrame frame() {
-    const std::vector<Vec3> points =
-        io::points_of(process->view().positions(), process->view().mesh().dimension());
-    return threads.execute([&] {
-      return io::workpiece_frame(process->view(), points, {content.units, "", content.title});
+  /// Positions that somebody keeps are theirs: we go on with a copy.
+  void leave_positions() {
+    if (const std::shared_ptr<std::vector<double>> holder = kept.lock(); holder && process)
+      *holder = process->take_positions();
+    kept.reset();
+  }
+
+  [[nodiscard]] std::vector<io::Field> fields() {
+    return work([&] {
+      const std::vector<Vec3> points =
+          io::points_of(process->view().positions(), process->view().mesh().dimension());
+      return io::workpiece_frame(process->view(), points, {content().units, "", content().title})
+          .point_fields;
     });
   }
 
@@ -87,7 +180,12 @@ struct Run::Inside {
 };
 
 Run::Run(const std::filesystem::path& case_file, const RunOptions& options)
-    : inside_(translated([&] { return std::make_unique<Inside>(case_file, options); })) {}
+    : inside_(
+          std::make_unique<Inside>(Case::load(case_file, options.overrides, options.allow_outside),
+                                   options)) {}
+Run::Run(Case content, const RunOptions& options)
+    : inside_(std::make_unique<Inside>(with_overrides(std::move(content), options.overrides),
+                                       options)) {}
 Run::~Run() = default;
 Run::Run(Run&& other) noexcept = default;
 Run& Run::operator=(Run&& other) noexcept = default;
@@ -95,10 +193,10 @@ Run& Run::operator=(Run&& other) noexcept = default;
 Status Run::advance() {
   if (inside_->status != Status::running)
     return inside_->status;
+  inside_->leave_positions();
   inside_->observer.begin();
-  const process::RunStatus ended = translated([&] {
-    return inside_->threads.execute([&] { return inside_->process->run({&inside_->observer}); });
-  });
+  const process::RunStatus ended =
+      inside_->work([&] { return inside_->process->run({&inside_->observer}); });
   inside_->status = ended == process::RunStatus::stopped ? Status::running
                     : ended == process::RunStatus::done  ? Status::done
                                                          : Status::not_converged;
@@ -115,10 +213,34 @@ Status Run::status() const { return inside_->status; }
 const std::string& Run::reason() const { return inside_->observer.reason; }
 double Run::time() const { return inside_->process->view().state.time; }
 int Run::increment() const { return inside_->process->view().state.increment; }
+const Increment& Run::last_increment() const { return inside_->observer.told.last; }
+
+std::vector<std::string> Run::failed_checks() const {
+  std::vector<std::string> lines;
+  for (const process::FailedCheck& check : process::failed_checks(inside_->process->view()))
+    lines.push_back(check.name + ": " + check.what);
+  return lines;
+}
+
+const std::vector<std::string>& Run::history_columns() const { return inside_->columns; }
+std::span<const double> Run::history() const { return inside_->observer.told.history; }
+
+const Units& Run::units() const { return inside_->units; }
 int Run::dimension() const { return inside_->process->view().mesh().dimension(); }
 std::span<const double> Run::positions() const { return inside_->process->view().positions(); }
+Kept<double> Run::keep_positions() {
+  std::shared_ptr<std::vector<double>> holder = inside_->kept.lock();
+  if (!holder)
+    holder = std::make_shared<std::vector<double>>();
+  inside_->kept = holder;
+  return {holder, positions()};
+}
+
 std::span<const std::int32_t> Run::elements() const {
   return inside_->process->view().mesh().cells;
+}
+Kept<std::int32_t> Run::keep_elements() const {
+  return {inside_->process->view().state.part, elements()};
 }
 int Run::nodes_per_element() const {
   return mechanics::nodes_per_element(inside_->process->view().mesh().kind);
@@ -126,19 +248,30 @@ int Run::nodes_per_element() const {
 
 std::vector<std::string> Run::field_names() const {
   std::vector<std::string> names;
-  for (const io::Field& field : inside_->frame().point_fields)
+  for (const io::Field& field : inside_->fields())
     names.push_back(field.name);
   return names;
 }
 
-std::vector<double> Run::field(std::string_view name) const {
-  std::string known;
-  for (io::Field& field : inside_->frame().point_fields) {
+std::vector<double> Run::field(std::string_view name) const { return nodal_field(name).values; }
+
+NodalField Run::nodal_field(std::string_view name) const {
+  std::vector<std::string> known;
+  for (NodalField& field : nodal_fields()) {
     if (field.name == name)
-      return std::move(field.values);
-    known += (known.empty() ? "" : ", ") + field.name;
+      return std::move(field);
+    known.push_back(field.name);
   }
-  throw RunError("there is no field '" + std::string(name) + "' at the nodes; known are " + known);
+  throw RunError(
+      fmt::format("there is no field '{}' at the nodes; {}", name, io::suggestion(name, known)));
+}
+
+std::vector<NodalField> Run::nodal_fields() const {
+  std::vector<NodalField> fields;
+  for (io::Field& field : inside_->fields())
+    fields.push_back(
+        {std::move(field.name), std::move(field.unit), field.components, std::move(field.values)});
+  return fields;
 }
 
 std::vector<std::string> Run::tools() const {
@@ -156,22 +289,36 @@ std::array<double, 3> Run::tool_torque(std::size_t tool) const {
   return as_array(inside_->load(tool).torque);
 }
 
-std::string Run::save() { return inside_->process->store(); }
+std::string Run::save() {
+  return inside_->work([&] {
+    const process::Run& run = inside_->process->view();
+    ArchiveWriter writer;
+    writer(Saved{std::string(saved_by), io::resolved_toml(inside_->content()),
+                 io::scene_fingerprint(run.scene), run.state.progress.stage, inside_->observer.told,
+                 inside_->process->store()});
+    return writer.take();
+  });
+}
 
 void Run::load(std::string_view saved) {
-  translated([&] {
-    inside_->prepare();
-    inside_->threads.execute([&] { inside_->process->resume(saved); });
+  std::unique_ptr<process::Process> process = inside_->prepared();
+  const Saved from = inside_->work([&] {
+    Saved read = saved_of(saved);
+    go_on_from(read, inside_->content(), *process);
+    return read;
   });
+  inside_->leave_positions();
+  inside_->process = std::move(process);
   inside_->status = Status::running;
   inside_->observer = {};
+  inside_->observer.told = from.told;
 }
 
 Run Run::copy() {
-  const std::string saved = save();
-  Run other(inside_->file, inside_->options);
-  other.load(saved);
+  Run other(inside_->source, {{}, inside_->options.threads, inside_->options.allow_outside});
+  other.load(save());
   other.inside_->status = inside_->status;
+  other.inside_->observer.reason = inside_->observer.reason;
   return other;
 }
 

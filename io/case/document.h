@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -107,7 +108,21 @@ parse_document(std::string_view text, const std::string& name, const TextPlace& 
 /// @throws Error with Fault::case_file
 void guard_text(std::string_view text, const std::string& name);
 
-/// Applies "key=value" overrides to the tree; those that lead nowhere are complained about.
+/// Applies a "key=value" override to the tree; one that leads nowhere is complained about.
+void apply_override(Node& root, const std::string& text, Complaints& complaints);
+
+/// Applies several, in their order.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, Complaints& complaints);
+
+/// Removes what a dotted key leads to; complains where there is nothing.
+void erase_key(Node& root, const std::string& key, Complaints& complaints);
+
+/// The parts of a dotted key, quoted or not, up to its end or to '='; none when it has not that
+/// form.
+[[nodiscard]] std::optional<std::vector<std::string>> key_parts(std::string_view text);
+
+/// The tree as the text of a case file, without comments: parsing it gives the same tree.
+/// @pre root is a table and holds no Date
+[[nodiscard]] std::string toml_file(const Node& root);
 
 } // namespace billet::io

@@ -37,24 +37,30 @@ std::optional<std::string> take_part(std::string_view& text) {
   return part.empty() ? std::nullopt : std::optional(std::string(part));
 }
 
-/// "a.b=v" as parts and value; none when it has not that form.
-std::optional<Override> as_override(std::string_view text) {
-  Override result;
-  while (result.path.size() < most_parts) {
+/// Takes a dotted key off the front of `text`, up to its end or to '='; none when it has not that
+/// form.
+std::optional<std::vector<std::string>> take_key(std::string_view& text) {
+  std::vector<std::string> parts;
+  while (parts.size() < most_parts) {
     std::optional<std::string> part = take_part(text);
-    if (!part || text.empty())
+    if (!part)
       return std::nullopt;
-    result.path.push_back(std::move(*part));
-    const char separator = text.front();
+    parts.push_back(std::move(*part));
+    if (text.empty() || text.front() == '=')
+      return parts;
+    if (text.front() != '.')
+      return std::nullopt;
     text.remove_prefix(1);
-    if (separator == '=') {
-      result.value = trimmed(text);
-      return result;
-    }
-    if (separator != '.')
-      return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// "a.b=v" as parts and value; none when it has not that form.
+std::optional<Override> as_override(std::string_view text) {
+  std::optional<std::vector<std::string>> path = take_key(text);
+  if (!path || text.empty())
+    return std::nullopt;
+  return Override{std::move(*path), trimmed(text.substr(1))};
 }
 
 /// A TOML value, or the text itself where it is none.
@@ -123,7 +129,31 @@ Node* step(Node& from,
   return item;
 }
 
-void apply(Node& root, const std::string& text, Complaints& complaints) {
+/// Removes a part from a table or a list. False: it has none of that name.
+bool erase_part(Node& from, const std::string& part) {
+  if (Table* const table = from.as<Table>())
+    return std::erase_if(table->entries, [&](const Entry& e) { return e.key == part; }) > 0;
+  List* const list = from.as<List>();
+  const Node* const item = list != nullptr ? item_of(*list, part) : nullptr;
+  if (item == nullptr)
+    return false;
+  list->erase(list->begin() + (item - list->data()));
+  return true;
+}
+
+/// What a part leads to, without making it. Null: nothing.
+Node* existing(Node& from, const std::string& part) {
+  if (Table* const table = from.as<Table>())
+    return table->find(part);
+  List* const list = from.as<List>();
+  return list != nullptr ? item_of(*list, part) : nullptr;
+}
+
+} // namespace
+
+std::optional<std::vector<std::string>> key_parts(std::string_view text) { return take_key(text); }
+
+void apply_override(Node& root, const std::string& text, Complaints& complaints) {
   const TextPlace place{0, 0, complaints.add_override(text)};
   const std::optional<Override> override = as_override(text);
   if (!override) {
@@ -141,13 +171,20 @@ void apply(Node& root, const std::string& text, Complaints& complaints) {
   *node = parsed_value(override->value, place);
 }
 
-} // namespace
-
 void apply_overrides(Node& root,
                      const std::vector<std::string>& overrides,
                      Complaints& complaints) {
   for (const std::string& text : overrides)
-    apply(root, text, complaints);
+    apply_override(root, text, complaints);
+}
+
+void erase_key(Node& root, const std::string& key, Complaints& complaints) {
+  const std::optional<std::vector<std::string>> path = key_parts(key);
+  Node* node = path ? &root : nullptr;
+  for (std::size_t i = 0; node != nullptr && i + 1 < path->size(); ++i)
+    node = existing(*node, (*path)[i]);
+  if (node == nullptr || !erase_part(*node, path->back()))
+    complaints.add({}, fmt::format("there is no {} that could be removed", printable(key)));
 }
 
 } // namespace billet::io

@@ -98,7 +98,9 @@ Case read_root(TableReader& root) {
   return content;
 }
 
-std::string text_of(const fs::path& file) {
+} // namespace
+
+std::string case_file_text(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   const std::string name = file.string();
@@ -121,16 +123,10 @@ std::string text_of(const fs::path& file) {
   return text;
 }
 
-} // namespace
-
-Case read_case_text(const std::string& text,
-                    const std::string& name,
+Case read_case_tree(const Node& tree,
+                    Complaints& complaints,
                     const fs::path& directory,
-                    const std::vector<std::string>& overrides,
                     const ReadOptions& options) {
-  Complaints complaints(name);
-  Node tree = parse_document(text, name);
-  apply_overrides(tree, overrides, complaints);
   complaints.throw_if_any(); // an override that leads nowhere would raise follow-on complaints
   ReadContext context{complaints, unit_systems().front(), std::nullopt,
                       directory.empty() ? fs::path(".") : directory, options.allow_outside};
@@ -141,10 +137,22 @@ Case read_case_text(const std::string& text,
   return content;
 }
 
+Case read_case_text(const std::string& text,
+                    const std::string& name,
+                    const fs::path& directory,
+                    const std::vector<std::string>& overrides,
+                    const ReadOptions& options) {
+  Complaints complaints(name);
+  Node tree = parse_document(text, name);
+  apply_overrides(tree, overrides, complaints);
+  return read_case_tree(tree, complaints, directory, options);
+}
+
 Case read_case(const fs::path& file,
                const std::vector<std::string>& overrides,
                const ReadOptions& options) {
-  return read_case_text(text_of(file), file.string(), file.parent_path(), overrides, options);
+  return read_case_text(case_file_text(file), file.string(), file.parent_path(), overrides,
+                        options);
 }
 
 } // namespace billet::io

@@ -13,6 +13,9 @@
 
 namespace billet::io {
 
+class Complaints;
+struct Node;
+
 struct ReadOptions {
   bool allow_outside = false; ///< files outside the case's folder may be named
 };
@@ -35,6 +38,16 @@ struct ReadOptions {
                                   const std::filesystem::path& directory,
                                   const std::vector<std::string>& overrides = {},
                                   const ReadOptions& options = {});
+
+/// The same for a tree of that text, with its complaints so far.
+[[nodiscard]] Case read_case_tree(const Node& tree,
+                                  Complaints& complaints,
+                                  const std::filesystem::path& directory,
+                                  const ReadOptions& options = {});
+
+/// The text of a case file.
+/// @throws Error with Fault::case_file if there is none that could be read
+[[nodiscard]] std::string case_file_text(const std::filesystem::path& file);
 
 /// The case as a case file with every default filled in: reading it gives the same case.
 [[nodiscard]] std::string resolved_toml(const Case& content);

@@ -22,6 +22,12 @@ namespace billet::io {
 /// "warning: ".
 [[nodiscard]] std::vector<std::string> number_slips(const Case& content);
 
+/// Tools that go through each other: legal, for they do not feel it, and hardly ever meant.
+///
+/// @param scene  with its tools brought to touch
+[[nodiscard]] std::vector<std::string> meeting_slips(const process::Scene& scene,
+                                                     const UnitSystem& units);
+
 /// What the scene tells: size of the part, tools that do not arrive, free motions, elements.
 ///
 /// @param process  of that case, before it has run

@@ -6,10 +6,40 @@
 
 extern "C" {
 char* openblas_get_corename(void);
+int openblas_get_num_threads(void);
 void openblas_set_num_threads(int);
 }
 
 namespace billet::mechanics {
+
+namespace {
+
+unsigned arithmetic_control() {
+#if defined(__SSE2__)
+  return _mm_getcsr();
+#else
+  return 0;
+#endif
+}
+
+void set_arithmetic_control([[maybe_unused]] unsigned control) {
+#if defined(__SSE2__)
+  _mm_setcsr(control);
+#endif
+}
+
+} // namespace
+
+KernelSettings::KernelSettings()
+    : threads_(openblas_get_num_threads()), control_(arithmetic_control()) {
+  set_blas_threads(1);
+  flush_subnormal_numbers();
+}
+
+KernelSettings::~KernelSettings() {
+  set_arithmetic_control(control_);
+  set_blas_threads(threads_);
+}
 
 std::string blas_core() { return openblas_get_corename(); }
 

@@ -83,6 +83,11 @@ RunStatus Process::run(const std::vector<Observer*>& observers) {
   return status;
 }
 
+std::vector<double> Process::take_positions() {
+  std::vector<double> copy = run_.state.x;
+  return std::exchange(run_.state.x, std::move(copy));
+}
+
 std::string Process::store() {
   run_.model.newton->forget();
   return stored(run_);

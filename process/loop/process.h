@@ -29,6 +29,10 @@ public:
   /// Runs to the end, or to where it cannot go on or an observer stops it; called again it goes on.
   RunStatus run(const std::vector<Observer*>& observers);
 
+  /// Gives away the memory that the positions of the nodes are in, followed by those of driven
+  /// tools, and goes on with a copy: whoever looks at them may keep them.
+  [[nodiscard]] std::vector<double> take_positions();
+
   /// The run as it is between two increments, in bytes: what `resume` goes on from. The linear
   /// solver forgets, as it has where a run is resumed, so that both go on with the same bits.
   [[nodiscard]] std::string store();

@@ -1,0 +1,67 @@
+#include "io/results/history_row.h"
+
+#include "io/case/history_columns.h"
+#include "process/measures/shape_measures.h"
+
+#include <algorithm>
+
+namespace billet::io {
+
+namespace {
+
+void add_trapped(const contact::TrappedState& state, std::vector<double>& row) {
+  double volume = 0.0, highest = 0.0;
+  for (const contact::Pocket& pocket : state.pockets) {
+    volume += pocket.volume;
+    highest = std::max(highest, pocket.pressure);
+  }
+  row.insert(row.end(), {static_cast<double>(state.pockets.size()), volume, highest});
+}
+
+} // namespace
+
+std::vector<std::string> history_columns(const process::Scene& scene) {
+  std::vector<std::string> columns(fixed_columns.begin(), fixed_columns.end());
+  for (const contact::Tool& tool : scene.tools)
+    for (const char* what : {"force", "torque", "displacement"})
+      for (const char* axis : {"_x", "_y", "_z"})
+        columns.push_back(tool.name + "." + what + axis);
+  if (scene.contact.trapped && !scene.tools.empty())
+    columns.insert(columns.end(), trapped_columns.begin(), trapped_columns.end());
+  for (const process::Measure& measure : scene.measures)
+    columns.push_back(measure.name);
+  return columns;
+}
+
+std::vector<double> history_row(const process::Run& run, const process::IncrementReport& r) {
+  std::vector<double> row{static_cast<double>(r.increment),
+                          r.time,
+                          r.dt,
+                          static_cast<double>(r.iterations),
+                          r.residual,
+                          static_cast<double>(r.cutbacks),
+                          r.volume,
+                          r.max_penetration,
+                          r.contact_area,
+                          r.energy.plastic,
+                          r.energy.external,
+                          r.energy.friction,
+                          r.energy.elastic,
+                          r.max_plastic_strain,
+                          r.min_quality,
+                          static_cast<double>(run.state.record.remeshings.size()),
+                          r.wall_time};
+  for (std::size_t t = 0; t < run.tools().size(); ++t) {
+    const contact::ToolLoad& load = run.contact()->loads()[t];
+    const Vec3 way = run.tools()[t].motion.translation(r.time, run.driven(t));
+    for (const Vec3& v : {load.force, load.torque, way})
+      row.insert(row.end(), v.data(), v.data() + 3);
+  }
+  if (run.model.trapped)
+    add_trapped(run.model.trapped->state(), row);
+  const std::vector<double> measures = process::measured(run);
+  row.insert(row.end(), measures.begin(), measures.end());
+  return row;
+}
+
+} // namespace billet::io

@@ -1,0 +1,134 @@
+"""The program billet, for what writes results and makes many runs."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _native
+from ._case import Case, _assignments
+from ._errors import Error, ProgramError
+
+if TYPE_CHECKING:
+    from ._results import Results
+
+FilePath = str | os.PathLike[str]
+
+FAILED_CHECKS = 8  # a run that has come to its end, whose result fails a check
+
+
+def program() -> Path:
+    """The program that is used: of BILLET_PROGRAM, of this package, or of PATH, in this order.
+
+    Raises billet.Error if there is none.
+    """
+    named = os.environ.get("BILLET_PROGRAM")
+    if named:
+        found = shutil.which(named)
+        if found is None:
+            raise Error(f"BILLET_PROGRAM names {named}, which is no program")
+        return Path(found)
+    package = Path(__file__).parent
+    native = Path(str(_native.__file__)).resolve().parent  # in a build the other files are links
+    for folder in (package / "bin", native / "../../bin", native / "../../../../bin"):
+        file = folder / "billet"
+        if os.access(file, os.X_OK):
+            return file.resolve()
+    found = shutil.which("billet")
+    if found is None:
+        raise Error("the program billet is not found; BILLET_PROGRAM=FILE names it, or add its folder to PATH")
+    return Path(found)
+
+
+def run_program(*words: FilePath, accepted: tuple[int, ...] = (0,)) -> str:
+    """Calls the program; returns what it printed.
+
+    Ctrl-C ends it as in a terminal: after a whole increment, with what it has so far on disk.
+    Raises billet.ProgramError with what it said, KeyboardInterrupt.
+    """
+    command = [os.fspath(word) for word in (program(), *words)]
+    with subprocess.Popen(
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            said, complained = process.communicate()
+        except KeyboardInterrupt:
+            process.send_signal(signal.SIGINT)
+            process.communicate()
+            raise
+    if process.returncode not in accepted:
+        raise ProgramError(_message(complained, process.returncode), process.returncode)
+    return said
+
+
+def _message(complained: str, status: int) -> str:
+    text = complained.strip().removeprefix("billet: ")
+    if status < 0:
+        name = signal.Signals(-status).name
+        return f"billet was ended by {name}" + (f": {text}" if text else "")
+    return text or f"billet has ended with status {status}"
+
+
+def options(
+    *,
+    output: FilePath | None = None,
+    set: Mapping[str, Any] | None = None,
+    processes: int | None = None,
+    threads: int | None = None,
+    again: bool = False,
+) -> list[str]:
+    """Words of the command line."""
+    words: list[str] = []
+    if output is not None:
+        words += ["-o", os.fspath(output)]
+    for assignment in _assignments(set):
+        words += ["--set", assignment]
+    if processes is not None:
+        words += ["--processes", str(processes)]
+    if threads is not None:
+        words += ["--threads", str(threads)]
+    return [*words, "--again"] if again else words
+
+
+def folder_of(said: str) -> Path:
+    """The folder that the program says its results are in."""
+    lines = [line for line in said.splitlines() if line.startswith("results: ")]
+    if not lines:
+        raise Error(f"billet does not say where its results are:\n{said}")
+    return Path(lines[-1].removeprefix("results: "))
+
+
+def simulate(
+    case: Case | FilePath,
+    output: FilePath | None = None,
+    *,
+    set: Mapping[str, Any] | None = None,
+    threads: int | None = None,
+) -> Results:
+    """Runs a case by the program, with everything it writes: `billet run`.
+
+    case      a case file, or a Case, which is written to OUTPUT/../NAME.toml for it; the files that
+              it names have to be found from there
+    output    folder of the results; by default results/NAME as of `billet run`
+    set       changes, {"tool.punch.friction.m": 0.2}
+    threads   by default all of the machine
+
+    Returns billet.results of the folder. Raises billet.ProgramError with the status of the program;
+    a run that fails a check is returned, see Results.failed_checks.
+    """
+    from ._results import results
+
+    if isinstance(case, Case):
+        if output is None:
+            raise Error("simulate: a case in memory needs output, the folder of its results")
+        file = Path(output).with_suffix(".toml")
+        case.save(file)
+        case = file
+    words = options(output=output, set=set, threads=threads)
+    said = run_program("run", case, "--quiet", *words, accepted=(0, FAILED_CHECKS))
+    return results(folder_of(said))
