@@ -3,7 +3,9 @@
 #include "app/render/axis.h"
 #include "app/render/canvas.h"
 #include "app/render/curve.h"
+#include "app/render/history_curves.h"
 #include "app/render/load_stroke.h"
+#include "geometry/base/error.h"
 
 #include <fmt/format.h>
 
@@ -154,24 +156,49 @@ void draw_legend(Canvas& canvas, const Layout& on, const std::vector<Curve>& cur
   }
 }
 
+/// The forces over strokes of all results; of several they are named after their folders.
+Chart loads_of(const Options& options) {
+  Chart chart = load_stroke(options.results.front());
+  if (options.results.size() == 1)
+    return chart;
+  chart.curves.clear();
+  chart.title.clear();
+  for (const std::filesystem::path& folder : options.results) {
+    Chart one = load_stroke(folder);
+    if (!chart.x_label.empty() && (one.x_label != chart.x_label || one.y_label != chart.y_label))
+      throw Error(Fault::usage, folder.string(),
+                  fmt::format("measures {} over {}, the results before {} over {}", one.y_label,
+                              one.x_label, chart.y_label, chart.x_label),
+                  "draw them in a chart of their own, or columns: --curve X:Y");
+    for (Curve& curve : one.curves) {
+      curve.label = fmt::format("{}: {}", name_of(folder), curve.label);
+      chart.curves.push_back(std::move(curve));
+    }
+  }
+  return chart;
+}
+
 /// The curves asked for and their axes.
 Chart chart_of(const Options& options) {
+  const ChartOptions& asked = options.chart;
   Chart chart;
-  if (options.series.empty()) {
-    chart = load_stroke(options.results);
+  if (!asked.columns.empty()) {
+    chart = columns_of(options.results, asked.columns);
+  } else if (asked.series.empty()) {
+    chart = loads_of(options);
   } else {
-    for (const Series& series : options.series)
-      chart.curves.push_back(read_curve(series));
-    chart.x_label = options.series[0].x_column;
-    chart.y_label = options.series[0].y_column;
+    chart.x_label = asked.series[0].x_column;
+    chart.y_label = asked.series[0].y_column;
   }
-  chart.tight = options.tight;
+  for (const Series& series : asked.series)
+    chart.curves.push_back(read_curve(series));
+  chart.tight = asked.tight;
   if (!options.title.empty())
     chart.title = options.title;
-  if (!options.x_label.empty())
-    chart.x_label = options.x_label;
-  if (!options.y_label.empty())
-    chart.y_label = options.y_label;
+  if (!asked.x_label.empty())
+    chart.x_label = asked.x_label;
+  if (!asked.y_label.empty())
+    chart.y_label = asked.y_label;
   return chart;
 }
 
@@ -193,14 +220,14 @@ std::string in_words(const Chart& chart) {
 
 std::string draw_chart(const Options& options, const std::filesystem::path& picture) {
   const Chart chart = chart_of(options);
-  const Layout layout = layout_of(chart, options.size);
-  Canvas canvas(options.size);
+  const Layout layout = layout_of(chart, options.size());
+  Canvas canvas(options.size());
   draw_axes(canvas, layout, chart);
   for (std::size_t i = 0; i < chart.curves.size(); ++i)
     draw_curve(canvas, layout, chart.curves[i], colour_of(i));
   draw_legend(canvas, layout, chart.curves);
   canvas.text(
-      chart.title, {0.5 * (layout.low.x() + layout.high.x()), options.size[1] - 1.0 * layout.font},
+      chart.title, {0.5 * (layout.low.x() + layout.high.x()), options.size()[1] - 1.0 * layout.font},
       {.size = static_cast<int>(1.3 * layout.font), .along = Hold::middle, .across = Hold::high});
   canvas.write(picture);
   return in_words(chart);

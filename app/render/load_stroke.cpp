@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <optional>
@@ -29,21 +30,6 @@ std::string text_of(const std::filesystem::path& resolved, const std::string& ke
       return line.substr(first + 1, last - first - 1);
   }
   return {};
-}
-
-/// What the case measures in.
-struct CaseUnits {
-  std::string length, force, time;
-  bool per_thickness = false; ///< forces in plane strain
-};
-
-CaseUnits units_of(const std::filesystem::path& results) {
-  const std::filesystem::path resolved = results / "case.resolved.toml";
-  const std::string system = text_of(resolved, "units");
-  CaseUnits units{"mm", "N", "s", text_of(resolved, "analysis") == "plane-strain"};
-  if (system.starts_with("m-"))
-    units.length = "m";
-  return units;
 }
 
 /// Forces on a tool and its ways, a row an increment.
@@ -119,6 +105,42 @@ std::string rescale(std::vector<Curve>& curves, int axis, const std::string& uni
 
 } // namespace
 
+CaseUnits units_of(const std::filesystem::path& results) {
+  const std::filesystem::path resolved = results / "case.resolved.toml";
+  CaseUnits units{"mm", "N", "s", text_of(resolved, "title"),
+                  text_of(resolved, "analysis") == "plane-strain"};
+  if (text_of(resolved, "units").starts_with("m-"))
+    units.length = "m";
+  return units;
+}
+
+std::vector<std::pair<double, double>> longest_way(const std::filesystem::path& results) {
+  const std::filesystem::path file = results / "history.csv";
+  if (!std::filesystem::exists(file))
+    return {};
+  const io::CsvTable history = io::read_csv(file);
+  const std::optional<std::size_t> time = history.find("time");
+  const std::vector<Record> records = records_of(history);
+  const auto reach = [](const Record& record) {
+    double longest = 0.0;
+    for (const Vec3& way : record.ways)
+      longest = std::max(longest, way.norm());
+    return longest;
+  };
+  const auto farthest =
+      std::max_element(records.begin(), records.end(),
+                       [&](const Record& a, const Record& b) { return reach(a) < reach(b); });
+  if (!time || farthest == records.end() || farthest->direction.isZero(0.0))
+    return {};
+  std::vector<std::pair<double, double>> result{{0.0, 0.0}};
+  const std::vector<double> times = history.numbers(*time);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (const double way = farthest->ways[i].dot(farthest->direction);
+        std::isfinite(way) && std::isfinite(times[i]))
+      result.emplace_back(times[i], way);
+  return result;
+}
+
 Chart load_stroke(const std::filesystem::path& results) {
   const std::filesystem::path file = results / "history.csv";
   if (!std::filesystem::exists(file))
@@ -138,8 +160,8 @@ Chart load_stroke(const std::filesystem::path& results) {
   }
   if (chart.curves.empty() || history.rows.empty())
     throw Error(Fault::input_output, file.string(), "the table has no forces of tools");
-  chart.title = text_of(results / "case.resolved.toml", "title");
   const CaseUnits units = units_of(results);
+  chart.title = units.title;
   chart.x_label = travels ? fmt::format("stroke [{}]", rescale(chart.curves, 0, units.length))
                           : fmt::format("time [{}]", units.time);
   const std::string force = rescale(chart.curves, 1, units.force);

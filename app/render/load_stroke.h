@@ -4,6 +4,11 @@
 
 #include "app/render/curve.h"
 
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace billet::render {
 
 /// Force over stroke of every tool that travels, from the start of the run on: the way along the
@@ -13,5 +18,18 @@ namespace billet::render {
 /// @param results  folder of a run, which may still be going on
 /// @throws Error  (Fault::input_output)
 [[nodiscard]] Chart load_stroke(const std::filesystem::path& results);
+
+/// The way of the tool that travels farthest, after each increment, from (0, 0) on; empty: there is
+/// no history.csv, or no tool that travels.
+/// @returns time [s] and way along the direction of its longest way [mm]
+[[nodiscard]] std::vector<std::pair<double, double>>
+longest_way(const std::filesystem::path& results);
+
+/// What lengths, forces and times of results are measured in, and their title.
+struct CaseUnits {
+  std::string length, force, time, title;
+  bool per_thickness = false; ///< forces in plane strain
+};
+[[nodiscard]] CaseUnits units_of(const std::filesystem::path& results);
 
 } // namespace billet::render

@@ -1,0 +1,23 @@
+// Columns of history.csv over another one, of one or several results.
+
+#pragma once
+
+#include "app/render/curve.h"
+#include "app/render/options.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace billet::render {
+
+/// How results are called among others: the name of their folder.
+[[nodiscard]] std::string name_of(const std::filesystem::path& results);
+
+/// The curves; axes have the units of the columns.
+/// @param results  folders of runs
+/// @throws Error  for tables that cannot be read, and columns that are not there
+[[nodiscard]] Chart columns_of(const std::vector<std::filesystem::path>& results,
+                               const std::vector<Columns>& columns);
+
+} // namespace billet::render
