@@ -5,7 +5,6 @@
 #include "app/render/curve.h"
 #include "app/render/history_curves.h"
 #include "app/render/load_stroke.h"
-#include "geometry/base/error.h"
 
 #include <fmt/format.h>
 
@@ -156,28 +155,6 @@ void draw_legend(Canvas& canvas, const Layout& on, const std::vector<Curve>& cur
   }
 }
 
-/// The forces over strokes of all results; of several they are named after their folders.
-Chart loads_of(const Options& options) {
-  Chart chart = load_stroke(options.results.front());
-  if (options.results.size() == 1)
-    return chart;
-  chart.curves.clear();
-  chart.title.clear();
-  for (const std::filesystem::path& folder : options.results) {
-    Chart one = load_stroke(folder);
-    if (!chart.x_label.empty() && (one.x_label != chart.x_label || one.y_label != chart.y_label))
-      throw Error(Fault::usage, folder.string(),
-                  fmt::format("measures {} over {}, the results before {} over {}", one.y_label,
-                              one.x_label, chart.y_label, chart.x_label),
-                  "draw them in a chart of their own, or columns: --curve X:Y");
-    for (Curve& curve : one.curves) {
-      curve.label = fmt::format("{}: {}", name_of(folder), curve.label);
-      chart.curves.push_back(std::move(curve));
-    }
-  }
-  return chart;
-}
-
 /// The curves asked for and their axes.
 Chart chart_of(const Options& options) {
   const ChartOptions& asked = options.chart;
@@ -185,7 +162,7 @@ Chart chart_of(const Options& options) {
   if (!asked.columns.empty()) {
     chart = columns_of(options.results, asked.columns);
   } else if (asked.series.empty()) {
-    chart = loads_of(options);
+    chart = load_stroke(options.results);
   } else {
     chart.x_label = asked.series[0].x_column;
     chart.y_label = asked.series[0].y_column;

@@ -1,5 +1,6 @@
 #include "app/render/film.h"
 
+#include "app/render/display.h"
 #include "app/render/encoder.h"
 #include "app/render/picture.h"
 #include "app/render/scene.h"
@@ -44,6 +45,7 @@ private:
 };
 
 std::string write_series(const Scene& scene, const Options& options, const SeriesName& name) {
+  const Display display;
   const auto window = window_of(options.size());
   int number = 0;
   for (const Picture& picture : scene.pictures()) {
@@ -55,6 +57,7 @@ std::string write_series(const Scene& scene, const Options& options, const Serie
 }
 
 std::string encode(const Scene& scene, const Options& options, const std::filesystem::path& file) {
+  const Display display;
   const auto window = window_of(options.size());
   Encoder encoder(file, options.size(), options.film.fps);
   vtkNew<vtkImageData> last;

@@ -68,13 +68,6 @@ std::string common_label(const std::vector<std::string>& columns, const CaseUnit
 
 } // namespace
 
-std::string name_of(const std::filesystem::path& results) {
-  std::filesystem::path path = std::filesystem::absolute(results).lexically_normal();
-  if (!path.has_filename())
-    path = path.parent_path();
-  return path.filename().string();
-}
-
 Chart columns_of(const std::vector<std::filesystem::path>& results,
                  const std::vector<Columns>& columns) {
   Chart chart;

@@ -11,9 +11,6 @@
 
 namespace billet::render {
 
-/// How results are called among others: the name of their folder.
-[[nodiscard]] std::string name_of(const std::filesystem::path& results);
-
 /// The curves; axes have the units of the columns.
 /// @param results  folders of runs
 /// @throws Error  for tables that cannot be read, and columns that are not there

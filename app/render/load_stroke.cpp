@@ -103,6 +103,36 @@ std::string rescale(std::vector<Curve>& curves, int axis, const std::string& uni
   return readable.unit;
 }
 
+/// The forces of one run.
+struct Loads {
+  std::vector<Curve> curves;
+  bool travels = false; ///< over strokes, not over time
+  CaseUnits units;
+};
+
+Loads loads_of(const std::filesystem::path& results) {
+  const std::filesystem::path file = results / "history.csv";
+  if (!std::filesystem::exists(file))
+    throw Error(Fault::input_output, results.string(), "the folder has no history.csv",
+                "give the folder a run wrote its results to");
+  const io::CsvTable history = io::read_csv(file);
+  const std::vector<Record> records = records_of(history);
+  Loads loads{{}, false, units_of(results)};
+  for (const Record& record : records)
+    if (!record.direction.isZero(0.0))
+      loads.curves.push_back(over_stroke(record));
+  loads.travels = !loads.curves.empty();
+  if (!loads.travels && history.find("time")) {
+    const std::vector<double> times = history.numbers(*history.find("time"));
+    for (const Record& record : records)
+      loads.curves.push_back(over_time(record, times));
+  }
+  if (loads.curves.empty() || history.rows.empty())
+    throw Error(Fault::input_output, file.string(), "the table has no forces of tools",
+                "billet render RESULTS --curve time:plastic_work draws any of its columns");
+  return loads;
+}
+
 } // namespace
 
 CaseUnits units_of(const std::filesystem::path& results) {
@@ -141,29 +171,37 @@ std::vector<std::pair<double, double>> longest_way(const std::filesystem::path& 
   return result;
 }
 
-Chart load_stroke(const std::filesystem::path& results) {
-  const std::filesystem::path file = results / "history.csv";
-  if (!std::filesystem::exists(file))
-    throw Error(Fault::input_output, results.string(), "the folder has no history.csv",
-                "give the folder a run wrote its results to");
-  const io::CsvTable history = io::read_csv(file);
-  const std::vector<Record> records = records_of(history);
+std::string name_of(const std::filesystem::path& results) {
+  std::filesystem::path path = std::filesystem::absolute(results).lexically_normal();
+  if (!path.has_filename())
+    path = path.parent_path();
+  return path.filename().string();
+}
+
+Chart load_stroke(const std::vector<std::filesystem::path>& results) {
   Chart chart;
-  for (const Record& record : records)
-    if (!record.direction.isZero(0.0))
-      chart.curves.push_back(over_stroke(record));
-  const bool travels = !chart.curves.empty();
-  if (!travels && history.find("time")) {
-    const std::vector<double> times = history.numbers(*history.find("time"));
-    for (const Record& record : records)
-      chart.curves.push_back(over_time(record, times));
+  std::optional<Loads> first;
+  for (const std::filesystem::path& folder : results) {
+    Loads loads = loads_of(folder);
+    if (first && (loads.travels != first->travels || loads.units.length != first->units.length ||
+                  loads.units.per_thickness != first->units.per_thickness))
+      throw Error(Fault::usage, folder.string(),
+                  fmt::format("its forces have other axes than those of {}",
+                              results.front().string()),
+                  "draw columns: --curve X:Y, or a chart of its own");
+    for (Curve& curve : loads.curves) {
+      if (results.size() > 1)
+        curve.label = fmt::format("{}: {}", name_of(folder), curve.label);
+      chart.curves.push_back(std::move(curve));
+    }
+    if (!first)
+      first = std::move(loads);
   }
-  if (chart.curves.empty() || history.rows.empty())
-    throw Error(Fault::input_output, file.string(), "the table has no forces of tools");
-  const CaseUnits units = units_of(results);
-  chart.title = units.title;
-  chart.x_label = travels ? fmt::format("stroke [{}]", rescale(chart.curves, 0, units.length))
-                          : fmt::format("time [{}]", units.time);
+  const CaseUnits& units = first->units;
+  if (results.size() == 1)
+    chart.title = units.title;
+  chart.x_label = first->travels ? fmt::format("stroke [{}]", rescale(chart.curves, 0, units.length))
+                                 : fmt::format("time [{}]", units.time);
   const std::string force = rescale(chart.curves, 1, units.force);
   chart.y_label = units.per_thickness
                       ? fmt::format("force per thickness [{}/{}]", force, units.length)

@@ -15,9 +15,13 @@ namespace billet::render {
 /// direction in which the tool has gone farthest, the force of the workpiece against it. Where no
 /// tool travels, the magnitudes of all forces over time. In kN and mm where that reads better.
 ///
-/// @param results  folder of a run, which may still be going on
-/// @throws Error  (Fault::input_output)
-[[nodiscard]] Chart load_stroke(const std::filesystem::path& results);
+/// @param results  folders of runs, which may still be going on; of several, curves are named after
+///                 them as well
+/// @throws Error  (Fault::input_output); (Fault::usage) where they measure different things
+[[nodiscard]] Chart load_stroke(const std::vector<std::filesystem::path>& results);
+
+/// How results are called among others: the name of their folder.
+[[nodiscard]] std::string name_of(const std::filesystem::path& results);
 
 /// The way of the tool that travels farthest, after each increment, from (0, 0) on; empty: there is
 /// no history.csv, or no tool that travels.

@@ -2,7 +2,6 @@
 // where there is none; curves need none.
 
 #include "app/render/chart.h"
-#include "app/render/display.h"
 #include "app/render/film.h"
 #include "app/render/options.h"
 #include "app/render/scene.h"
@@ -28,7 +27,6 @@ int main(int count, char** values) {
     if (options.chart.wanted) {
       shown = billet::render::draw_chart(options, picture);
     } else {
-      const billet::render::Display display;
       shown = options.film.wanted ? billet::render::draw_film(options, picture)
                                   : billet::render::draw_scene(options, picture);
     }

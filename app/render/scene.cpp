@@ -1,6 +1,7 @@
 #include "app/render/scene.h"
 
 #include "app/render/arrows.h"
+#include "app/render/display.h"
 #include "app/render/legend.h"
 #include "app/render/picture.h"
 #include "app/render/tools.h"
@@ -355,6 +356,7 @@ vtkSmartPointer<vtkRenderWindow> window_of(const std::array<int, 2>& size) {
 
 std::string draw_scene(const Options& options, const std::filesystem::path& picture) {
   const Scene scene(options);
+  const Display display; // mistakes are told without one
   const auto window = window_of(options.size());
   scene.draw(scene.pictures().front(), *window);
   write_picture(*window, picture);

@@ -1,6 +1,7 @@
 #include "app/render/touched.h"
 
-#include <vtkAdaptiveSubdivisionFilter.h>
+#include "geometry/base/vector.h"
+
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkDataSetSurfaceFilter.h>
@@ -51,16 +52,64 @@ vtkSmartPointer<vtkPolyData> divided_lines(vtkPolyData& lines, double longest) {
   return result;
 }
 
+using Triangle = std::array<Vec3, 3>;
+
+/// The number of the longest edge, from corner i to the next.
+std::size_t longest_edge(const Triangle& t) {
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if ((t[i] - t[(i + 1) % 3]).norm() > (t[longest] - t[(longest + 1) % 3]).norm())
+      longest = i;
+  return longest;
+}
+
+std::vector<Triangle> triangles_of(vtkPolyData& faces) {
+  const vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(&faces);
+  filter->PassLinesOff();
+  filter->PassVertsOff();
+  filter->Update();
+  vtkPolyData& divided = *filter->GetOutput();
+  std::vector<Triangle> triangles;
+  for (vtkIdType i = 0; i < divided.GetNumberOfCells(); ++i) {
+    const vtkNew<vtkIdList> ids;
+    divided.GetCellPoints(i, ids);
+    Triangle& triangle = triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      divided.GetPoint(ids->GetId(static_cast<vtkIdType>(k)), triangle[k].data());
+  }
+  return triangles;
+}
+
+/// Faces in triangles without edges longer than `longest`, or as many as memory is asked to hold.
 vtkSmartPointer<vtkPolyData> divided_faces(vtkPolyData& faces, double longest) {
-  const vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(&faces);
-  const vtkNew<vtkAdaptiveSubdivisionFilter> divided;
-  divided->SetInputConnection(triangles->GetOutputPort());
-  divided->SetMaximumEdgeLength(longest);
-  constexpr vtkIdType most = 400000; // faces, so that a large tool does not take all memory
-  divided->SetMaximumNumberOfTriangles(most);
-  divided->Update();
-  return divided->GetOutput();
+  constexpr double most = 400000.0;
+  std::vector<Triangle> waiting = triangles_of(faces);
+  double area = 0.0;
+  for (const Triangle& t : waiting)
+    area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
+  longest = std::max(longest, 2.0 * std::sqrt(area / most));
+  const vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkNew<vtkCellArray> pieces;
+  while (!waiting.empty()) {
+    const Triangle t = waiting.back();
+    waiting.pop_back();
+    const std::size_t a = longest_edge(t), b = (a + 1) % 3, c = (a + 2) % 3;
+    if ((t[a] - t[b]).norm() > longest) {
+      const Vec3 middle = 0.5 * (t[a] + t[b]);
+      waiting.push_back({t[a], middle, t[c]});
+      waiting.push_back({middle, t[b], t[c]});
+      continue;
+    }
+    pieces->InsertNextCell(3);
+    for (const Vec3& corner : t)
+      pieces->InsertCellPoint(points->InsertNextPoint(corner.data()));
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(pieces);
+  return result;
 }
 
 /// The outer faces of a part in space, in the plane its outer edges.
