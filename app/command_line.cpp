@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include "app/render/usage.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
 #include "io/text/home_folder.h"
@@ -19,19 +20,6 @@ struct Option {
   std::string_view value; ///< what it takes; empty: nothing
   std::string_view help;
   std::string_view also = {}; ///< another way to write it
-};
-
-/// Of `render`, which passes them on to billet-render.
-constexpr Option render_options[] = {
-    {"--field", "NAME", "coloured by a field (von_mises), or a part: NAME:x, NAME:xx"},
-    {"--time", "T|last", "the frame nearest to that time (last)"},
-    {"--range", "LOW:HIGH", "of the colours (2nd to 98th percentile of the frame)"},
-    {"--flow-lines", "N", "N + N lines that were straight before the run (in the plane)"},
-    {"--mirror", "", "both halves (--no-mirror: one; axisymmetric scenes show both)"},
-    {"--curve", "", "the force on each tool over its stroke, not a frame"},
-    {"-o", "FILE.png", "the picture (RESULTS/NAME.png, RESULTS/load-stroke.png)", "--output"},
-    {"--size", "WxH", "of the picture in pixels (1200x900)"},
-    {"--title", "TEXT", "above the picture"},
 };
 
 /// Of `info`.
@@ -164,8 +152,8 @@ const std::vector<Command>& commands() {
       {"check", "CASE.toml [options]", "read and validate a case without solving it", &check_case},
       {"info", "FILE [--unit UNIT] [--allow-outside]",
        "what an STL, mesh or result contains, and what is wrong with it", &show_info},
-      {"render", "RESULTS [--field F] [--time T] [--curve] [-o FILE.png]",
-       "a picture of a run, or of its forces, without a display", &render_results},
+      {"render", "RESULTS [--field F] [--view V] [--animate] [--curve] [-o FILE]",
+       "a picture or a film of a run, or its forces, without a display", &render_results},
       {"study", "STUDY.toml [options]",
        "run a case with a matrix of settings: what they cost and how far off they are",
        &conduct_study},
@@ -240,6 +228,8 @@ std::string help() {
 }
 
 std::string help(const Command& command) {
+  if (command.name == "render")
+    return std::string(render::usage_text);
   std::string text =
       fmt::format("billet {} {}\n\n{}\n", command.name, command.usage, command.summary);
   const auto line = [](const Option& option) {
@@ -255,8 +245,6 @@ std::string help(const Command& command) {
   };
   if (command.name == "info") {
     add(info_options);
-  } else if (command.name == "render") {
-    add(render_options);
   } else if (command.name == "identify") {
     add(identify_options);
   } else if (command.name == "study" || command.name == "chart") {

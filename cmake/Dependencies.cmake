@@ -13,8 +13,8 @@ find_package(muparser REQUIRED)
 set(vtk_files CommonCore CommonDataModel IOXML IOXMLParser)
 set(vtk_scenes)
 if(BILLET_RENDER)
-  set(vtk_scenes CommonColor FiltersCore FiltersGeometry IOImage InteractionStyle RenderingAnnotation RenderingCore
-                 RenderingFreeType RenderingOpenGL2)
+  set(vtk_scenes CommonColor CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersSources IOImage
+                 InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_files} OPTIONAL_COMPONENTS ${vtk_scenes})
 list(TRANSFORM vtk_files PREPEND VTK::)

@@ -3,6 +3,7 @@
 #include "app/render/axis.h"
 #include "app/render/canvas.h"
 #include "app/render/curve.h"
+#include "app/render/history_curves.h"
 #include "app/render/load_stroke.h"
 
 #include <fmt/format.h>
@@ -156,22 +157,25 @@ void draw_legend(Canvas& canvas, const Layout& on, const std::vector<Curve>& cur
 
 /// The curves asked for and their axes.
 Chart chart_of(const Options& options) {
+  const ChartOptions& asked = options.chart;
   Chart chart;
-  if (options.series.empty()) {
+  if (!asked.columns.empty()) {
+    chart = columns_of(options.results, asked.columns);
+  } else if (asked.series.empty()) {
     chart = load_stroke(options.results);
   } else {
-    for (const Series& series : options.series)
-      chart.curves.push_back(read_curve(series));
-    chart.x_label = options.series[0].x_column;
-    chart.y_label = options.series[0].y_column;
+    chart.x_label = asked.series[0].x_column;
+    chart.y_label = asked.series[0].y_column;
   }
-  chart.tight = options.tight;
+  for (const Series& series : asked.series)
+    chart.curves.push_back(read_curve(series));
+  chart.tight = asked.tight;
   if (!options.title.empty())
     chart.title = options.title;
-  if (!options.x_label.empty())
-    chart.x_label = options.x_label;
-  if (!options.y_label.empty())
-    chart.y_label = options.y_label;
+  if (!asked.x_label.empty())
+    chart.x_label = asked.x_label;
+  if (!asked.y_label.empty())
+    chart.y_label = asked.y_label;
   return chart;
 }
 
@@ -193,14 +197,14 @@ std::string in_words(const Chart& chart) {
 
 std::string draw_chart(const Options& options, const std::filesystem::path& picture) {
   const Chart chart = chart_of(options);
-  const Layout layout = layout_of(chart, options.size);
-  Canvas canvas(options.size);
+  const Layout layout = layout_of(chart, options.size());
+  Canvas canvas(options.size());
   draw_axes(canvas, layout, chart);
   for (std::size_t i = 0; i < chart.curves.size(); ++i)
     draw_curve(canvas, layout, chart.curves[i], colour_of(i));
   draw_legend(canvas, layout, chart.curves);
   canvas.text(
-      chart.title, {0.5 * (layout.low.x() + layout.high.x()), options.size[1] - 1.0 * layout.font},
+      chart.title, {0.5 * (layout.low.x() + layout.high.x()), options.size()[1] - 1.0 * layout.font},
       {.size = static_cast<int>(1.3 * layout.font), .along = Hold::middle, .across = Hold::high});
   canvas.write(picture);
   return in_words(chart);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <optional>
@@ -29,21 +30,6 @@ std::string text_of(const std::filesystem::path& resolved, const std::string& ke
       return line.substr(first + 1, last - first - 1);
   }
   return {};
-}
-
-/// What the case measures in.
-struct CaseUnits {
-  std::string length, force, time;
-  bool per_thickness = false; ///< forces in plane strain
-};
-
-CaseUnits units_of(const std::filesystem::path& results) {
-  const std::filesystem::path resolved = results / "case.resolved.toml";
-  const std::string system = text_of(resolved, "units");
-  CaseUnits units{"mm", "N", "s", text_of(resolved, "analysis") == "plane-strain"};
-  if (system.starts_with("m-"))
-    units.length = "m";
-  return units;
 }
 
 /// Forces on a tool and its ways, a row an increment.
@@ -117,31 +103,105 @@ std::string rescale(std::vector<Curve>& curves, int axis, const std::string& uni
   return readable.unit;
 }
 
-} // namespace
+/// The forces of one run.
+struct Loads {
+  std::vector<Curve> curves;
+  bool travels = false; ///< over strokes, not over time
+  CaseUnits units;
+};
 
-Chart load_stroke(const std::filesystem::path& results) {
+Loads loads_of(const std::filesystem::path& results) {
   const std::filesystem::path file = results / "history.csv";
   if (!std::filesystem::exists(file))
     throw Error(Fault::input_output, results.string(), "the folder has no history.csv",
                 "give the folder a run wrote its results to");
   const io::CsvTable history = io::read_csv(file);
   const std::vector<Record> records = records_of(history);
-  Chart chart;
+  Loads loads{{}, false, units_of(results)};
   for (const Record& record : records)
     if (!record.direction.isZero(0.0))
-      chart.curves.push_back(over_stroke(record));
-  const bool travels = !chart.curves.empty();
-  if (!travels && history.find("time")) {
+      loads.curves.push_back(over_stroke(record));
+  loads.travels = !loads.curves.empty();
+  if (!loads.travels && history.find("time")) {
     const std::vector<double> times = history.numbers(*history.find("time"));
     for (const Record& record : records)
-      chart.curves.push_back(over_time(record, times));
+      loads.curves.push_back(over_time(record, times));
   }
-  if (chart.curves.empty() || history.rows.empty())
-    throw Error(Fault::input_output, file.string(), "the table has no forces of tools");
-  chart.title = text_of(results / "case.resolved.toml", "title");
-  const CaseUnits units = units_of(results);
-  chart.x_label = travels ? fmt::format("stroke [{}]", rescale(chart.curves, 0, units.length))
-                          : fmt::format("time [{}]", units.time);
+  if (loads.curves.empty() || history.rows.empty())
+    throw Error(Fault::input_output, file.string(), "the table has no forces of tools",
+                "billet render RESULTS --curve time:plastic_work draws any of its columns");
+  return loads;
+}
+
+} // namespace
+
+CaseUnits units_of(const std::filesystem::path& results) {
+  const std::filesystem::path resolved = results / "case.resolved.toml";
+  CaseUnits units{"mm", "N", "s", text_of(resolved, "title"),
+                  text_of(resolved, "analysis") == "plane-strain"};
+  if (text_of(resolved, "units").starts_with("m-"))
+    units.length = "m";
+  return units;
+}
+
+std::vector<std::pair<double, double>> longest_way(const std::filesystem::path& results) {
+  const std::filesystem::path file = results / "history.csv";
+  if (!std::filesystem::exists(file))
+    return {};
+  const io::CsvTable history = io::read_csv(file);
+  const std::optional<std::size_t> time = history.find("time");
+  const std::vector<Record> records = records_of(history);
+  const auto reach = [](const Record& record) {
+    double longest = 0.0;
+    for (const Vec3& way : record.ways)
+      longest = std::max(longest, way.norm());
+    return longest;
+  };
+  const auto farthest =
+      std::max_element(records.begin(), records.end(),
+                       [&](const Record& a, const Record& b) { return reach(a) < reach(b); });
+  if (!time || farthest == records.end() || farthest->direction.isZero(0.0))
+    return {};
+  std::vector<std::pair<double, double>> result{{0.0, 0.0}};
+  const std::vector<double> times = history.numbers(*time);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (const double way = farthest->ways[i].dot(farthest->direction);
+        std::isfinite(way) && std::isfinite(times[i]))
+      result.emplace_back(times[i], way);
+  return result;
+}
+
+std::string name_of(const std::filesystem::path& results) {
+  std::filesystem::path path = std::filesystem::absolute(results).lexically_normal();
+  if (!path.has_filename())
+    path = path.parent_path();
+  return path.filename().string();
+}
+
+Chart load_stroke(const std::vector<std::filesystem::path>& results) {
+  Chart chart;
+  std::optional<Loads> first;
+  for (const std::filesystem::path& folder : results) {
+    Loads loads = loads_of(folder);
+    if (first && (loads.travels != first->travels || loads.units.length != first->units.length ||
+                  loads.units.per_thickness != first->units.per_thickness))
+      throw Error(Fault::usage, folder.string(),
+                  fmt::format("its forces have other axes than those of {}",
+                              results.front().string()),
+                  "draw columns: --curve X:Y, or a chart of its own");
+    for (Curve& curve : loads.curves) {
+      if (results.size() > 1)
+        curve.label = fmt::format("{}: {}", name_of(folder), curve.label);
+      chart.curves.push_back(std::move(curve));
+    }
+    if (!first)
+      first = std::move(loads);
+  }
+  const CaseUnits& units = first->units;
+  if (results.size() == 1)
+    chart.title = units.title;
+  chart.x_label = first->travels ? fmt::format("stroke [{}]", rescale(chart.curves, 0, units.length))
+                                 : fmt::format("time [{}]", units.time);
   const std::string force = rescale(chart.curves, 1, units.force);
   chart.y_label = units.per_thickness
                       ? fmt::format("force per thickness [{}/{}]", force, units.length)

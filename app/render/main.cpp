@@ -2,9 +2,10 @@
 // where there is none; curves need none.
 
 #include "app/render/chart.h"
-#include "app/render/display.h"
+#include "app/render/film.h"
 #include "app/render/options.h"
 #include "app/render/scene.h"
+#include "app/render/usage.h"
 #include "geometry/base/error.h"
 
 #include <cstdio>
@@ -18,18 +19,19 @@ int main(int count, char** values) {
     const auto options =
         billet::render::parse(std::vector<std::string>(values + 1, values + count));
     if (options.help) {
-      std::fputs(billet::render::usage().c_str(), stdout);
+      std::fputs(billet::render::usage_text.data(), stdout);
       return 0;
     }
     const std::filesystem::path picture = billet::render::picture_file(options);
     std::string shown;
-    if (options.curves) {
+    if (options.chart.wanted) {
       shown = billet::render::draw_chart(options, picture);
     } else {
-      const billet::render::Display display;
-      shown = billet::render::draw_scene(options, picture);
+      shown = options.film.wanted ? billet::render::draw_film(options, picture)
+                                  : billet::render::draw_scene(options, picture);
     }
-    std::printf("picture: %s\n%s\n", picture.c_str(), shown.c_str());
+    std::printf("%s: %s\n%s\n", options.film.wanted ? "film" : "picture", picture.c_str(),
+                shown.c_str());
     return 0;
   } catch (const billet::Error& error) {
     std::fprintf(stderr, "billet-render: %s\n", error.what());

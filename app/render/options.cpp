@@ -1,131 +1,197 @@
 #include "app/render/options.h"
 
+#include "app/render/option_values.h"
 #include "geometry/base/error.h"
+#include "io/case/suggestion.h"
 #include "io/text/home_folder.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <functional>
 #include <map>
-#include <string_view>
 
 namespace billet::render {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& message) {
-  throw Error(Fault::usage, "", message, "billet-render --help lists what can be asked for");
-}
-
-double number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    fail(fmt::format("\"{}\" is not a number", text));
-  return value;
-}
-
-/// Parts of a text between separators.
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    parts.emplace_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
-
-std::array<double, 2> pair(const std::string& text, char separator) {
-  const std::vector<std::string> parts = split(text, separator);
-  if (parts.size() != 2)
-    fail(fmt::format("\"{}\" should be two numbers with '{}' between", text, separator));
-  return {number(parts[0]), number(parts[1])};
-}
-
-int count(const std::string& text) {
-  const double value = number(text);
-  constexpr double most = 1000.0;
-  if (!(value >= 1.0 && value <= most) || value != std::floor(value))
-    fail(fmt::format("\"{}\" is not a number of lines from 1 to {}", text, most));
-  return static_cast<int>(value);
-}
-
-std::array<int, 2> size_of(const std::string& text) {
-  const std::array<double, 2> size = pair(text, 'x');
-  for (const double length : size)
-    if (!(length >= 16.0 && length <= 16384.0))
-      fail(fmt::format("a picture of {} pixels cannot be drawn: each side has 16 to 16384", text));
-  return {static_cast<int>(size[0]), static_cast<int>(size[1])};
-}
-
-Series series(const std::string& text, bool points) {
-  std::vector<std::string> parts = split(text, ':');
-  if (parts.size() < 3 || parts.size() > 4)
-    fail(fmt::format("\"{}\" should be FILE.csv:X-COLUMN:Y-COLUMN[:LABEL]", text));
-  if (parts.size() == 3)
-    parts.push_back(parts[2]);
-  return {parts[0], parts[1], parts[2], parts[3], points};
-}
-
 using Setter = std::function<void(Options&, const std::string&)>;
+
+/// Options of a scene that take a value.
+std::map<std::string, Setter> scene_setters() {
+  using S = const std::string&;
+  return {
+      {"--arrows", [](Options& o, S text) { o.scene.arrows = field_name(text); }},
+      {"--arrow-scale", [](Options& o, S text) { o.scene.arrow_scale = positive(text, "a scale"); }},
+      {"--bands", [](Options& o, S text) { o.scene.bands = count(text, 2, 64, "colours"); }},
+      {"--compare",
+       [](Options& o, S text) { o.scene.compare = io::with_home_folder(text, "--compare"); }},
+      {"--copies", [](Options& o, S text) { o.scene.copies = count(text, 2, 360, "copies"); }},
+      {"--cut", [](Options& o, S text) { o.scene.cuts.push_back(cut(text)); }},
+      {"--field", [](Options& o, S text) { o.scene.field = field_name(text); }},
+      {"--flow-lines",
+       [](Options& o, S text) { o.scene.flow_lines = count(text, 1, 1000, "lines"); }},
+      {"--focus", [](Options& o, S text) { o.scene.view.focus = place(text); }},
+      {"--fps", [](Options& o, S text) { o.film.fps = positive(text, "a rate"); }},
+      {"--frames", [](Options& o, S text) { o.film.slice = slice(text); }},
+      {"--on", [](Options& o, S text) { o.scene.on = place_of_field(text); }},
+      {"--range", [](Options& o, S text) { o.scene.range = pair(text, ':'); }},
+      {"--time", [](Options& o, S text) { o.scene.times = times(text); }},
+      {"--times", [](Options& o, S text) { o.scene.times = times(text); }},
+      {"--tools", [](Options& o, S text) { o.scene.tools = tool_style(text); }},
+      {"--up", [](Options& o, S text) { o.scene.view.up = axis(text); }},
+      {"--view", [](Options& o, S text) { take_direction(o.scene.view, text); }},
+      {"--zoom", [](Options& o, S text) { o.scene.view.zoom = positive(text, "a zoom"); }},
+  };
+}
 
 /// Options that take a value.
 const std::map<std::string, Setter>& setters() {
-  static const std::map<std::string, Setter> table{
-      {"--field", [](Options& options, const std::string& value) { options.field = value; }},
-      {"--flow-lines",
-       [](Options& options, const std::string& value) { options.flow_lines = count(value); }},
-      {"--output",
-       [](Options& options, const std::string& value) {
-         options.output = io::with_home_folder(value, "--output");
-       }},
-      {"--points", [](Options& options,
-                      const std::string& value) { options.series.push_back(series(value, true)); }},
-      {"--range",
-       [](Options& options, const std::string& value) { options.range = pair(value, ':'); }},
-      {"--size", [](Options& options, const std::string& value) { options.size = size_of(value); }},
-      {"--time",
-       [](Options& options, const std::string& value) {
-         options.time = value == "last" ? std::optional<double>() : number(value);
-       }},
-      {"--title", [](Options& options, const std::string& value) { options.title = value; }},
-      {"--x-label", [](Options& options, const std::string& value) { options.x_label = value; }},
-      {"--y-label", [](Options& options, const std::string& value) { options.y_label = value; }},
+  static const std::map<std::string, Setter> table = [] {
+    using S = const std::string&;
+    std::map<std::string, Setter> all = scene_setters();
+    all["--output"] = [](Options& o, S text) { o.output = io::with_home_folder(text, "--output"); };
+    all["--points"] = [](Options& o, S text) { o.chart.series.push_back(series(text, true)); };
+    all["--size"] = [](Options& o, S text) { o.size_asked = picture_size(text); };
+    all["--title"] = [](Options& o, S text) { o.title = text; };
+    all["--x-label"] = [](Options& o, S text) { o.chart.x_label = text; };
+    all["--y-label"] = [](Options& o, S text) { o.chart.y_label = text; };
+    return all;
+  }();
+  return table;
+}
+
+using Switch = std::function<void(Options&)>;
+
+/// Options that stand alone.
+const std::map<std::string, Switch>& switches() {
+  static const std::map<std::string, Switch> table{
+      {"--animate", [](Options& o) { o.film.wanted = true; }},
+      {"--curve", [](Options& o) { o.chart.wanted = true; }},
+      {"--help", [](Options& o) { o.help = true; }},
+      {"-h", [](Options& o) { o.help = true; }},
+      {"--mesh", [](Options& o) { o.scene.mesh = true; }},
+      {"--no-mesh", [](Options& o) { o.scene.mesh = false; }},
+      {"--mirror", [](Options& o) { o.scene.mirror = {Mirror::Planes::known, {}, {}}; }},
+      {"--no-mirror", [](Options& o) { o.scene.mirror = {Mirror::Planes::none, {}, {}}; }},
+      {"--revolve", [](Options& o) { o.scene.revolve = 270.0; }},
+      {"--tight", [](Options& o) { o.chart.tight = true; }},
   };
   return table;
 }
 
+double angle(const std::string& text) {
+  const double value = number(text);
+  if (!(value >= 1.0 && value <= 360.0))
+    fail_usage(fmt::format("--revolve {} should be from 1 to 360 degrees", text));
+  return value;
+}
+
+/// Values of options that may do without.
+const std::map<std::string, Setter>& optional_values() {
+  using S = const std::string&;
+  static const std::map<std::string, Setter> table{
+      {"--mirror", [](Options& o, S text) { o.scene.mirror = mirror(text); }},
+      {"--revolve", [](Options& o, S text) { o.scene.revolve = angle(text); }},
+      {"--curve",
+       [](Options& o, S text) {
+         o.chart.wanted = true;
+         o.chart.columns.push_back(columns(text));
+       }},
+  };
+  return table;
+}
+
+/// Whether the word after an option that may do without a value is one.
+bool is_value_of(const std::string& option, const std::string& word) {
+  if (word.empty() || std::filesystem::exists(word))
+    return false;
+  if (option == "--mirror")
+    return word.find('=') == 1 || word.find_first_not_of("xyz,") == std::string::npos;
+  if (option == "--revolve")
+    return word.find_first_not_of("0123456789.") == std::string::npos;
+  return option == "--curve" && std::count(word.begin(), word.end(), ':') == 1;
+}
+
+[[noreturn]] void unknown_option(const std::string& name) {
+  std::vector<std::string> known{"--output"};
+  for (const auto& [option, setter] : setters())
+    known.push_back(option);
+  for (const auto& [option, setter] : switches())
+    known.push_back(option);
+  const std::string near = io::suggestion(name, known);
+  throw Error(Fault::usage, "", fmt::format("the option {} is not known", name),
+              near.starts_with("did you mean") ? near
+                                               : "billet render --help lists what can be asked for");
+}
+
+/// Whether a picture's name is that of a film.
+bool names_film(const std::filesystem::path& file) {
+  return file.extension() == ".gif" || file.extension() == ".mp4" ||
+         file.filename().string().find('%') != std::string::npos;
+}
+
+void check_chart(const Options& options) {
+  const ChartOptions& chart = options.chart;
+  if (options.film.wanted)
+    fail_usage("--animate belongs to a scene");
+  if (options.scene.flow_lines)
+    fail_usage("--flow-lines belongs to a scene");
+  if (options.results.empty() && chart.series.empty())
+    fail_usage("a chart needs results or a series");
+  if (!options.results.empty() && !chart.series.empty() && chart.columns.empty())
+    fail_usage("a chart is of results or of series, not of both");
+  if (options.results.empty() && !chart.columns.empty())
+    fail_usage("columns of history.csv need results");
+}
+
+void check_scene(const Options& options) {
+  const SceneOptions& scene = options.scene;
+  if (!options.chart.series.empty())
+    fail_usage("--points belongs to --curve");
+  if (options.results.empty())
+    fail_usage("no results are given");
+  if (options.results.size() > 1)
+    fail_usage(fmt::format("\"{}\" is one argument too many", options.results[1].string()));
+  if (options.film.wanted && !scene.times.empty())
+    fail_usage("--animate shows all frames: --time is not for films, --frames chooses");
+  if (scene.times.size() > 1 && scene.compare)
+    fail_usage("--compare takes one --time");
+  if (scene.range && !(scene.range->at(0) < scene.range->at(1)))
+    fail_usage("--range LOW:HIGH needs a low value below the high one");
+}
+
 void check(const Options& options) {
-  if (options.curves && options.flow_lines)
-    fail("--flow-lines belongs to a scene");
-  if (!options.curves && !options.series.empty())
-    fail("--points belongs to --curve");
-  if (options.results.empty() && options.series.empty())
-    fail(options.curves ? "a chart needs results or a series" : "no results are given");
-  if (!options.results.empty() && !options.series.empty())
-    fail("a chart is of results or of series, not of both");
+  if (options.chart.wanted)
+    check_chart(options);
+  else
+    check_scene(options);
   if (options.output && options.output->empty())
-    fail("--output needs the name of a file");
-  if (const auto file = picture_file(options); file.extension() != ".png")
-    fail(fmt::format("the picture \"{}\" should have the suffix .png", file.string()));
+    fail_usage("--output needs the name of a file");
+  const std::filesystem::path file = picture_file(options);
+  if (options.film.wanted) {
+    if (!names_film(file))
+      fail_usage(fmt::format("the film \"{}\" should have the suffix .gif or .mp4, or be a series "
+                             "such as film_%04d.png",
+                             file.string()));
+  } else if (file.extension() != ".png") {
+    fail_usage(fmt::format("the picture \"{}\" should have the suffix .png", file.string()));
+  }
 }
 
 /// Words that are neither options nor their values.
 void take(Options& options, const std::vector<std::string>& words) {
+  ChartOptions& chart = options.chart;
   for (const std::string& word : words) {
-    const bool is_there = std::filesystem::exists(word);
-    if (options.curves && !is_there && word.find(':') != std::string::npos)
-      options.series.push_back(series(word, false));
-    else if (options.curves && !options.output && word.ends_with(".png"))
+    const auto colons = std::filesystem::exists(word) ? 0 : std::count(word.begin(), word.end(), ':');
+    if (chart.wanted && colons == 1)
+      chart.columns.push_back(columns(word));
+    else if (chart.wanted && colons > 1)
+      chart.series.push_back(series(word, false));
+    else if (chart.wanted && !options.output && word.ends_with(".png"))
       options.output = io::with_home_folder(word, "--curve");
-    else if (options.results.empty())
-      options.results = io::with_home_folder(word, "RESULTS");
     else
-      fail(fmt::format("\"{}\" is one argument too many", word));
+      options.results.push_back(io::with_home_folder(word, "RESULTS"));
   }
 }
 
@@ -136,46 +202,40 @@ std::string as_name(std::string text) {
   return text;
 }
 
+std::string picture_name(const Options& options) {
+  if (options.chart.wanted)
+    return !options.chart.series.empty()    ? "curves.png"
+           : !options.chart.columns.empty() ? "history.png"
+                                            : "load-stroke.png";
+  std::string name = as_name(options.scene.field);
+  if (options.film.wanted)
+    return name + ".gif";
+  for (const AskedTime& time : options.scene.times)
+    if (time)
+      name += fmt::format("-{:.6g}", *time);
+    else if (options.scene.times.size() > 1)
+      name += "-last";
+  return name + ".png";
+}
+
 } // namespace
 
-std::string usage() {
-  return "billet-render RESULTS [options]      draws a frame of the results (folder, .pvd or "
-         ".vtu)\n"
-         "  --field NAME[:COMPONENT]           coloured by (von_mises); a component is x, y, z or "
-         "xx,\n"
-         "                                     yy, zz, xy, yz, xz; without: the length of a "
-         "vector\n"
-         "  --time T|last                      the frame nearest to this time (last)\n"
-         "  --range LOW:HIGH                   of the colours (2nd to 98th percentile of the "
-         "frame)\n"
-         "  --flow-lines N                     instead of the mesh N + N lines that were straight\n"
-         "                                     before the run (scenes of the plane)\n"
-         "  --mirror, --no-mirror              both halves (in axisymmetric scenes)\n"
-         "billet-render RESULTS --curve        draws the force on each tool over its stroke\n"
-         "billet-render --curve SERIES...      draws columns of tables\n"
-         "  SERIES                             FILE.csv:X-COLUMN:Y-COLUMN[:LABEL]; -COLUMN turns "
-         "the sign\n"
-         "  --points SERIES                    the same, as markers\n"
-         "  --x-label TEXT, --y-label TEXT\n"
-         "  --tight                            axes as long as the curves (from zero)\n"
-         "all:\n"
-         "  -o, --output FILE.png              (in the results, FIELD.png or load-stroke.png)\n"
-         "  --size WxH                         pixels (1200x900)\n"
-         "  --title TEXT\n";
+std::array<int, 2> Options::size() const {
+  if (size_asked)
+    return *size_asked;
+  return film.wanted && picture_file(*this).extension() == ".gif" ? std::array{800, 600}
+                                                                  : std::array{1200, 900};
 }
 
 std::filesystem::path picture_file(const Options& options) {
   if (options.output && !std::filesystem::is_directory(*options.output))
     return *options.output;
   const std::filesystem::path given =
-      options.series.empty() ? options.results : options.series.front().file;
+      options.results.empty() ? options.chart.series.front().file : options.results.front();
   const std::filesystem::path folder = options.output                         ? *options.output
                                        : std::filesystem::is_directory(given) ? given
                                                                               : given.parent_path();
-  if (options.curves)
-    return folder / (options.series.empty() ? "load-stroke.png" : "curves.png");
-  const std::string time = options.time ? fmt::format("-{:.6g}", *options.time) : "";
-  return folder / (as_name(options.field) + time + ".png");
+  return folder / picture_name(options);
 }
 
 Options parse(const std::vector<std::string>& arguments) {
@@ -184,22 +244,22 @@ Options parse(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+    const bool joined = equals != std::string::npos;
     const std::string name = argument == "-o" ? "--output" : argument.substr(0, equals);
     if (const auto setter = setters().find(name); setter != setters().end()) {
-      if (equals == std::string::npos && i + 1 == arguments.size())
-        fail(fmt::format("{} needs a value", argument));
-      setter->second(options,
-                     equals == std::string::npos ? arguments[++i] : argument.substr(equals + 1));
-    } else if (argument == "--help" || argument == "-h") {
-      options.help = true;
-    } else if (argument == "--curve") {
-      options.curves = true;
-    } else if (argument == "--tight") {
-      options.tight = true;
-    } else if (argument == "--mirror" || argument == "--no-mirror") {
-      options.mirror = argument == "--mirror";
+      if (!joined && i + 1 == arguments.size())
+        fail_usage(fmt::format("{} needs a value", argument));
+      setter->second(options, joined ? argument.substr(equals + 1) : arguments[++i]);
+    } else if (const auto value = optional_values().find(name);
+               value != optional_values().end() &&
+               (joined || (i + 1 < arguments.size() && is_value_of(name, arguments[i + 1])))) {
+      value->second(options, joined ? argument.substr(equals + 1) : arguments[++i]);
+      if (name == "--curve")
+        options.chart.wanted = true;
+    } else if (const auto change = switches().find(argument); change != switches().end()) {
+      change->second(options);
     } else if (argument.size() > 1 && argument.starts_with('-')) {
-      fail(fmt::format("the option {} is not known", argument));
+      unknown_option(name);
     } else {
       words.push_back(argument);
     }
@@ -207,6 +267,8 @@ Options parse(const std::vector<std::string>& arguments) {
   if (options.help)
     return options;
   take(options, words);
+  if (!options.chart.wanted && options.output && names_film(*options.output))
+    options.film.wanted = true;
   check(options);
   return options;
 }

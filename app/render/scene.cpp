@@ -1,294 +1,366 @@
 #include "app/render/scene.h"
 
-#include "app/render/colours.h"
-#include "app/render/flow_lines.h"
-#include "app/render/frame_files.h"
+#include "app/render/arrows.h"
+#include "app/render/display.h"
+#include "app/render/legend.h"
 #include "app/render/picture.h"
+#include "app/render/tools.h"
 #include "geometry/base/error.h"
 
 #include <fmt/format.h>
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCleanPolyData.h>
-#include <vtkDataSet.h>
-#include <vtkDataSetSurfaceFilter.h>
-#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-#include <vtkUnstructuredGridBase.h>
-#include <vtkUnstructuredGridGeometryFilter.h>
+#include <vtkRendererCollection.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace billet::render {
 
 namespace {
 
-/// Edges of the faces as they are: parabolas where the cells are quadratic.
-vtkNew<vtkPolyData> element_edges(vtkDataSet& faces) {
-  constexpr int n_segments = 8;
-  const vtkNew<vtkPoints> points;
-  const vtkNew<vtkCellArray> lines;
-  for (vtkIdType i = 0; i < faces.GetNumberOfCells(); ++i) {
-    vtkCell* face = faces.GetCell(i);
-    for (int k = 0; k < face->GetNumberOfEdges(); ++k) {
-      vtkCell* edge = face->GetEdge(k);
-      const int n = edge->IsLinear() != 0 ? 1 : n_segments;
-      lines->InsertNextCell(n + 1);
-      for (int s = 0; s <= n; ++s) {
-        std::array<double, 3> place{};
-        std::array<double, 3> parameter{static_cast<double>(s) / n, 0.0, 0.0};
-        std::array<double, 3> weights{};
-        int part = 0;
-        edge->EvaluateLocation(part, parameter.data(), place.data(), weights.data());
-        lines->InsertCellPoint(points->InsertNextPoint(place.data()));
-      }
-    }
-  }
-  vtkNew<vtkPolyData> edges;
-  edges->SetPoints(points);
-  edges->SetLines(lines);
-  return edges;
+
+constexpr std::array<double, 3> dark{0.15, 0.15, 0.15};
+constexpr std::array<double, 3> steel{0.62, 0.66, 0.72};
+constexpr std::array<double, 3> pale{0.86, 0.86, 0.86};
+constexpr std::array<double, 3> red{0.80, 0.06, 0.20};
+
+Box box_of(vtkDataSet& data) {
+  std::array<double, 6> bounds{};
+  data.GetBounds(bounds.data());
+  Box box;
+  box.add({bounds[0], bounds[2], bounds[4]});
+  box.add({bounds[1], bounds[3], bounds[5]});
+  return box;
 }
 
-/// Puts actors into a scene, in both halves if asked for.
-class Stage {
-public:
-  Stage(bool planar, bool mirrored) : planar_(planar), mirrored_(mirrored) {
-    renderer_->SetBackground(1.0, 1.0, 1.0);
+void add_box(Box& all, const Box& more) {
+  if (!more.empty()) {
+    all.add(more.low);
+    all.add(more.high);
   }
-  [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-
-  void add(vtkPolyDataMapper& mapper, vtkProperty& property, double lift) {
-    if (planar_)
-      property.LightingOff();
-    for (const double side : {1.0, -1.0}) {
-      if (side < 0.0 && !mirrored_)
-        break;
-      const vtkNew<vtkActor> actor;
-      actor->SetMapper(&mapper);
-      actor->SetProperty(&property);
-      actor->SetScale(side, 1.0, 1.0);
-      actor->SetPosition(0.0, 0.0, planar_ ? lift : 0.0);
-      renderer_->AddActor(actor);
-    }
-  }
-
-  void add_lines(vtkPolyData& lines, float width, double brightness, double lift) {
-    const vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(&lines);
-    mapper->ScalarVisibilityOff();
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -8.0);
-    const vtkNew<vtkProperty> property;
-    property->SetColor(brightness, brightness, brightness);
-    property->SetLineWidth(width);
-    property->LightingOff();
-    add(*mapper, *property, lift);
-  }
-
-private:
-  bool planar_;
-  bool mirrored_;
-  vtkNew<vtkRenderer> renderer_;
-};
-
-void add_workpiece(Stage& stage,
-                   vtkUnstructuredGrid& grid,
-                   const ColouredBy& colours,
-                   vtkScalarsToColors& map,
-                   bool planar,
-                   double size,
-                   std::optional<int> n_flow_lines) {
-  const vtkNew<vtkUnstructuredGridGeometryFilter> faces;
-  faces->SetInputData(&grid);
-  faces->Update();
-  const vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputConnection(faces->GetOutputPort());
-  surface->SetNonlinearSubdivisionLevel(3);
-  const vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(surface->GetOutputPort());
-  normals->SetFeatureAngle(30.0);
-  const vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(planar ? surface->GetOutputPort() : normals->GetOutputPort());
-  if (colours.at_points)
-    mapper->SetScalarModeToUsePointFieldData();
-  else
-    mapper->SetScalarModeToUseCellFieldData();
-  mapper->SelectColorArray(colours.array.c_str());
-  mapper->SetLookupTable(&map);
-  if (colours.component >= 0) {
-    map.SetVectorModeToComponent();
-    map.SetVectorComponent(colours.component);
-  } else {
-    map.SetVectorModeToMagnitude();
-  }
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  const vtkNew<vtkProperty> property;
-  property->SetAmbient(0.35);
-  property->SetDiffuse(0.65);
-  stage.add(*mapper, *property, 0.0);
-  if (!n_flow_lines) {
-    stage.add_lines(*element_edges(*faces->GetOutput()), 1.0F, 0.15, 1e-3 * size);
-    return;
-  }
-  surface->Update();
-  const vtkSmartPointer<vtkPolyData> lines = flow_lines(*surface->GetOutput(), *n_flow_lines);
-  if (lines == nullptr)
-    throw Error(Fault::usage, "--flow-lines", "the results have no \"displacement\"");
-  stage.add_lines(*lines, 1.5F, 0.0, 1e-3 * size);
 }
 
-void add_tool(Stage& stage, vtkPolyData& tool, double size) {
-  if (tool.GetNumberOfLines() > 0)
-    stage.add_lines(tool, 3.5F, 0.1, 2e-3 * size);
-  if (tool.GetNumberOfPolys() == 0)
-    return;
-  const vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&tool);
-  mapper->ScalarVisibilityOff();
-  const vtkNew<vtkProperty> property;
-  property->SetColor(0.55, 0.60, 0.68);
-  property->SetOpacity(0.15);
-  stage.add(*mapper, *property, 0.0);
-  const vtkNew<vtkCleanPolyData> joined;
-  joined->SetInputData(&tool);
-  const vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputConnection(joined->GetOutputPort());
-  // Cells of wear meet with hanging corners: their rims are no edges of the tool.
-  edges->SetBoundaryEdges(tool.GetCellData()->HasArray("wear_depth") == 0);
-  edges->SetFeatureAngle(30.0);
-  edges->ColoringOff();
-  edges->Update();
-  stage.add_lines(*edges->GetOutput(), 1.5F, 0.3, 0.0);
-}
-
-void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, int font) {
-  const vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
-  actor->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
-  actor->GetTextProperty()->SetFontSize(font);
-  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  actor->SetPosition(x, y);
-  renderer.AddActor2D(actor);
-}
-
-/// The title of the colour bar.
-std::string title(const ColouredBy& colours) {
-  return colours.name + (colours.unit.empty() ? "" : "\n[" + colours.unit + "]");
-}
-
-/// `width` is that of the part of the picture it has [pixels].
-void add_colour_bar(vtkRenderer& renderer,
-                    vtkScalarsToColors& map,
-                    const ColouredBy& colours,
-                    double width) {
-  const vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(&map);
-  bar->SetTitle(title(colours).c_str());
-  // A letter is a little more than half as wide as the font is high.
-  const double letters = static_cast<double>(std::max<std::size_t>(colours.name.size() + 2, 10));
-  const int font = std::clamp(static_cast<int>(width / (0.6 * letters)), 8, 18);
-  bar->SetNumberOfLabels(6);
-  bar->SetVerticalTitleSeparation(font);
-  bar->SetLabelFormat("%-#.4g");
-  bar->UnconstrainedFontSizeOn();
-  for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
-    text->SetColor(0.0, 0.0, 0.0);
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-    text->SetFontSize(font);
+/// The length that half of the lines' pieces exceed.
+double usual_length(vtkPolyData& lines) {
+  std::vector<double> lengths;
+  const vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < lines.GetNumberOfCells(); ++i) {
+    lines.GetCellPoints(i, ids);
+    std::array<double, 3> a{}, b{};
+    lines.GetPoint(ids->GetId(0), a.data());
+    lines.GetPoint(ids->GetId(ids->GetNumberOfIds() - 1), b.data());
+    lengths.push_back(std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
   }
-  bar->SetPosition(0.1, 0.15);
-  bar->SetWidth(0.7);
-  bar->SetHeight(0.65);
-  renderer.AddActor2D(bar);
-  add_text(renderer,
-           fmt::format("colours: {}\nlargest {:.4g}\nsmallest {:.4g}", colours.span(),
-                       colours.all[1], colours.all[0]),
-           0.1, 0.03, std::max(8, font - 4));
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return lengths.empty() ? 0.0 : *middle;
 }
 
-/// Looks at the workpiece: flat in the plane, along a diagonal in space.
-void aim(vtkRenderer& renderer,
-         std::array<double, 6> bounds,
-         bool planar,
-         bool mirrored,
-         double aspect) {
-  if (mirrored)
-    bounds[0] = std::min(bounds[0], -bounds[1]);
-  const std::array<double, 3> half{0.5 * (bounds[1] - bounds[0]), 0.5 * (bounds[3] - bounds[2]),
-                                   0.5 * (bounds[5] - bounds[4])};
-  const std::array<double, 3> centre{bounds[0] + half[0], bounds[2] + half[1], bounds[4] + half[2]};
-  const double reach = std::hypot(half[0], half[1], half[2]);
-  vtkCamera* camera = renderer.GetActiveCamera();
-  camera->ParallelProjectionOn();
-  const double scale = planar ? 1.25 * std::max(half[1], half[0] / aspect)
-                              : 1.15 * reach * std::max(1.0, 1.0 / aspect);
-  camera->SetFocalPoint(centre.data());
-  const std::array<double, 3> from =
-      planar ? std::array{0.0, 0.0, 1.0} : std::array{1.0, -1.3, 0.8};
-  camera->SetPosition(centre[0] + 4.0 * reach * from[0], centre[1] + 4.0 * reach * from[1],
-                      centre[2] + 4.0 * reach * from[2]);
-  camera->SetViewUp(0.0, planar ? 1.0 : 0.0, planar ? 0.0 : 1.0);
-  camera->SetParallelScale(scale);
-  renderer.ResetCameraClippingRange();
+/// Lines of a fine mesh are faint: they would take the colours from what lies beneath.
+double opacity_of(double length_in_pixels) {
+  constexpr double full = 14.0, faintest = 0.12;
+  return std::clamp(length_in_pixels / full, faintest, 1.0);
+}
+
+double largest_vector(vtkDataArray& vectors) {
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < vectors.GetNumberOfTuples(); ++i)
+    if (const double length = std::hypot(vectors.GetComponent(i, 0), vectors.GetComponent(i, 1),
+                                         vectors.GetComponent(i, 2));
+        std::isfinite(length))
+      largest = std::max(largest, length);
+  return largest;
 }
 
 } // namespace
 
-std::string draw_scene(const Options& options, const std::filesystem::path& picture) {
-  const Frame frame = read_frame(options);
-  std::array<double, 6> bounds{};
-  frame.workpiece->GetBounds(bounds.data());
-  const double size =
-      std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  const bool planar = bounds[5] - bounds[4] <= 1e-9 * size;
-  const bool axisymmetric = text_in(*frame.workpiece, "analysis") == "axisymmetric";
-  const bool mirrored = options.mirror.value_or(axisymmetric);
-  const ColouredBy colours = coloured_by(*frame.workpiece, options);
-  const vtkNew<vtkColorTransferFunction> map = colour_map(colours.range);
-
-  if (options.flow_lines && !planar)
+Scene::Scene(const Options& options) : options_(options) {
+  results_.push_back(std::make_unique<Results>(options.results.front()));
+  if (options.scene.compare)
+    results_.push_back(std::make_unique<Results>(*options.scene.compare));
+  choose_pictures();
+  const Source& last = pictures_.back().back();
+  const Frame& frame = last.results->frame(last.time);
+  shown_ = find_shown(frame, options.scene);
+  if (!options.scene.arrows.empty())
+    require_vectors(frame, options.scene.arrows);
+  const Box box = box_of(*frame.workpiece);
+  const bool planar = box.high.z() - box.low.z() <= 1e-9 * box.size();
+  if (options.scene.revolve && text_in(*frame.workpiece, "analysis") != "axisymmetric")
+    throw Error(Fault::usage, "--revolve", "the scene is not axisymmetric",
+                "--mirror completes a part with planes of symmetry, --copies a sector");
+  if (options.scene.flow_lines && !planar)
     throw Error(Fault::usage, "--flow-lines", "only scenes of the plane have them");
-  Stage stage(planar, mirrored);
-  add_workpiece(stage, *frame.workpiece, colours, *map, planar, size, options.flow_lines);
-  for (const auto& [name, tool] : frame.tools)
-    add_tool(stage, *tool, size);
-  // The colour bar has its own part of the picture, so that no tool runs through it.
-  constexpr double divide = 0.85;
-  stage.renderer().SetViewport(0.0, 0.0, divide, 1.0);
-  const vtkNew<vtkRenderer> margin;
-  margin->SetViewport(divide, 0.0, 1.0, 1.0);
-  margin->SetBackground(1.0, 1.0, 1.0);
-  add_colour_bar(*margin, *map, colours, (1.0 - divide) * options.size[0]);
-  add_text(stage.renderer(), options.title.empty() ? frame.title : options.title, 0.03, 0.945, 22);
-  add_text(stage.renderer(), fmt::format("t = {:.6g} s", frame.time), 0.03, 0.03, 18);
+  flat_ = planar && !options.scene.revolve;
+  sight_ = sight_of(options.scene.view, flat_, options.scene.revolve.has_value());
+  extent_ = Extent(sight_);
+  measure();
+}
 
-  const vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(8);
-  window->SetSize(options.size[0], options.size[1]);
-  window->AddRenderer(&stage.renderer());
-  window->AddRenderer(margin);
-  aim(stage.renderer(), bounds, planar, mirrored, divide * options.size[0] / options.size[1]);
-  write_picture(*window, picture);
-  const std::string unit = colours.unit.empty() ? "" : " " + colours.unit;
+void Scene::choose_pictures() {
+  const Results& results = *results_.front();
+  const auto with_others = [&](double time) {
+    Picture picture{{&results, time}};
+    if (results_.size() > 1)
+      picture.push_back({results_[1].get(), results_[1]->nearest(time)});
+    return picture;
+  };
+  if (options_.film.wanted) {
+    const FrameSlice& slice = options_.film.slice;
+    const auto n = static_cast<int>(results.times().size());
+    for (int i = slice.first; i < n && i <= slice.last; i += slice.step)
+      pictures_.push_back(with_others(results.times()[static_cast<std::size_t>(i)]));
+    if (pictures_.empty())
+      throw Error(Fault::usage, "--frames",
+                  fmt::format("there is no frame {}: the results have {}", slice.first, n));
+  } else if (options_.scene.times.size() > 1) {
+    Picture& picture = pictures_.emplace_back();
+    for (const AskedTime& time : options_.scene.times)
+      picture.push_back({&results, results.nearest(time)});
+  } else {
+    const AskedTime time =
+        options_.scene.times.empty() ? AskedTime() : options_.scene.times.front();
+    pictures_.push_back(with_others(results.nearest(time)));
+    if (!time && results_.size() > 1) // the last of both
+      pictures_.back()[1].time = results_[1]->nearest(time);
+  }
+}
+
+Completion Scene::completion_of(const Frame& frame) const {
+  const std::vector<AxisPlane> planes = mirror_planes(*frame.workpiece, options_.scene);
+  Completion completion;
+  completion.revolve = options_.scene.revolve;
+  completion.copies = copies_of(planes, options_.scene.copies, sight_.axis_up);
+  completion.sides = sides_of(planes, *frame.workpiece);
+  if (completion.revolve)
+    completion.sides.push_back({Vec3::UnitX(), 0.0});
+  completion.removed = removed_by(options_.scene.cuts, sight_.towards);
+  completion.flat = flat_;
+  return completion;
+}
+
+void Scene::measure() {
+  measure_parts();
+  check_cuts();
+  constexpr double margin_share = 0.15;
+  const Vec3 margin = Vec3::Constant(margin_share * part_.size());
+  window_ = Box{part_.low - margin, part_.high + margin};
+  if (options_.scene.tools != ToolStyle::none)
+    measure_tools();
+}
+
+void Scene::measure_parts() {
+  std::vector<double> values;
+  for (const Picture& picture : pictures_)
+    for (const Source& source : picture) {
+      const Frame& frame = source.results->frame(source.time);
+      if (source.results != results_.front().get())
+        (void)find_shown(frame, options_.scene); // complains where it is not there
+      const std::vector<double> more = values_of(frame, shown_);
+      values.insert(values.end(), more.begin(), more.end());
+      add_box(part_, box_of(*frame.workpiece));
+      const Completion completion = completion_of(frame);
+      const Body body = body_of(frame, shown_, options_.scene, completion);
+      extent_.add(*body.faces);
+      Completion uncut = completion;
+      uncut.removed.clear();
+      add_box(whole_, box_of(*(completion.removed.empty()
+                                   ? body.faces
+                                   : body_of(frame, shown_, options_.scene, uncut).faces)));
+      if (vtkDataArray* const vectors =
+              frame.workpiece->GetPointData()->GetArray(options_.scene.arrows.c_str()))
+        longest_vector_ = std::max(longest_vector_, largest_vector(*vectors));
+    }
+  range_ = colour_range(values, options_.scene.range);
+}
+
+void Scene::measure_tools() {
+  for (const Picture& picture : pictures_)
+    for (const Source& source : picture) {
+      const Frame& frame = source.results->frame(source.time);
+      Shown plain;
+      plain.plain = true;
+      for (const DrawnTool& tool : tools_of(frame, plain, completion_of(frame), window_))
+        for (const auto& data : {tool.faces, tool.lines})
+          if (data != nullptr)
+            extent_.add(*data);
+    }
+}
+
+void Scene::check_cuts() const {
+  for (const Cut& cut : options_.scene.cuts)
+    for (const CutPlane& plane : cut) {
+      const int d = plane.plane.axis;
+      if (plane.plane.at > whole_.low[d] && plane.plane.at < whole_.high[d])
+        continue;
+      const char name = axis_names[static_cast<std::size_t>(d)];
+      throw Error(Fault::usage, "--cut",
+                  fmt::format("the plane {}={:g} does not cut the part", name, plane.plane.at),
+                  fmt::format("it reaches from {}={:.6g} to {:.6g}", name, whole_.low[d],
+                              whole_.high[d]));
+    }
+}
+
+void Scene::draw_tools(Stage& stage, const Frame& frame) const {
+  const ToolStyle style = options_.scene.tools;
+  if (style == ToolStyle::none)
+    return;
+  const bool coloured = shown_.on == Place::tools && !shown_.plain;
+  const double lift = 2e-3 * whole_.size();
+  const auto map = colour_map(range_.colours, options_.scene.bands);
+  for (const DrawnTool& tool : tools_of(frame, shown_, completion_of(frame), window_)) {
+    vtkPolyData* const faces = tool.faces;
+    const bool of_plane = faces == nullptr && flat_;
+    vtkPolyData* const body = of_plane ? tool.lines.Get() : faces;
+    const bool has_values = coloured && body != nullptr &&
+                            (body->GetPointData()->HasArray(Shown::values) != 0 ||
+                             body->GetCellData()->HasArray(Shown::values) != 0);
+    if (has_values)
+      stage.add_coloured(*body, *map, 7.0F, 2.0 * lift);
+    else if (faces != nullptr && style == ToolStyle::glass)
+      stage.add_glass(*faces);
+    else if (faces != nullptr && style == ToolStyle::solid)
+      stage.add_plain(*faces, steel);
+    if (tool.lines != nullptr && !(of_plane && has_values))
+      stage.add_lines(*tool.lines,
+                      of_plane ? Pen{3.5F, {0.1, 0.1, 0.1}, 1.0, lift} : Pen{1.5F, {0.3, 0.3, 0.3}});
+  }
+}
+
+void Scene::draw_arrows(Stage& stage, vtkPolyData& faces) const {
+  constexpr double usual_share = 0.1;
+  const double size = whole_.size();
+  const auto arrows = arrows_on(faces, size, longest_vector_,
+                                usual_share * options_.scene.arrow_scale * size);
+  if (arrows == nullptr)
+    return;
+  Pen pen{1.0F, red, 1.0, 0.05 * size};
+  stage.add_lines(*arrows, pen);
+}
+
+void Scene::draw_frame(Stage& stage, const Frame& frame, double pixel) const {
+  const Completion completion = completion_of(frame);
+  const Body body = body_of(frame, shown_, options_.scene, completion);
+  const auto map = colour_map(range_.colours, options_.scene.bands);
+  const bool on_part = !shown_.plain && shown_.on == Place::workpiece;
+  const double size = whole_.size();
+  const bool on_tools = !shown_.plain && shown_.on == Place::tools;
+  if (on_part)
+    stage.add_coloured(*body.faces, *map, 1.0F, 0.0);
+  else if (on_tools)
+    stage.add_glass(*body.faces); // the part is in front of what is shown
+  else
+    stage.add_plain(*body.faces, pale);
+  if (body.lines != nullptr && !on_tools) {
+    const double opacity =
+        options_.scene.flow_lines ? 1.0 : opacity_of(usual_length(*body.lines) / pixel);
+    stage.add_lines(*body.lines, {options_.scene.flow_lines ? 1.5F : 1.0F, dark, opacity,
+                                  1e-3 * size});
+  }
+  if (!shown_.plain && shown_.on == Place::contact && frame.contact != nullptr &&
+      frame.contact->GetNumberOfCells() > 0) {
+    const vtkNew<vtkPolyData> faces;
+    faces->ShallowCopy(frame.contact);
+    add_values(*faces, shown_);
+    stage.add_coloured(*completed(*faces, completion), *map, 7.0F, 1.5e-3 * size);
+  }
+  draw_tools(stage, frame);
+  if (!options_.scene.arrows.empty())
+    draw_arrows(stage, *body.faces);
+}
+
+std::string Scene::caption(const Source& source) const {
+  const Frame& frame = source.results->frame(source.time);
+  std::string unit = text_in(*frame.workpiece, "unit of displacement");
+  const std::string time = fmt::format("t = {:.4g} s", source.time);
+  const std::optional<double> way = source.results->stroke(source.time);
+  std::string text = way ? fmt::format("{}, stroke {:.4g} {}", time, *way, unit) : time;
+  if (results_.size() > 1)
+    text = source.results->name() + ": " + text;
+  return text;
+}
+
+void Scene::draw(const Picture& picture, vtkRenderWindow& window) const {
+  window.GetRenderers()->RemoveAllItems();
+  const bool with_scale = !shown_.plain;
+  const bool with_arrows = !options_.scene.arrows.empty();
+  const std::array<int, 2> size = options_.size();
+  const Sheet sheet({samples_a_side * size[0], samples_a_side * size[1]}, with_scale,
+                    with_arrows ? 2 : 1);
+  const auto n = static_cast<double>(picture.size());
+  const double width = sheet.right * sheet.size[0] / n;
+  const double height = (sheet.top - sheet.bottom) * sheet.size[1];
+  const Aim aim = aim_at(extent_, sight_, options_.scene.view, width / height);
+  const vtkNew<vtkRenderer> paper, overlay;
+  for (vtkRenderer* layer : {paper.Get(), overlay.Get()}) {
+    layer->SetBackground(1.0, 1.0, 1.0);
+    layer->InteractiveOff();
+  }
+  overlay->SetLayer(1);
+  window.AddRenderer(paper); // white where nothing else is
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const double left = sheet.right * static_cast<double>(i) / n;
+    Stage stage(flat_);
+    stage.enter(window, {left, sheet.bottom, left + sheet.right / n, sheet.top});
+    draw_frame(stage, picture[i].results->frame(picture[i].time), 2.0 * samples_a_side * aim.half_height / height);
+    stage.look(aim, sight_);
+    const double foot = 0.5 * sheet.font / sheet.size[1] + (with_arrows ? 1.4 : 0.0) * sheet.font / sheet.size[1];
+    add_text(*overlay, caption(picture[i]), {left + 0.5 * sheet.font / sheet.size[0], foot},
+             sheet.font, width - sheet.font, false);
+  }
+  if (with_arrows) {
+    const std::string unit = text_in(*picture[0].results->frame(picture[0].time).workpiece,
+                                     "unit of " + options_.scene.arrows);
+    add_text(*overlay,
+             fmt::format("arrows: {}, the longest {:.4g} {}", options_.scene.arrows,
+                         longest_vector_, unit),
+             {0.5 * sheet.font / sheet.size[0], 0.5 * sheet.font / sheet.size[1]}, sheet.font,
+             sheet.right * sheet.size[0], false);
+  }
+  const std::string title = options_.title.empty() ? results_.front()->title() : options_.title;
+  add_text(*overlay, title, {0.5 * sheet.font / sheet.size[0], 1.0 - 1.8 * sheet.font / sheet.size[1]},
+           sheet.font * 6 / 5, sheet.size[0] - sheet.font, false);
+  window.AddRenderer(overlay);
+  if (!with_scale)
+    return;
+  const vtkNew<vtkRenderer> margin;
+  margin->SetViewport(sheet.right, 0.0, 1.0, sheet.top);
+  margin->SetLayer(1);
+  margin->InteractiveOff();
+  const auto map = colour_map(range_.colours, options_.scene.bands);
+  add_scale(*margin, *map, shown_, range_, sheet, options_.scene.bands);
+  window.AddRenderer(margin);
+}
+
+std::string Scene::in_words() const {
+  if (shown_.plain)
+    return "colours: none";
+  const std::string unit = shown_.unit.empty() ? "" : " " + shown_.unit;
   return fmt::format("colours: {} from {:.6g} to {:.6g}{}, {}; all values {:.6g} to {:.6g}{}",
-                     colours.name, colours.range[0], colours.range[1], unit, colours.span(),
-                     colours.all[0], colours.all[1], unit);
+                     shown_.name, range_.colours[0], range_.colours[1], unit, range_.span(),
+                     range_.all[0], range_.all[1], unit);
+}
+
+vtkSmartPointer<vtkRenderWindow> window_of(const std::array<int, 2>& size) {
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(samples_a_side * size[0], samples_a_side * size[1]);
+  window->SetNumberOfLayers(2);
+  return window;
+}
+
+std::string draw_scene(const Options& options, const std::filesystem::path& picture) {
+  const Scene scene(options);
+  const Display display; // mistakes are told without one
+  const auto window = window_of(options.size());
+  scene.draw(scene.pictures().front(), *window);
+  write_picture(*window, picture);
+  return scene.in_words();
 }
 
 } // namespace billet::render

@@ -10,6 +10,8 @@
 #include "mechanics/elements/mesh_check.h"
 #include "mechanics/mesh/mesh_edges.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -200,6 +202,18 @@ Notes notes_of(const FrameSettings& settings) {
           {"unit_system", settings.units.name}};
 }
 
+/// The planes of symmetry: "x = 0, y = 2.5"; empty: there are none.
+std::string symmetry_of(const process::Run& run) {
+  std::string text;
+  for (const process::Wall& wall : run.state.walls) {
+    const char axis = "xyz"[wall.component];
+    const std::string plane = fmt::format("{} = {}", axis, wall.at);
+    if (text.find(plane) == std::string::npos)
+      text += (text.empty() ? "" : ", ") + plane;
+  }
+  return text;
+}
+
 /// Gives a surface the points of its sides and polygons alone, numbered anew.
 void keep_points_in_use(std::span<const Vec3> points, SurfaceFrame& frame) {
   std::vector<Index> number(points.size(), -1);
@@ -270,6 +284,8 @@ WorkpieceFrame workpiece_frame(const process::Run& run,
   frame.points = points;
   frame.cells = mesh.cells;
   frame.notes = notes_of(settings);
+  if (const std::string planes = symmetry_of(run); !planes.empty())
+    frame.notes.emplace_back("symmetry", planes);
   const std::vector<Vec3> origins = points_of(run.state.origins, mesh.dimension());
   std::vector<double> displacement;
   for (std::size_t a = 0; a < points.size(); ++a) {

@@ -9,6 +9,8 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -89,6 +91,8 @@ void add_fields(vtkFieldData& data,
     vtkIdType number = 0;
     for (const char* name : component_names(field.components))
       array->SetComponentName(number++, name);
+    if (!field.unit.empty())
+      array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), xml_encoded(field.unit).c_str());
     data.AddArray(array);
   }
 }

@@ -3,6 +3,7 @@
 // Inline base64 with 64-bit headers, compressed where frames are large, float64: read by ParaView,
 // VTK and meshio with every version of expat. Cells keep their true, quadratic type.
 // VTK writes them (docs/decisions/0023-results-by-vtk.md).
+// Arrays name their components, and carry their unit as VTK's UNITS_LABEL.
 // The field data of each file hold `TimeValue` and texts: the `notes` and the units of the fields.
 // A text is the *name* of an array with one number, "configuration: current coordinates" or
 // "unit of von_mises: MPa", because meshio refuses files with string arrays.

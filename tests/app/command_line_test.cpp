@@ -48,7 +48,7 @@ TEST_F(CommandLine, help_and_version_answer_on_standard_output) {
   for (const char* piece : {"-o DIR, --output DIR", "--set KEY=VALUE", "--threads N", "--quiet"})
     EXPECT_TRUE(run({"run", "--help"}).prints(piece)) << piece;
   for (const char* piece :
-       {"--flow-lines N", "--size WxH", "--curve", "-o FILE.png, --output FILE.png"})
+       {"--flow-lines N", "--size WxH", "--curve", "--animate", "-o, --output FILE"})
     EXPECT_TRUE(run({"render", "--help"}).prints(piece)) << piece;
   EXPECT_FALSE(run({"check", "--help"}).prints("--profile"));
   EXPECT_FALSE(run({"info", "--help"}).prints("--threads"));

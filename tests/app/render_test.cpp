@@ -150,7 +150,7 @@ TEST_F(Render, mistakes_end_with_status_2_and_say_what_to_do) {
            {{}, "no results are given"},
            {{"--curve"}, "a chart needs results or a series"},
            {{"tiny", "more"}, "\"more\" is one argument too many"},
-           {{"tiny", "--filed", "x"}, "the option --filed is not known"},
+           {{"tiny", "--filed", "x"}, "the option --filed is not known (did you mean '--field'?"},
            {{"tiny", "-o", "a.jpg"}, "should have the suffix .png"},
            {{"tiny", "--curve", "tiny/history.csv:time:dt"}, "results or of series, not of both"},
            {{"tiny", "--output=~bob/a.png"}, "only '~/' stands for a home folder"}}) {
