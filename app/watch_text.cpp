@@ -40,7 +40,7 @@ std::vector<double> magnitudes(const ResultsFolder& results, const std::string& 
 }
 
 double share_of(const ResultsFolder& results) {
-  const std::optional<double> end = results.end_time();
+  const std::optional<double> end = results.facts.end;
   return end && *end > 0.0 ? std::clamp(last_of(results, "time") / *end, 0.0, 1.0) : 0.0;
 }
 
@@ -50,7 +50,7 @@ std::string progress_line(const ResultsFolder& results) {
   std::string line = fmt::format(
       "[{:<{}}] {:3.0f} %  time {:.5g}", std::string(static_cast<std::size_t>(share * width), '='),
       width, 100.0 * share, last_of(results, "time"));
-  if (const std::optional<double> end = results.end_time())
+  if (const std::optional<double> end = results.facts.end)
     line += fmt::format(" of {:.5g}", *end);
   line += fmt::format(" {}  running for {}", results.units().time,
                       duration(last_of(results, "wall_time")));
@@ -160,7 +160,7 @@ std::string text_curve(std::span<const double> values, std::size_t width) {
 std::optional<double> time_left(const ResultsFolder& results) {
   const std::vector<double> times = column(results.history, "time");
   const std::vector<double> walls = column(results.history, "wall_time");
-  const std::optional<double> end = results.end_time();
+  const std::optional<double> end = results.facts.end;
   if (!end || times.size() < 2 || walls.size() != times.size() ||
       results.state != RunState::running)
     return std::nullopt;

@@ -107,8 +107,7 @@ NamedChart energies(const ResultsFolder& results) {
                                    std::pair{"elastic_energy", "elastic energy"}})
     named.chart.curves.push_back(curve_of(results.history, "time", key, label, factor));
   named.chart.x_label = with_unit("time", results.units().time);
-  const bool per_thickness =
-      results.content && results.content->analysis == io::Analysis::plane_strain;
+  const bool per_thickness = results.facts.analysis == io::Analysis::plane_strain;
   named.chart.y_label = with_unit(per_thickness ? "energy per thickness" : "energy",
                                   per_thickness ? unit + "/" + results.units().length : unit);
   return named;
@@ -184,11 +183,7 @@ std::vector<NamedChart> curves_of(const ResultsFolder& results) {
     add_if_any(charts, of_tools_over_time(results, "force", "Forces over time", units.force));
   NamedChart torques = of_tools_over_time(results, "torque", "Torques over time",
                                           units.force + " " + units.length);
-  const bool turns = results.content && std::any_of(results.content->tools.begin(),
-                                                    results.content->tools.end(), [](const auto& t) {
-                                                      return t.motion.rotation.has_value();
-                                                    });
-  if (turns)
+  if (results.facts.tools_turn)
     add_if_any(charts, std::move(torques));
   add_if_any(charts, energies(results));
   add_if_any(charts, over_time(results, "penetration", "Certificate of penetration",

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
-#include <variant>
 
 namespace billet::report {
 
@@ -77,26 +75,15 @@ fitted(const std::vector<io::FrameFiles>& frames, const Plan& plan, std::size_t 
   return std::nullopt;
 }
 
-/// Planes of symmetry: supports that hold the nodes on a plane in its normal.
-ordered_json planes_of_symmetry(const io::Case& content) {
-  ordered_json planes = ordered_json::array();
-  for (const io::Support& support : content.supports)
-    if (const auto* plane = std::get_if<io::OnPlane>(&support.where.kind))
-      if (support.fix[static_cast<std::size_t>(plane->axis)])
-        planes.push_back({{"axis", plane->axis}, {"value", plane->value}});
-  return planes;
-}
-
 std::vector<std::string> notes_on(const Encoded& encoded,
                                   const Plan& plan,
                                   const ResultsFolder& results,
                                   std::size_t n_frames) {
   std::vector<std::string> notes = encoded.complaints;
-  const bool solid = !results.content || results.content->dimension() == 3;
   if (encoded.n_taken + encoded.complaints.size() < n_frames)
     notes.push_back(
         fmt::format("{} of {} frames are in this page, evenly chosen.", encoded.n_taken, n_frames));
-  if (solid && !plan.detail.volume)
+  if (is_solid(results.facts) && !plan.detail.volume)
     notes.emplace_back("The inside of the part is left out for its size: a section shows the "
                        "surface cut open.");
   if (!plan.detail.all_fields)
@@ -133,10 +120,10 @@ FrameView frame_view(const ResultsFolder& results, std::size_t most_bytes) {
     view.blobs = encoded->encoder.blobs();
     view.scene["length"] = results.units().length;
     view.scene["time"] = results.units().time;
-    view.scene["axisymmetric"] =
-        results.content && results.content->analysis == io::Analysis::axisymmetric;
-    view.scene["symmetry"] =
-        results.content ? planes_of_symmetry(*results.content) : ordered_json::array();
+    view.scene["axisymmetric"] = results.facts.analysis == io::Analysis::axisymmetric;
+    view.scene["symmetry"] = ordered_json::array();
+    for (const SymmetryPlane& plane : results.facts.planes)
+      view.scene["symmetry"].push_back({{"axis", plane.axis}, {"value", plane.value}});
     return view;
   }
   view.notes.emplace_back("The mesh is too large for this page; billet render and ParaView show "

@@ -29,7 +29,10 @@ std::string escaped(std::string_view text) {
 }
 
 std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.5g}", value) : std::string("–");
+  if (!std::isfinite(value))
+    return "–";
+  const double size = std::abs(value);
+  return size >= 1e5 && size < 1e9 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
 }
 
 std::string section(std::string_view id, std::string_view title, const std::string& content) {

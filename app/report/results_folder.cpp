@@ -1,7 +1,6 @@
 #include "app/report/results_folder.h"
 
 #include "geometry/base/error.h"
-#include "io/case/read_case.h"
 
 #include <algorithm>
 #include <fstream>
@@ -60,37 +59,12 @@ ordered_json json_of(const fs::path& file, ordered_json otherwise, ResultsFolder
   return json;
 }
 
-void read_case_of(ResultsFolder& results) {
-  const fs::path file = results.path / "case.resolved.toml";
-  results.case_text = text_of_file(file);
-  if (results.case_text.empty())
-    return;
-  try { // it stood in the folder of the case, which is not asked for
-    results.content = io::read_case_text(results.case_text, file.string(), results.path, {},
-                                         {.allow_outside = true});
-  } catch (const Error&) { // of another version, or its meshes have gone
-    return;
-  }
-}
-
 std::string name_of(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".pvd")
       return entry.path().stem().string();
   return fs::absolute(folder).lexically_normal().filename().string();
-}
-
-/// The text that a key at the head of a case has; empty: it has none.
-std::string title_in(const std::string& case_text) {
-  for (const std::string& line : lines_of(case_text)) {
-    const std::size_t first = line.find('"'), last = line.rfind('"');
-    if (line.starts_with("title") && first != std::string::npos && last > first)
-      return line.substr(first + 1, last - first - 1);
-    if (line.starts_with("["))
-      break;
-  }
-  return {};
 }
 
 void require_results(const fs::path& folder) {
@@ -122,10 +96,9 @@ ResultsFolder read_results(const fs::path& folder) {
                   : results.writer ? RunState::running
                                    : RunState::killed;
   results.name = name_of(folder);
-  read_case_of(results);
-  results.title = results.content ? results.content->title : title_in(results.case_text);
-  if (results.title.empty())
-    results.title = results.name;
+  results.case_text = text_of_file(folder / "case.resolved.toml");
+  results.facts = case_facts(results.case_text);
+  results.title = results.facts.title.empty() ? results.name : results.facts.title;
   results.log = lines_of(text_of_file(folder / "run.log"));
   results.post_mortem = text_of_file(folder / "failure" / "post_mortem.txt");
   results.history = table_of(folder / "history.csv", results);
@@ -133,8 +106,6 @@ ResultsFolder read_results(const fs::path& folder) {
   results.remeshings = table_of(folder / "remesh.csv", results);
   return results;
 }
-
-io::UnitSystem ResultsFolder::units() const { return content ? content->units : io::UnitSystem(); }
 
 std::string ResultsFolder::status() const {
   switch (state) {
@@ -150,12 +121,6 @@ std::string ResultsFolder::status() const {
 
 std::optional<int> ResultsFolder::exit_status() const {
   return state == RunState::ended ? std::optional(summary.value("exit_status", 0)) : std::nullopt;
-}
-
-std::optional<double> ResultsFolder::end_time() const {
-  if (!content)
-    return std::nullopt;
-  return content->stages.empty() ? content->time.end : content->stages.back().end;
 }
 
 std::vector<std::string> ResultsFolder::said(std::string_view beginning) const {

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "io/case/case.h"
+#include "app/report/case_facts.h"
 #include "io/results/folder_lock.h"
 #include "io/text/csv_table.h"
 
@@ -29,20 +29,17 @@ struct ResultsFolder {
   nlohmann::ordered_json summary;       ///< an object, without a key as long as there is none
   nlohmann::ordered_json starts;        ///< an array: how the run was started, and resumed
   std::string case_text;                ///< case.resolved.toml
-  std::optional<io::Case> content;      ///< the same, where this program can read it
+  CaseFacts facts;                      ///< of the case
   std::vector<std::string> log;         ///< lines of run.log
   std::string post_mortem;              ///< failure/post_mortem.txt
   io::CsvTable history, iterations, remeshings; ///< without columns where there is none
   std::vector<std::string> unreadable;          ///< what could not be read, in words
 
-  /// Units of the case; those of the default system where the case cannot be read.
-  [[nodiscard]] io::UnitSystem units() const;
+  [[nodiscard]] const io::UnitSystem& units() const { return facts.units; }
   /// "running", "killed", or the status of the summary.
   [[nodiscard]] std::string status() const;
   /// Exit status of the run; none: it has not ended.
   [[nodiscard]] std::optional<int> exit_status() const;
-  /// End of the run in time; none: the case could not be read. [s]
-  [[nodiscard]] std::optional<double> end_time() const;
   /// Lines of the log that begin so, without that beginning.
   [[nodiscard]] std::vector<std::string> said(std::string_view beginning) const;
   /// Names of the tools, as the history has them.

@@ -68,7 +68,7 @@ std::string run_section(const ResultsFolder& results) {
                     results.writer->since));
   add(rows, "Analysis", text_of(summary, "analysis"));
   add(rows, "Model", size_of_model(summary));
-  add(rows, "Units", results.content ? results.content->units.name : text_of(summary, "units"));
+  add(rows, "Units", results.units().name);
   std::error_code error;
   add(rows, "Results", std::filesystem::absolute(results.path, error).lexically_normal().string());
   add(rows, "Report made", fmt::format("{:%Y-%m-%d %H:%M:%S %z}", fmt::localtime(std::time(nullptr))));

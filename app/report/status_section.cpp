@@ -37,7 +37,7 @@ std::string progress_of(const ResultsFolder& results) {
   const std::vector<double> times = column(results.history, "time");
   const double time = times.empty() ? 0.0 : times.back();
   std::string text = fmt::format("time {} {}", number(time), escaped(results.units().time));
-  if (const std::optional<double> end = results.end_time(); end && *end > 0.0)
+  if (const std::optional<double> end = results.facts.end; end && *end > 0.0)
     text = fmt::format("time {} of {} {} ({:.0f} %)", number(time), number(*end),
                        escaped(results.units().time), 100.0 * time / *end);
   text += fmt::format(", {} increments", results.history.rows.size());

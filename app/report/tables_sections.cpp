@@ -38,28 +38,13 @@ const ordered_json& member(const ordered_json& object, const char* key) {
   return object.is_object() && object.contains(key) ? object[key] : nothing;
 }
 
-/// What a measure is, and in which unit, in words; empty: the case is not known.
+/// What a measure is, and in which unit; empty: the case does not say.
 std::string words_of_measure(const ResultsFolder& results, const std::string& name) {
-  const std::string length = results.units().length;
-  if (results.content)
-    for (const io::Measure& measure : results.content->measures)
-      if (measure.name == name)
-        switch (measure.kind) {
-        case io::MeasureKind::equator_radius:
-          return "largest radius [" + length + "]";
-        case io::MeasureKind::contact_radius:
-          return "radius of contact [" + length + "]";
-        case io::MeasureKind::barrelling:
-          return "barrelling [-]";
-        case io::MeasureKind::bore:
-          return "smallest radius [" + length + "]";
-        case io::MeasureKind::height:
-          return "height [" + length + "]";
-        case io::MeasureKind::reach:
-          return "reach [" + length + "]";
-        case io::MeasureKind::filling:
-          return "filling of the cavity [-]";
-        }
+  for (const auto& [known, kind] : results.facts.measures)
+    if (known == name)
+      return kind + (kind == "barrelling" || kind == "filling"
+                         ? std::string(" [-]")
+                         : " [" + results.units().length + "]");
   return {};
 }
 
