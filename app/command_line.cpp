@@ -50,6 +50,18 @@ constexpr Option identify_options[] = {
     {"-o", "DIR", "identification.json goes to DIR", "--output"},
 };
 
+/// Of `report`.
+constexpr Option report_options[] = {
+    {"-o", "FILE.html", "the page (RESULTS/report.html)", "--output"},
+    {"--follow", "", "as long as the run goes on: makes the page again, which reloads itself"},
+    {"--quiet", "", "does not say which file it wrote"},
+};
+
+/// Of `watch`.
+constexpr Option watch_options[] = {
+    {"--once", "", "says how far the run is, and ends"},
+};
+
 /// Of `study` and `chart`.
 constexpr Option study_options[] = {
     {"--set", "KEY=VALUE", "overrides a key of the file, e.g. run.engine=slurm"},
@@ -91,6 +103,10 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.again = true;
   else if (option == "--list")
     arguments.list = true;
+  else if (option == "--follow")
+    arguments.follow = true;
+  else if (option == "--once")
+    arguments.once = true;
   else if (option == "--resume")
     arguments.resume = true;
   else if (option == "--from")
@@ -123,6 +139,10 @@ const Option& find_option(const std::string& word, const Command& command) {
     look_in(info_options);
   } else if (command.name == "identify") {
     look_in(identify_options);
+  } else if (command.name == "report") {
+    look_in(report_options);
+  } else if (command.name == "watch") {
+    look_in(watch_options);
   } else if (command.name == "study" || command.name == "chart") {
     look_in(study_options);
   } else if (command.name == "verify") {
@@ -154,6 +174,10 @@ const std::vector<Command>& commands() {
        "what an STL, mesh or result contains, and what is wrong with it", &show_info},
       {"render", "RESULTS [--field F] [--view V] [--animate] [--curve] [-o FILE]",
        "a picture or a film of a run, or its forces, without a display", &render_results},
+      {"report", "RESULTS [-o FILE.html] [--follow]",
+       "a page of a run for the browser: curves, tables, frames in 3D", &make_report},
+      {"watch", "RESULTS [--once]", "how a run is going on, until it ends; the status is that of the run",
+       &watch_results},
       {"study", "STUDY.toml [options]",
        "run a case with a matrix of settings: what they cost and how far off they are",
        &conduct_study},
@@ -247,6 +271,10 @@ std::string help(const Command& command) {
     add(info_options);
   } else if (command.name == "identify") {
     add(identify_options);
+  } else if (command.name == "report") {
+    add(report_options);
+  } else if (command.name == "watch") {
+    add(watch_options);
   } else if (command.name == "study" || command.name == "chart") {
     add(study_options);
   } else if (command.name == "verify") {

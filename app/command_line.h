@@ -26,6 +26,8 @@ struct Arguments {
   std::optional<int> processes;                ///< --processes
   bool again = false;                          ///< --again
   bool list = false;                           ///< --list
+  bool follow = false;                         ///< --follow
+  bool once = false;                           ///< --once
   /// Files after the first; of render all words, of verify names of problems.
   std::vector<std::string> rest;
 };
@@ -46,6 +48,8 @@ int run_case(const Arguments& arguments);
 int check_case(const Arguments& arguments);
 int show_info(const Arguments& arguments);
 int render_results(const Arguments& arguments);
+int make_report(const Arguments& arguments);
+int watch_results(const Arguments& arguments);
 int conduct_study(const Arguments& arguments);
 int make_chart(const Arguments& arguments);
 int identify_parameters(const Arguments& arguments);

@@ -67,10 +67,10 @@ std::string duration(double seconds) {
                      std::fmod(minutes, minute));
 }
 
-int terminal_columns() {
+int terminal_columns(int stream) {
   constexpr int usual = 80;
   winsize size{};
-  const bool told = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const bool told = ::ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return told ? size.ws_col : usual;
 }
 

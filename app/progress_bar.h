@@ -21,7 +21,7 @@ namespace billet::app {
 /// "12 s", "3 min", "2 h 05 min", from seconds.
 [[nodiscard]] std::string duration(double seconds);
 
-/// Of the terminal on standard error; 80 where it does not say.
-[[nodiscard]] int terminal_columns();
+/// Of the terminal on a stream, by default standard error; 80 where it does not say.
+[[nodiscard]] int terminal_columns(int stream = 2);
 
 } // namespace billet::app

@@ -3,6 +3,7 @@
 #include "app/command_line.h"
 #include "app/make_process.h"
 #include "app/progress.h"
+#include "app/start_note.h"
 #include "app/stop_signals.h"
 #include "app/threads.h"
 #include "geometry/base/error.h"
@@ -200,6 +201,7 @@ int run_case(const Arguments& arguments) {
                        {BILLET_VERSION, mechanics::blas_core(), threads, std::move(warnings)},
                        {found ? &found->checkpoint : nullptr, arguments.resume});
   progress.write_to(folder / "run.log", writer.size_of_log());
+  note_start(folder, threads, arguments.resume);
   if (found)
     progress.say_aside(fmt::format("goes on from {} at time {:.6g} {}, increment {}",
                                    found->file.string(), found->checkpoint.time, content.units.time,

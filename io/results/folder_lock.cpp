@@ -125,6 +125,13 @@ refuse(const std::filesystem::path& folder, const Holder& holder, const std::str
 
 } // namespace
 
+std::optional<WritingRun> run_writing_to(const std::filesystem::path& folder) {
+  const Holder holder = read_holder(folder / ".billet.lock");
+  if (holder.since.empty() || !may_be_running(holder))
+    return std::nullopt;
+  return WritingRun{holder.process, holder.machine, holder.since};
+}
+
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : folder_(folder), path_(folder / ".billet.lock") {
   while (!take())

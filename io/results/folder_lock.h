@@ -11,8 +11,21 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 namespace billet::io {
+
+/// The run that writes into a folder.
+struct WritingRun {
+  long process = 0;
+  std::string machine;
+  std::string since; ///< date and time
+};
+
+/// The run that writes into a folder now, or may do so on another machine; none: it has ended, or
+/// was killed. Takes no lock.
+[[nodiscard]] std::optional<WritingRun> run_writing_to(const std::filesystem::path& folder);
 
 /// Held as long as it lives; then its file goes away.
 class FolderLock {

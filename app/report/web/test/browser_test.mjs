@@ -1,0 +1,135 @@
+// Opens a page of `billet report` in a browser, as a user would, and looks at what it shows.
+//
+// usage: browser_test.mjs PACKAGES PAGE.html [--pictures FOLDER] [--field NAME] [--section]
+//
+// PACKAGES holds node_modules with playwright-core. The browser is Debian's chromium, or what
+// BILLET_BROWSER names; WebGL is drawn in software. Fails on a request for anything but the page,
+// on an error in the console, and where the picture does not follow the controls.
+
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+import os from 'node:os';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const words = process.argv.slice(2);
+const option = (name) => {
+  const at = words.indexOf(name);
+  return at < 0 ? undefined : words.splice(at, 2)[1];
+};
+const pictures = option('--pictures');
+const field = option('--field') ?? 'plastic_strain';
+const [packages, page] = words;
+const { chromium } = createRequire(path.join(path.resolve(packages), 'package.json'))('playwright-core');
+
+const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'billet-browser-'));
+const context = await chromium.launchPersistentContext(profile, {
+  executablePath: process.env.BILLET_BROWSER ?? '/usr/bin/chromium',
+  headless: true,
+  viewport: { width: 1200, height: 1000 },
+  args: [
+    '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-sandbox',
+    '--disable-background-networking', '--disable-quic', '--no-first-run',
+  ],
+});
+const failures = [];
+const slow = 300_000; // a machine without a graphics card, and others on it [ms]
+
+/** The picture of the view as it is: bytes, and how many colours it has. */
+async function picture(tab, name) {
+  const canvas = tab.locator('#view canvas').first();
+  const bytes = await canvas.screenshot({ timeout: slow });
+  if (pictures) fs.writeFileSync(path.join(pictures, `${name}.png`), bytes);
+  const colours = await tab.evaluate(async (text) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${text}`;
+    await image.decode();
+    const drawn = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    drawn.drawImage(image, 0, 0);
+    const { data } = drawn.getImageData(0, 0, image.width, image.height);
+    const counts = new Map();
+    for (let i = 0; i < data.length; i += 4) {
+      const key = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2];
+      counts.set(key, (counts.get(key) ?? 0) + 1);
+    }
+    const vivid = [...counts].filter(([key]) => {
+      const rgb = [key >> 16, (key >> 8) & 255, key & 255];
+      return Math.max(...rgb) - Math.min(...rgb) > 60;
+    });
+    return { all: counts.size, vivid: vivid.reduce((sum, [, n]) => sum + n, 0) / (image.width * image.height) };
+  }, bytes.toString('base64'));
+  return { bytes, ...colours };
+}
+
+/** Sets a control and waits until the view has followed. */
+async function set(tab, name, value) {
+  await tab.evaluate(([control, wanted]) => {
+    const input = document.querySelector(`#view [name="${control}"]`);
+    if (input.type === 'checkbox') input.checked = wanted;
+    else input.value = wanted;
+    input.dispatchEvent(new Event(input.type === 'range' ? 'input' : 'change'));
+  }, [name, value]);
+}
+
+try {
+  const tab = await context.newPage();
+  tab.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) failures.push(`asks for ${request.url()}`);
+  });
+  tab.on('pageerror', (error) => failures.push(`error: ${error.message}`));
+  tab.on('console', (message) => {
+    if (message.type() === 'error') failures.push(`console: ${message.text()}`);
+  });
+  const begin = Date.now();
+  await tab.goto(pathToFileURL(path.resolve(page)).href, { timeout: slow });
+  await tab.waitForFunction(() => ['ready', 'failed'].includes(document.documentElement.dataset.report), null, {
+    timeout: slow,
+  });
+  assert.equal(await tab.evaluate(() => document.documentElement.dataset.report), 'ready', failures.join('\n'));
+  console.log(`open after ${((Date.now() - begin) / 1000).toFixed(1)} s`);
+
+  const view = (key) => tab.evaluate((name) => document.getElementById('view').dataset[name], key);
+  const last = Number(await tab.evaluate(() => document.querySelector('#view [name=frame]').max));
+  assert.equal(Number(await view('frame')), last, 'the last frame is shown first');
+  const final = await picture(tab, 'last');
+  assert.ok(final.all > 50, `only ${final.all} colours`);
+  assert.ok(final.vivid > 0.01, 'the part has no colours');
+
+  const middle = Math.floor(last / 2);
+  await set(tab, 'frame', String(middle));
+  await tab.waitForFunction((n) => document.getElementById('view').dataset.frame === String(n), middle, { timeout: slow });
+  const before = await picture(tab, 'middle');
+  if (last > 0) assert.notDeepEqual(before.bytes, final.bytes, 'the slider changes nothing');
+
+  await set(tab, 'field', field);
+  await tab.waitForFunction((key) => document.getElementById('view').dataset.field === key, field, { timeout: slow });
+  const other = await picture(tab, 'field');
+  assert.notDeepEqual(other.bytes, before.bytes, 'the field changes nothing');
+  assert.match(await tab.locator('#view .legend').innerText(), new RegExp(field.replace(/_/g, ' ')));
+
+  const settled = () => tab.waitForTimeout(500);
+  for (const [name, value] of [['section', true], ['revolve', true], ['mirror', true]]) {
+    if (!(await tab.locator(`#view [name=${name}]`).count())) continue;
+    if (name === 'mirror') await set(tab, 'revolve', false).catch(() => {});
+    if (name === 'revolve') await set(tab, 'section', false);
+    await set(tab, name, value);
+    await settled();
+    const shown = await picture(tab, name);
+    assert.ok(shown.vivid > 0.005, `${name}: the part has no colours`);
+    assert.notDeepEqual(shown.bytes, other.bytes, `${name} changes nothing`);
+  }
+  for (const look of ['x', 'iso', 'reset']) {
+    const button = tab.locator(`#view [data-look="${look}"]`);
+    if (await button.count()) await button.click({ timeout: slow });
+    await settled();
+    if (pictures) await picture(tab, `look-${look}`);
+  }
+  assert.ok((await tab.locator('figure.chart.live .u-over').count()) > 2, 'curves answer to the mouse');
+  if (pictures) await tab.screenshot({ path: path.join(pictures, 'page.png'), fullPage: true, timeout: slow });
+  assert.deepEqual(failures, []);
+  console.log(`passed: ${last + 1} frames`);
+} finally {
+  await context.close();
+  fs.rmSync(profile, { recursive: true, force: true });
+}
