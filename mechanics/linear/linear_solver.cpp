@@ -127,7 +127,7 @@ LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
     : pattern_(&pattern), settings_(settings),
       residual_(static_cast<std::size_t>(pattern.n_dofs())) {
   if (DistributedSolver::serves(pattern, settings.choice)) {
-    distributed_ = std::make_unique<DistributedSolver>(pattern);
+    component_ = std::make_unique<DistributedSolver>(pattern);
     return;
   }
   // What wants memory does so before a run has begun, unless it may never be needed.
@@ -185,8 +185,7 @@ void LinearSolver::release_all_but(const Factorization& factorization) {
   constexpr double few = 1e7; // entries: less memory than the matrices of a small problem take
   for (Factorization* other :
        {single_.get(), cholmod_.get(), mumps_symmetric_.get(), mumps_single_.get(), mumps_.get(),
-        umfpack_.get(), static_cast<Factorization*>(multigrid_.get()),
-        static_cast<Factorization*>(distributed_.get())})
+        umfpack_.get(), component_.get()})
     if (other != nullptr && other != &factorization && other->cost().entries > few)
       other->release();
 }
@@ -328,11 +327,12 @@ Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
     std::fill(x.begin(), x.end(), 0.0);
     return SolveReport{"zero", 0.0};
   }
-  if (distributed_)
-    distributed_->expect_new_values();
-  const bool may_reuse =
-      options.tolerance > 0.0 && (settings_.choice == SolverChoice::automatic ||
-                                  settings_.choice == SolverChoice::multigrid || distributed_);
+  DistributedSolver* all_processes = distributed();
+  if (all_processes != nullptr)
+    all_processes->expect_new_values();
+  const bool may_reuse = options.tolerance > 0.0 &&
+                         (settings_.choice == SolverChoice::automatic ||
+                          settings_.choice == SolverChoice::multigrid || all_processes != nullptr);
   const int most = may_reuse && last_ != nullptr ? max_solves(last_->cost()) : 0;
   if (most > 0 && !reuse_.wants_new()) {
     const double enough = tolerance_for(options.tolerance, correction_, false);
@@ -490,18 +490,20 @@ bool LinearSolver::takes_multigrid() {
   return *takes_multigrid_;
 }
 
+DistributedSolver* LinearSolver::distributed() const {
+  return dynamic_cast<DistributedSolver*>(component_.get());
+}
+
 Outcome<Factorization*> LinearSolver::prepared_multigrid() {
-  if (distributed_) {
-    distributed_->choose(distributed_multigrid);
-    return distributed_.get();
-  }
-  if (!multigrid_) {
+  if (DistributedSolver* all_processes = distributed()) {
+    all_processes->choose(distributed_multigrid);
+  } else if (!component_) {
     auto made = Multigrid::make();
     if (!made)
       return made.error();
-    multigrid_ = std::move(*made);
+    component_ = std::move(*made);
   }
-  return multigrid_.get();
+  return component_.get();
 }
 
 Outcome<SolveReport> LinearSolver::solve_by_multigrid(const SparseMatrix& matrix,
@@ -534,8 +536,8 @@ Outcome<SolveReport> LinearSolver::solve_distributed(const SparseMatrix& matrix,
   const auto attempt = [&](DistributedMethod method, std::string_view name,
                            const SparseMatrix& factorized) -> Outcome<SolveReport> {
     correction_ = 0.0;
-    distributed_->choose(method);
-    if (!factorize(*distributed_, name, factorized))
+    distributed()->choose(method);
+    if (!factorize(*component_, name, factorized))
       return Failure{"the tangent is singular (" + std::string(name) + ")"};
     return solve_with_neighbour(name, matrix, rhs, x, options, {});
   };
@@ -574,7 +576,7 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
       return outcome;
     }
   }
-  if (distributed_)
+  if (distributed() != nullptr)
     return solve_distributed(matrix, symmetric, rhs, x, options);
   const bool fast = settings_.choice == SolverChoice::automatic ||
                     settings_.choice == SolverChoice::cholmod ||

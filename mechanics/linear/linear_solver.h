@@ -102,7 +102,6 @@ public:
                                             std::span<const std::vector<double>> known);
 };
 
-class Multigrid;
 class DistributedSolver;
 
 /// Gives a vector's memory back, which assigning {} would keep.
@@ -265,6 +264,8 @@ private:
                                                         std::span<const double> rhs,
                                                         std::span<double> x,
                                                         const SolveOptions& options);
+  /// What all processes do; null: this one solves alone.
+  [[nodiscard]] DistributedSolver* distributed() const;
   /// What multigrid is set up with. @return the reason if it cannot be
   [[nodiscard]] Outcome<Factorization*> prepared_multigrid();
   /// Around multigrid, or what a factorization by all processes leaves to do.
@@ -291,8 +292,8 @@ private:
   std::unique_ptr<Factorization> mumps_single_;
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
-  std::unique_ptr<Multigrid> multigrid_;
-  std::unique_ptr<DistributedSolver> distributed_; ///< none: process 0 solves alone
+  /// What a component does: multigrid, or in several processes all that is asked for.
+  std::unique_ptr<Factorization> component_;
   std::optional<bool> takes_multigrid_; ///< once it has been decided
   Factorization* last_ = nullptr;       ///< holds a factorization of an earlier matrix
   ReusePolicy reuse_;                   ///< of that factorization
