@@ -48,16 +48,18 @@ int among_processes(int argc, char** argv, int (*program)(int, char**)) {
   if (is_cut_off(processes))
     return launched_as() > 0
                ? static_cast<int>(Fault::usage)
-               : refuse("the processes do not find each other: they were started by another MPI than "
-                        "that of billet-mpi; start them by the mpiexec of its MPI (mpiexec.openmpi)");
+               : refuse(
+                     "the processes do not find each other: they were started by another MPI than "
+                     "that of billet-mpi; start them by the mpiexec of its MPI (mpiexec.openmpi)");
   if (*number > 0) {
     leave_signals_to_the_first();
     return mechanics::serve_processes();
   }
   const std::string command = argc > 1 ? argv[1] : "";
-  const int status = processes > 1 && argc > 1 && !may_be_several(command)
-                         ? refuse(fmt::format("'{}' is for one process: billet {}", command, command))
-                         : program(argc, argv);
+  const int status =
+      processes > 1 && argc > 1 && !may_be_several(command)
+          ? refuse(fmt::format("'{}' is for one process: billet {}", command, command))
+          : program(argc, argv);
   mechanics::end_processes();
   return status;
 }

@@ -183,9 +183,8 @@ Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorizat
 
 void LinearSolver::release_all_but(const Factorization& factorization) {
   constexpr double few = 1e7; // entries: less memory than the matrices of a small problem take
-  for (Factorization* other :
-       {single_.get(), cholmod_.get(), mumps_symmetric_.get(), mumps_single_.get(), mumps_.get(),
-        umfpack_.get(), component_.get()})
+  for (Factorization* other : {single_.get(), cholmod_.get(), mumps_symmetric_.get(),
+                               mumps_single_.get(), mumps_.get(), umfpack_.get(), component_.get()})
     if (other != nullptr && other != &factorization && other->cost().entries > few)
       other->release();
 }
@@ -299,8 +298,7 @@ GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
                                   Known known) {
   const Stopwatch watch(work_.substitution);
   const double enough = std::max(weigh(matrix) * tolerance, exact);
-  const GmresReport report =
-      last_->iterate(gmres_, matrix, weights_, rhs, x, enough, most, known);
+  const GmresReport report = last_->iterate(gmres_, matrix, weights_, rhs, x, enough, most, known);
   work_.substitutions += report.solves;
   return report;
 }

@@ -21,8 +21,8 @@ struct NodeGraph {
 /// @throws std::bad_alloc, std::runtime_error
 [[nodiscard]] std::vector<Index> nested_dissection(NodeGraph graph);
 
-/// The part that each node belongs to, 0 .. parts - 1: parts with about the same number of edges, and
-/// few edges between them.
+/// The part that each node belongs to, 0 .. parts - 1: parts with about the same number of edges,
+/// and few edges between them.
 ///
 /// @throws std::bad_alloc, std::runtime_error
 [[nodiscard]] std::vector<Index> partition(NodeGraph graph, int parts);

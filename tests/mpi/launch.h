@@ -18,10 +18,10 @@ namespace billet::test {
 /// What mpiexec of Open MPI asks for where root starts it, or more processes than there are cores;
 /// others do not know these variables.
 inline void allow_any_number_of_processes() {
-  for (const auto& [name, value] : {std::pair{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
-                                    std::pair{"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
-                                    std::pair{"OMPI_MCA_rmaps_base_oversubscribe", "1"},
-                                    std::pair{"OMPI_MCA_hwloc_base_binding_policy", "none"}})
+  for (const auto& [name, value] :
+       {std::pair{"OMPI_ALLOW_RUN_AS_ROOT", "1"}, std::pair{"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
+        std::pair{"OMPI_MCA_rmaps_base_oversubscribe", "1"},
+        std::pair{"OMPI_MCA_hwloc_base_binding_policy", "none"}})
     ::setenv(name, value, 1);
 }
 

@@ -58,8 +58,8 @@ increments = { first = 0.1, max = 0.1 }
 checkpoint_every = 0.01
 )";
 
-const std::string plane_coulomb = edited(upsetting, {{R"({ law = "tresca", m = 0.08 })",
-                                                      R"({ law = "coulomb", mu = 0.3 })"}});
+const std::string plane_coulomb =
+    edited(upsetting, {{R"({ law = "tresca", m = 0.08 })", R"({ law = "coulomb", mu = 0.3 })"}});
 
 class Processes : public testing::Test {
 protected:
@@ -88,11 +88,13 @@ protected:
         for (const double force : a.values(column))
           largest = std::max(largest, std::abs(force));
     ASSERT_GT(largest, 0.0);
-    for (const std::string& column : a.columns)
-      if (column.find("punch.force") == 0)
-        for (std::size_t row = 0; row < a.rows.size(); ++row)
-          EXPECT_NEAR(a.value(row, column), b.value(row, column), same * largest)
-              << column << " of row " << row << ", " << other;
+    for (const std::string& column : a.columns) {
+      if (column.find("punch.force") != 0)
+        continue;
+      for (std::size_t row = 0; row < a.rows.size(); ++row)
+        EXPECT_NEAR(a.value(row, column), b.value(row, column), same * largest)
+            << column << " of row " << row << ", " << other;
+    }
   }
 
   TemporaryFolder folder_;
@@ -127,7 +129,7 @@ TEST_F(Processes, leave_small_systems_to_the_first) {
   ASSERT_EQ(billet(words("one"), folder_.path()).status, 0);
   const Outcome outcome = launch(2, words("two"), folder_.path());
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(history("two").without_wall_time(), history("one").without_clock());
+  EXPECT_EQ(history("two").without_wall_time(), history("one").without_wall_time());
 }
 
 TEST_F(Processes, may_be_one_without_mpiexec) {
@@ -137,18 +139,20 @@ TEST_F(Processes, may_be_one_without_mpiexec) {
   alone.program = BILLET_MPI_PROGRAM;
   const Outcome outcome = billet(alone);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(history("alone").without_wall_time(), history("one").without_clock());
+  EXPECT_EQ(history("alone").without_wall_time(), history("one").without_wall_time());
   EXPECT_FALSE(summary("alone").at("resources").contains("processes"));
 }
 
 TEST_F(Processes, stop_in_order_and_go_on) {
-  const std::string longer = edited(ball_3d, {{"end = 0.3\nincrements = { first = 0.1, max = 0.1 }",
-                                               "end = 0.3\nincrements = { first = 0.01, max = 0.01 }"}});
+  const std::string longer =
+      edited(ball_3d, {{"end = 0.3\nincrements = { first = 0.1, max = 0.1 }",
+                        "end = 0.3\nincrements = { first = 0.01, max = 0.01 }"}});
   write(longer, "mumps");
   ASSERT_EQ(billet(words("one"), folder_.path()).status, 0);
   Program program(launched(2, words("parts"), folder_.path()));
-  ASSERT_TRUE(program.wait_until(
-      [&] { return whole_file(folder_.path() / "parts" / "history.csv").find("\n0.03") != std::string::npos; }));
+  ASSERT_TRUE(program.wait_until([&] {
+    return whole_file(folder_.path() / "parts" / "history.csv").find("\n0.03") != std::string::npos;
+  }));
   program.signal(SIGUSR1); // which mpiexec hands on
   const Outcome stopped = program.end();
   EXPECT_EQ(stopped.status, 128 + SIGUSR1) << stopped.err;
@@ -167,7 +171,8 @@ TEST_F(Processes, end_all_when_the_first_is_killed) {
                           "end = 0.3\nincrements = { first = 0.001, max = 0.001 }"}}),
         "mumps");
   Program program(launched(2, words("killed"), folder_.path()));
-  ASSERT_TRUE(program.wait_until([&] { return fs::exists(folder_.path() / "killed" / "history.csv"); }));
+  ASSERT_TRUE(
+      program.wait_until([&] { return fs::exists(folder_.path() / "killed" / "history.csv"); }));
   const std::vector<pid_t> first = processes_with_rank(0, folder_.path());
   const std::vector<pid_t> second = processes_with_rank(1, folder_.path());
   ASSERT_EQ(first.size(), 1U);

@@ -1,8 +1,8 @@
 // The component for several processes: what process 0 asks for, and the others do with it.
 //
 // Process 0 sends a command to all, and all of them call the same function of a system. While there
-// is nothing to do the others sleep, so that threads of process 0 have their cores. An error that not
-// all processes can know of ends them all.
+// is nothing to do the others sleep, so that threads of process 0 have their cores. An error that
+// not all processes can know of ends them all.
 
 #include "mechanics/linear/distributed/component.h"
 #include "mechanics/linear/distributed/petsc_system.h"
@@ -245,11 +245,16 @@ const char* reason() { return state().reason.c_str(); }
 
 PetscErrorCode start_petsc() {
   const char* const options[] = {
-      "-bmg_pc_type",          "gamg",     //
-      "-bmg_pc_gamg_type",     "agg",      //
-      "-bmg_mg_levels_ksp_type", "chebyshev", //
-      "-bmg_mg_levels_pc_type", "jacobi",  //
-      "-bmg_mg_levels_ksp_max_it", "2",
+      "-bmg_pc_type",
+      "gamg", //
+      "-bmg_pc_gamg_type",
+      "agg", //
+      "-bmg_mg_levels_ksp_type",
+      "chebyshev", //
+      "-bmg_mg_levels_pc_type",
+      "jacobi", //
+      "-bmg_mg_levels_ksp_max_it",
+      "2",
   };
   PetscCall(PetscOptionsSetValue(nullptr, "-no_signal_handler", nullptr));
   PetscCall(PetscInitializeNoArguments());
@@ -292,7 +297,7 @@ int serve() {
 extern "C" [[gnu::visibility("default")]] const DistributedComponent*
 billet_distributed_component() {
   static const DistributedComponent component{
-      distributed_version, start, serve, end,     make,   destroy,
+      distributed_version, start,  serve, end,     make,   destroy,
       set_values,          set_up, solve, release, memory, reason};
   return &component;
 }

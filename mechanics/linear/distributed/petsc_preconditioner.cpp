@@ -54,9 +54,8 @@ DistributedPreconditioner::set_up(DistributedSetUp& set_up, Mat matrix, Vec posi
   return factorize(set_up, matrix);
 }
 
-PetscErrorCode DistributedPreconditioner::set_up_multigrid(DistributedSetUp& set_up,
-                                                           Mat matrix,
-                                                           Vec positions) {
+PetscErrorCode
+DistributedPreconditioner::set_up_multigrid(DistributedSetUp& set_up, Mat matrix, Vec positions) {
   PetscCall(set_modes(matrix, positions));
   PetscCall(PCCreate(PETSC_COMM_WORLD, &cycle_));
   PetscCall(PCSetOptionsPrefix(cycle_, "bmg_"));
@@ -72,7 +71,8 @@ PetscErrorCode DistributedPreconditioner::set_up_multigrid(DistributedSetUp& set
 PetscErrorCode DistributedPreconditioner::analyse(DistributedMethod method, Mat matrix) {
   const MatFactorType type = method == distributed_ldlt ? MAT_FACTOR_CHOLESKY : MAT_FACTOR_LU;
   const bool by_mumps = method != distributed_superlu;
-  PetscCall(MatGetFactor(matrix, by_mumps ? MATSOLVERMUMPS : MATSOLVERSUPERLU_DIST, type, &factor_));
+  PetscCall(
+      MatGetFactor(matrix, by_mumps ? MATSOLVERMUMPS : MATSOLVERSUPERLU_DIST, type, &factor_));
   if (by_mumps) {
     PetscCall(MatMumpsSetIcntl(factor_, mumps::ordering, mumps::metis));
     PetscCall(MatMumpsSetIcntl(factor_, mumps::scaling, mumps::none)); // all are displacements

@@ -142,7 +142,9 @@ void DistributedRows::copy(std::size_t node, const double* values, const Values&
 /// Two messages at a time: one is written while the other is under way.
 void DistributedRows::send_values(int process, const double* values) const {
   const std::size_t size = idx(dim_) * idx(dim_);
-  const auto blocks_before = [&](int place) { return pattern_.neighbour_start + pattern_.order[place]; };
+  const auto blocks_before = [&](int place) {
+    return pattern_.neighbour_start + pattern_.order[place];
+  };
   const auto values_of = [&](int place) {
     return size * idx(blocks_before(place)[1] - blocks_before(place)[0]);
   };

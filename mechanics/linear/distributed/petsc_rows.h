@@ -1,9 +1,9 @@
 // Rows of a distributed matrix: which this process owns, and how they and vectors come here.
 //
-// Process 0 has the whole matrix and whole vectors, in the numbers of the program. Nodes have places
-// in an order in which each process owns a piece; a place's unknowns are those of the distributed
-// matrix. Every public function is called by all processes together, with arrays of the program on
-// process 0 and null elsewhere.
+// Process 0 has the whole matrix and whole vectors, in the numbers of the program. Nodes have
+// places in an order in which each process owns a piece; a place's unknowns are those of the
+// distributed matrix. Every public function is called by all processes together, with arrays of the
+// program on process 0 and null elsewhere.
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // The processes that the program runs in, where it was started as several (mpiexec).
 //
 // Process 0 runs the program; the others serve its linear systems. MPI and PETSc are in a component
-// that is loaded (component.h), which not every installation has. The state is that of the program as
-// a whole, as MPI's is.
+// that is loaded (component.h), which not every installation has. The state is that of the program
+// as a whole, as MPI's is.
 
 #pragma once
 

@@ -13,7 +13,8 @@ namespace billet::mechanics::node_parts_test {
 namespace {
 
 BlockPattern pattern_of(ElementKind kind, int cells) {
-  return block_pattern(box_mesh({kind, Vec3::Zero(), Vec3(2.0, 1.0, 1.0), {2 * cells, cells, cells}}));
+  return block_pattern(
+      box_mesh({kind, Vec3::Zero(), Vec3(2.0, 1.0, 1.0), {2 * cells, cells, cells}}));
 }
 
 /// Couplings between nodes of different parts, of all couplings.
