@@ -10,7 +10,7 @@ namespace billet::mechanics {
 
 namespace {
 
-constexpr const char* component_file = "libbillet-mpi.so";
+constexpr const char* processes_file = "libbillet-mpi.so";
 
 /// What has been started.
 struct Started {
@@ -25,7 +25,7 @@ Started& started() {
 
 Outcome<const DistributedComponent*> load_distributed() {
   // Deep: PETSc must find its own MPI and MUMPS, not the sequential ones of the program.
-  void* library = dlopen(component_file, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+  void* library = dlopen(processes_file, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
   if (library == nullptr) {
     const char* why = dlerror(); // NOLINT(concurrency-mt-unsafe)
     return Failure{fmt::format("the component for several processes is not there: {}", why)};
@@ -33,7 +33,7 @@ Outcome<const DistributedComponent*> load_distributed() {
   const auto entry = reinterpret_cast<DistributedEntry>(dlsym(library, distributed_entry));
   if (entry != nullptr && entry()->version == distributed_version)
     return entry();
-  return Failure{fmt::format("{} belongs to another version", component_file)};
+  return Failure{fmt::format("{} belongs to another version", processes_file)};
 }
 
 } // namespace
