@@ -1,5 +1,6 @@
 // The program: finds the command, catches what goes wrong, gives the exit status.
 
+#include "app/among_processes.h"
 #include "app/command_line.h"
 #include "app/no_memory.h"
 #include "geometry/base/error.h"
@@ -98,9 +99,8 @@ int after_output(int status) {
                             errno != 0 ? std::strerror(errno) : "unknown reason"));
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+/// All of it, in one process.
+int program(int argc, char** argv) {
   open_streams();
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of writing
   keep_freed_memory();
@@ -121,3 +121,7 @@ int main(int argc, char** argv) {
     return report(internal_error, std::string("internal error: ") + error.what());
   }
 }
+
+} // namespace
+
+int main(int argc, char** argv) { return app::among_processes(argc, argv, &program); }

@@ -11,6 +11,7 @@
 #include "io/results/checkpoint.h"
 #include "io/results/run_writer.h"
 #include "mechanics/linear/blas.h"
+#include "mechanics/linear/distributed/processes.h"
 #include "process/loop/run_checks.h"
 
 #include <fmt/format.h>
@@ -190,7 +191,9 @@ int run_case(const Arguments& arguments) {
   const process::Run& run = process.view();
   if (found)
     go_on_from(*found, process);
-  progress.say(fmt::format("billet {}, {} thread(s), BLAS kernels {}", BILLET_VERSION, threads,
+  const int processes = mechanics::number_of_processes();
+  progress.say(fmt::format("billet {}, {}{} thread(s), BLAS kernels {}", BILLET_VERSION,
+                           processes > 1 ? fmt::format("{} processes, ", processes) : "", threads,
                            mechanics::blas_core()));
   for (const std::string& note : ready.notes)
     progress.say(note);

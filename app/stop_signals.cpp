@@ -1,5 +1,7 @@
 #include "app/stop_signals.h"
 
+#include "mechanics/linear/distributed/processes.h"
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -50,6 +52,8 @@ void notice_stop_signals() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP})
     if (number != SIGHUP || before.sa_handler != SIG_IGN)
       sigaction(number, &action, nullptr);
+  if (mechanics::number_of_processes() > 1)
+    sigaction(SIGUSR1, &action, nullptr);
 }
 
 int stop_signal() { return caught; }

@@ -1,7 +1,8 @@
 // Signals that end a run: SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal is closed).
 //
 // The first asks for the end: the run stops after a whole increment and writes its results. A later
-// SIGINT or SIGTERM ends the program at once.
+// SIGINT or SIGTERM ends the program at once. In several processes SIGUSR1 asks for the end as
+// well: mpiexec hands it on, and gives them a second only when it is ended itself.
 
 #pragma once
 

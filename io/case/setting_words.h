@@ -31,7 +31,8 @@ inline constexpr std::array linear_solvers{
     Word<mechanics::SolverChoice>{"cholmod", mechanics::SolverChoice::cholmod},
     Word<mechanics::SolverChoice>{"mumps", mechanics::SolverChoice::mumps},
     Word<mechanics::SolverChoice>{"umfpack", mechanics::SolverChoice::umfpack},
-    Word<mechanics::SolverChoice>{"multigrid", mechanics::SolverChoice::multigrid}};
+    Word<mechanics::SolverChoice>{"multigrid", mechanics::SolverChoice::multigrid},
+    Word<mechanics::SolverChoice>{"superlu-dist", mechanics::SolverChoice::superlu_dist}};
 inline constexpr std::array accuracies{Word<Accuracy>{"draft", Accuracy::draft},
                                        Word<Accuracy>{"standard", Accuracy::standard},
                                        Word<Accuracy>{"fine", Accuracy::fine}};

@@ -2,6 +2,7 @@
 
 #include "contact/self/laps.h"
 #include "contact/self/self_report.h"
+#include "mechanics/linear/distributed/processes.h"
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -256,8 +257,14 @@ ordered_json resources_json() {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   constexpr double kilobyte = 1024.0;
-  return {{"processor_seconds", seconds(used.ru_utime) + seconds(used.ru_stime)},
-          {"peak_memory_bytes", kilobyte * static_cast<double>(used.ru_maxrss)}};
+  ordered_json resources{{"processor_seconds", seconds(used.ru_utime) + seconds(used.ru_stime)},
+                         {"peak_memory_bytes", kilobyte * static_cast<double>(used.ru_maxrss)}};
+  for (const mechanics::ProcessMemory& memory : mechanics::memory_of_processes())
+    resources["processes"].push_back({{"peak_memory_bytes", memory.peak},
+                                      {"after_distribution_bytes", memory.after_distribution},
+                                      {"after_set_up_bytes", memory.after_set_up},
+                                      {"after_solve_bytes", memory.after_solve}});
+  return resources;
 }
 
 } // namespace

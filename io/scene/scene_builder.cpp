@@ -14,6 +14,7 @@
 #include "io/tools/stl.h"
 #include "io/tools/tool_builder.h"
 #include "mechanics/elements/mesh_check.h"
+#include "mechanics/linear/distributed/processes.h"
 #include "mechanics/linear/multigrid/multigrid.h"
 #include "mechanics/loads/loads.h"
 #include "mechanics/mesh/domain_meshes.h"
@@ -543,6 +544,11 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
     throw Error(Fault::case_file, place,
                 "solver.linear: \"multigrid\" needs a component that is not installed",
                 "./dev build --multigrid builds it, with PETSc; \"auto\" takes it where it pays");
+  if (scene.solver.choice == mechanics::SolverChoice::superlu_dist &&
+      mechanics::number_of_processes() == 1)
+    throw Error(Fault::case_file, place,
+                "solver.linear: \"superlu-dist\" is for several processes, and this is one",
+                "start mpiexec -n N billet-mpi run, or write \"mumps\" or \"auto\"");
   return built;
 }
 

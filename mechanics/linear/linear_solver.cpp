@@ -4,19 +4,18 @@
 #include "geometry/base/pieces.h"
 #include "geometry/base/stopwatch.h"
 #include "mechanics/linear/blas.h"
+#include "mechanics/linear/distributed/distributed_solver.h"
 #include "mechanics/linear/multigrid/multigrid.h"
+#include "mechanics/linear/node_graph.h"
 #include "mechanics/linear/solver_estimate.h"
 
 #include <Eigen/Core>
-#include <metis.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <csignal>
 #include <cstdint>
 #include <new>
-#include <stdexcept>
 
 namespace billet::mechanics {
 
@@ -81,28 +80,18 @@ double tolerance_for(double asked, double correction, bool small) {
   return std::clamp(asked, exact, small ? loosest_if_small : 1.0);
 }
 
-/// METIS' nested dissection. It takes signals for its own: SIGTERM while it works ends it.
-void order_nodes(std::vector<idx_t>& start,
-                 std::vector<idx_t>& graph,
-                 std::vector<idx_t>& permutation,
-                 std::vector<idx_t>& inverse) {
-  const auto status_of_metis = [&] {
-    auto vertices = static_cast<idx_t>(permutation.size());
-    return METIS_NodeND(&vertices, start.data(), graph.data(), nullptr, nullptr, permutation.data(),
-                        inverse.data());
-  };
-  int status = status_of_metis();
-  if (status == METIS_ERROR) {
-    std::raise(SIGTERM); // for whom it was
-    status = status_of_metis();
-  }
-  if (status == METIS_ERROR_MEMORY)
-    throw std::bad_alloc();
-  if (status != METIS_OK)
-    throw std::runtime_error("METIS cannot order the unknowns");
-}
-
 } // namespace
+
+GmresReport Factorization::iterate(Gmres& gmres,
+                                   const SparseMatrix& matrix,
+                                   std::span<const double> weights,
+                                   std::span<const double> rhs,
+                                   std::span<double> x,
+                                   double tolerance,
+                                   int most,
+                                   std::span<const std::vector<double>> known) {
+  return gmres.solve(matrix, *this, weights, rhs, x, tolerance, most, known);
+}
 
 SolverWork SolverWork::after(const SolverWork& earlier) const {
   SolverWork sum = *this;
@@ -127,30 +116,20 @@ void RetryBackoff::take(bool served) {
 }
 
 std::vector<Index> fill_reducing_order(const BlockPattern& pattern) {
-  const Index n = pattern.n_nodes();
-  std::vector<idx_t> start{0};
-  std::vector<idx_t> graph;
-  for (Index a = 0; a < n; ++a) {
-    const auto i = static_cast<std::size_t>(a);
-    for (Index k = pattern.neighbour_start[i]; k < pattern.neighbour_start[i + 1]; ++k)
-      if (pattern.neighbours[static_cast<std::size_t>(k)] != a)
-        graph.push_back(pattern.neighbours[static_cast<std::size_t>(k)]);
-    start.push_back(static_cast<idx_t>(graph.size()));
-  }
-  std::vector<idx_t> permutation(static_cast<std::size_t>(n));
-  std::vector<idx_t> inverse(static_cast<std::size_t>(n));
-  if (n > 1)
-    order_nodes(start, graph, permutation, inverse);
   std::vector<Index> order;
-  for (const idx_t node : permutation)
+  for (const Index node : nested_dissection(node_graph(pattern)))
     for (int i = 0; i < pattern.dim; ++i)
-      order.push_back(static_cast<Index>(node) * pattern.dim + i);
+      order.push_back(node * pattern.dim + i);
   return order;
 }
 
 LinearSolver::LinearSolver(const BlockPattern& pattern, SolverSettings settings)
     : pattern_(&pattern), settings_(settings),
       residual_(static_cast<std::size_t>(pattern.n_dofs())) {
+  if (DistributedSolver::serves(pattern, settings.choice)) {
+    component_ = std::make_unique<DistributedSolver>(pattern);
+    return;
+  }
   // What wants memory does so before a run has begun, unless it may never be needed.
   const bool may_multigrid = settings.choice == SolverChoice::multigrid ||
                              (settings.choice == SolverChoice::automatic &&
@@ -204,9 +183,8 @@ Factorization& LinearSolver::prepared(std::unique_ptr<Factorization>& factorizat
 
 void LinearSolver::release_all_but(const Factorization& factorization) {
   constexpr double few = 1e7; // entries: less memory than the matrices of a small problem take
-  for (Factorization* other :
-       {single_.get(), cholmod_.get(), mumps_symmetric_.get(), mumps_single_.get(), mumps_.get(),
-        umfpack_.get(), static_cast<Factorization*>(multigrid_.get())})
+  for (Factorization* other : {single_.get(), cholmod_.get(), mumps_symmetric_.get(),
+                               mumps_single_.get(), mumps_.get(), umfpack_.get(), component_.get()})
     if (other != nullptr && other != &factorization && other->cost().entries > few)
       other->release();
 }
@@ -320,7 +298,7 @@ GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
                                   Known known) {
   const Stopwatch watch(work_.substitution);
   const double enough = std::max(weigh(matrix) * tolerance, exact);
-  const GmresReport report = gmres_.solve(matrix, *last_, weights_, rhs, x, enough, most, known);
+  const GmresReport report = last_->iterate(gmres_, matrix, weights_, rhs, x, enough, most, known);
   work_.substitutions += report.solves;
   return report;
 }
@@ -347,8 +325,12 @@ Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
     std::fill(x.begin(), x.end(), 0.0);
     return SolveReport{"zero", 0.0};
   }
-  const bool may_reuse = options.tolerance > 0.0 && (settings_.choice == SolverChoice::automatic ||
-                                                     settings_.choice == SolverChoice::multigrid);
+  DistributedSolver* all_processes = distributed();
+  if (all_processes != nullptr)
+    all_processes->expect_new_values();
+  const bool may_reuse = options.tolerance > 0.0 &&
+                         (settings_.choice == SolverChoice::automatic ||
+                          settings_.choice == SolverChoice::multigrid || all_processes != nullptr);
   const int most = may_reuse && last_ != nullptr ? max_solves(last_->cost()) : 0;
   if (most > 0 && !reuse_.wants_new()) {
     const double enough = tolerance_for(options.tolerance, correction_, false);
@@ -506,19 +488,32 @@ bool LinearSolver::takes_multigrid() {
   return *takes_multigrid_;
 }
 
+DistributedSolver* LinearSolver::distributed() const {
+  return dynamic_cast<DistributedSolver*>(component_.get());
+}
+
+Outcome<Factorization*> LinearSolver::prepared_multigrid() {
+  if (DistributedSolver* all_processes = distributed()) {
+    all_processes->choose(distributed_multigrid);
+  } else if (!component_) {
+    auto made = Multigrid::make();
+    if (!made)
+      return made.error();
+    component_ = std::move(*made);
+  }
+  return component_.get();
+}
+
 Outcome<SolveReport> LinearSolver::solve_by_multigrid(const SparseMatrix& matrix,
                                                       std::span<const double> rhs,
                                                       std::span<double> x,
                                                       const SolveOptions& options) {
-  if (!multigrid_) {
-    auto made = Multigrid::make();
-    if (!made)
-      return made.error();
-    multigrid_ = std::move(*made);
-  }
+  const Outcome<Factorization*> multigrid = prepared_multigrid();
+  if (!multigrid)
+    return multigrid.error();
   correction_ = 0.0;
-  multigrid_->set_positions(options.positions);
-  if (!factorize(*multigrid_, "multigrid", matrix))
+  (*multigrid)->set_positions(options.positions);
+  if (!factorize(**multigrid, "multigrid", matrix))
     return Failure{"multigrid cannot be set up"};
   constexpr int most = 300; // the first do little where contact is stiff
   const double enough = std::max(options.tolerance, exact);
@@ -529,6 +524,36 @@ Outcome<SolveReport> LinearSolver::solve_by_multigrid(const SparseMatrix& matrix
   }
   factor_of_ = FactorOf::symmetrized;
   return SolveReport{"multigrid", report.residual};
+}
+
+Outcome<SolveReport> LinearSolver::solve_distributed(const SparseMatrix& matrix,
+                                                     bool symmetric,
+                                                     std::span<const double> rhs,
+                                                     std::span<double> x,
+                                                     const SolveOptions& options) {
+  const auto attempt = [&](DistributedMethod method, std::string_view name,
+                           const SparseMatrix& factorized) -> Outcome<SolveReport> {
+    correction_ = 0.0;
+    distributed()->choose(method);
+    if (!factorize(*component_, name, factorized))
+      return Failure{"the tangent is singular (" + std::string(name) + ")"};
+    return solve_with_neighbour(name, matrix, rhs, x, options, {});
+  };
+  if (settings_.choice == SolverChoice::superlu_dist)
+    return attempt(distributed_superlu, "superlu-dist", matrix);
+  if (symmetric)
+    return attempt(distributed_ldlt, "mumps-ldlt", matrix);
+  if (backoff_.symmetric.due()) {
+    matrix.take_symmetric_part(symmetric_part_);
+    auto outcome = attempt(distributed_ldlt, "mumps-ldlt-gmres", symmetric_part_);
+    if (outcome)
+      ++work_.nearly_symmetric;
+    free_memory(symmetric_part_.values);
+    backoff_.symmetric.take(bool(outcome));
+    if (outcome)
+      return outcome;
+  }
+  return attempt(distributed_lu, "mumps-lu", matrix);
 }
 
 Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matrix,
@@ -549,6 +574,8 @@ Outcome<SolveReport> LinearSolver::factorize_and_solve(const SparseMatrix& matri
       return outcome;
     }
   }
+  if (distributed() != nullptr)
+    return solve_distributed(matrix, symmetric, rhs, x, options);
   const bool fast = settings_.choice == SolverChoice::automatic ||
                     settings_.choice == SolverChoice::cholmod ||
                     settings_.choice == SolverChoice::multigrid; // where it has failed

@@ -7,10 +7,12 @@
 // meets a pivot that is not positive, or the neighbour is too far, MUMPS' LDL^T or LU: in large
 // problems an LU in single precision, with GMRES around it. UMFPACK stands in when MUMPS fails.
 // Large parts in space are solved by GMRES around multigrid where that is cheaper, or where memory
-// does not hold the factors; what it does not solve is factorized.
+// does not hold the factors; what it does not solve is factorized. Where the program runs in several
+// processes all of them solve large systems (distributed/).
 // Every solution's residual is checked, and refined once where it is too large.
 // docs/decisions/0010-symmetric-neighbour.md, 0013-memory-of-factorizations.md,
-// 0018-factorization-in-single-precision.md, 0032-threads.md, 0033-multigrid.md
+// 0018-factorization-in-single-precision.md, 0032-threads.md, 0033-multigrid.md,
+// 0034-several-processes.md
 
 #pragma once
 
@@ -40,7 +42,8 @@ struct SolveOptions {
 struct SolveReport {
   std::string_view method;      ///< "ldlt-single", "cholmod", "cholmod-gmres", "mumps-ldlt",
                                 ///< "mumps-lu-gmres" (in single precision), "mumps-lu", "umfpack",
-                                ///< "multigrid";
+                                ///< "multigrid"; in several processes "mumps-ldlt-gmres",
+                                ///< "superlu-dist" as well;
                                 ///< "gmres": with an earlier factorization
   double relative_residual = 0; ///< of the linear system
 };
@@ -86,9 +89,20 @@ public:
   virtual void release() = 0;
   /// Work of the last factorization, as counted by the method; before it what analysis expects.
   [[nodiscard]] virtual FactorCost cost() const = 0;
+  /// Of the unknowns, shape (n_dofs), until the next factorization is done: multigrid asks [mm].
+  virtual void set_positions(std::span<const double>) {}
+  /// Solves by GMRES around it, see Gmres::solve, which does so unless it has a way of its own.
+  [[nodiscard]] virtual GmresReport iterate(Gmres& gmres,
+                                            const SparseMatrix& matrix,
+                                            std::span<const double> weights,
+                                            std::span<const double> rhs,
+                                            std::span<double> x,
+                                            double tolerance,
+                                            int most,
+                                            std::span<const std::vector<double>> known);
 };
 
-class Multigrid;
+class DistributedSolver;
 
 /// Gives a vector's memory back, which assigning {} would keep.
 template <class T> void free_memory(std::vector<T>& values) { std::vector<T>().swap(values); }
@@ -250,6 +264,16 @@ private:
                                                         std::span<const double> rhs,
                                                         std::span<double> x,
                                                         const SolveOptions& options);
+  /// What all processes do; null: this one solves alone.
+  [[nodiscard]] DistributedSolver* distributed() const;
+  /// What multigrid is set up with. @return the reason if it cannot be
+  [[nodiscard]] Outcome<Factorization*> prepared_multigrid();
+  /// Around multigrid, or what a factorization by all processes leaves to do.
+  [[nodiscard]] Outcome<SolveReport> solve_distributed(const SparseMatrix& matrix,
+                                                       bool symmetric,
+                                                       std::span<const double> rhs,
+                                                       std::span<double> x,
+                                                       const SolveOptions& options);
   [[nodiscard]] double weigh(const SparseMatrix& matrix);
   [[nodiscard]] Outcome<SolveReport> factorize_and_solve(const SparseMatrix& matrix,
                                                          bool symmetric,
@@ -268,7 +292,8 @@ private:
   std::unique_ptr<Factorization> mumps_single_;
   std::unique_ptr<Factorization> mumps_;
   std::unique_ptr<Factorization> umfpack_;
-  std::unique_ptr<Multigrid> multigrid_;
+  /// What a component does: multigrid, or in several processes all that is asked for.
+  std::unique_ptr<Factorization> component_;
   std::optional<bool> takes_multigrid_; ///< once it has been decided
   Factorization* last_ = nullptr;       ///< holds a factorization of an earlier matrix
   ReusePolicy reuse_;                   ///< of that factorization

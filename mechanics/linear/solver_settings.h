@@ -5,7 +5,7 @@
 namespace billet::mechanics {
 
 /// What solves the systems.
-enum class SolverChoice { automatic, cholmod, mumps, umfpack, multigrid };
+enum class SolverChoice { automatic, cholmod, mumps, umfpack, multigrid, superlu_dist };
 
 /// How systems are solved.
 struct SolverSettings {

@@ -47,16 +47,17 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
 
 /// How to start it.
 struct Start {
-  std::vector<std::string> words;         ///< after "billet"
+  std::vector<std::string> words;         ///< after the name of the program
   std::filesystem::path folder = {};      ///< working folder; empty: this one
   std::function<void()> in_child = [] {}; ///< just before the program starts
+  std::string program = BILLET_PROGRAM;   ///< another one than billet
 };
 
 /// The program while it runs.
 class Program {
 public:
   explicit Program(const Start& start) {
-    std::vector<std::string> words{BILLET_PROGRAM};
+    std::vector<std::string> words{start.program};
     words.insert(words.end(), start.words.begin(), start.words.end());
     std::vector<char*> argv;
     for (std::string& word : words)

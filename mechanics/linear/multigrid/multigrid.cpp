@@ -1,5 +1,6 @@
 #include "mechanics/linear/multigrid/multigrid.h"
 
+#include "mechanics/linear/distributed/processes.h"
 #include "mechanics/linear/multigrid/component.h"
 
 #include <dlfcn.h>
@@ -38,7 +39,9 @@ const Outcome<const MultigridComponent*>& component_of_process() {
 
 } // namespace
 
-bool Multigrid::is_there() { return bool(component_of_process()); }
+bool Multigrid::is_there() {
+  return number_of_processes() > 1 || bool(component_of_process());
+}
 
 Outcome<std::unique_ptr<Multigrid>> Multigrid::make() {
   const Outcome<const MultigridComponent*>& component = component_of_process();

@@ -20,7 +20,7 @@ public:
   /// @return  the reason if the component is not there or does not start
   [[nodiscard]] static Outcome<std::unique_ptr<Multigrid>> make();
 
-  /// Whether the component is there.
+  /// Whether the component is there, or several processes are, which have theirs.
   [[nodiscard]] static bool is_there();
 
   Multigrid(const MultigridComponent& component, void* multigrid);
@@ -28,8 +28,7 @@ public:
   Multigrid(const Multigrid&) = delete;
   Multigrid& operator=(const Multigrid&) = delete;
 
-  /// Of the unknowns, shape (n_dofs), until the next set-up is done [mm].
-  void set_positions(std::span<const double> positions) { positions_ = positions; }
+  void set_positions(std::span<const double> positions) override { positions_ = positions; }
 
   /// Sets the levels up. The finest matrix is not copied: cycles smooth with the values it has at
   /// the time, which may go on to change, and it has to stay where it is.
