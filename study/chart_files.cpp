@@ -21,7 +21,6 @@ namespace billet::study {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using nlohmann::ordered_json;
 using Rows = std::vector<std::vector<double>>;
 
@@ -37,11 +36,11 @@ ordered_json rows_to_json(const Rows& rows) {
   return list;
 }
 
-Rows rows_of_json(const json& list) {
+Rows rows_of_json(const nlohmann::json& list) {
   Rows rows;
-  for (const json& row : list) {
+  for (const nlohmann::json& row : list) {
     std::vector<double>& values = rows.emplace_back();
-    for (const json& value : row)
+    for (const nlohmann::json& value : row)
       values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                        : value.get<double>());
   }
@@ -65,15 +64,15 @@ ordered_json law_to_json(const ChartedLaw& law) {
   return {{"name", law.name}, {"parameters", parameters}, {"quantities", quantities}};
 }
 
-ChartedLaw law_of_json(const json& from) {
+ChartedLaw law_of_json(const nlohmann::json& from) {
   ChartedLaw law;
   law.name = from.at("name");
-  for (const json& each : from.at("parameters"))
+  for (const nlohmann::json& each : from.at("parameters"))
     law.parameters.push_back({each.at("name"), each.at("keys"), each.at("values")});
-  for (const json& each : from.at("quantities")) {
+  for (const nlohmann::json& each : from.at("quantities")) {
     ChartedQuantity quantity{
         each.at("name"), rows_of_json(each.at("values")), rows_of_json(each.at("model_error")), {}};
-    for (const json& change : each.at("change"))
+    for (const nlohmann::json& change : each.at("change"))
       quantity.change.push_back(rows_of_json(change));
     law.quantities.push_back(std::move(quantity));
   }
@@ -176,7 +175,7 @@ void write_chart(const Chart& chart, const fs::path& folder) {
 }
 
 Chart read_chart(const fs::path& file) {
-  const json from = json::parse(text_of_file(file), nullptr, false);
+  const nlohmann::json from = nlohmann::json::parse(text_of_file(file), nullptr, false);
   const auto refuse = [&](const std::string& why) {
     return Error(Fault::input_output, file.string(), "this is no chart: " + why,
                  "make one with billet chart CHART.toml");
@@ -189,14 +188,14 @@ Chart read_chart(const fs::path& file) {
     chart.x = from.at("x");
     chart.stations = from.at("stations").get<std::vector<double>>();
     chart.uncertain = from.at("uncertain").get<std::vector<std::string>>();
-    for (const json& law : from.at("laws"))
+    for (const nlohmann::json& law : from.at("laws"))
       chart.laws.push_back(law_of_json(law));
     if (chart.laws.empty() || chart.stations.empty() || !increases(chart.stations) ||
         !std::all_of(chart.laws.begin(), chart.laws.end(),
                      [&](const ChartedLaw& law) { return is_whole(chart, law); }))
       throw refuse("parts of it are missing");
     return chart;
-  } catch (const json::exception& error) {
+  } catch (const nlohmann::json::exception& error) {
     throw refuse(error.what());
   }
 }

@@ -15,10 +15,10 @@ namespace billet::study {
 
 namespace {
 
-using nlohmann::json;
-
 /// All numbers below a node of a JSON text, by their path.
-void collect(const json& node, const std::string& path, std::map<std::string, double>& into) {
+void collect(const nlohmann::json& node,
+             const std::string& path,
+             std::map<std::string, double>& into) {
   if (node.is_number())
     into[path] = node.get<double>();
   else if (node.is_object())
@@ -31,7 +31,7 @@ void collect(const json& node, const std::string& path, std::map<std::string, do
 
 std::map<std::string, double> numbers_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  const json summary = json::parse(stream, nullptr, false);
+  const nlohmann::json summary = nlohmann::json::parse(stream, nullptr, false);
   if (summary.is_discarded())
     throw Error(Fault::input_output, file.string(), "the summary of the run cannot be read");
   std::map<std::string, double> numbers;

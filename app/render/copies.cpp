@@ -4,6 +4,7 @@
 #include "app/render/results.h"
 #include "geometry/base/error.h"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 #include <vtkAppendPolyData.h>
 #include <vtkMatrix4x4.h>
@@ -19,8 +20,6 @@
 namespace billet::render {
 
 namespace {
-
-
 
 /// The planes of symmetry that the results know: "x = 0, y = 2.5".
 std::vector<AxisPlane> known_planes(vtkUnstructuredGrid& part) {

@@ -2,6 +2,7 @@
 
 #include "geometry/base/vector.h"
 
+#include <Eigen/Geometry>
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkDataSetSurfaceFilter.h>
@@ -164,7 +165,8 @@ with_touched_values(vtkPolyData& tool, const Frame& frame, const Shown& shown, d
                              weights.data());
       value = 0.0;
       for (vtkIdType a = 0; a < cell->GetNumberOfPoints(); ++a)
-        value += weights[static_cast<std::size_t>(a)] * known->GetTuple1(cell->GetPointId(static_cast<int>(a)));
+        value += weights[static_cast<std::size_t>(a)] *
+                 known->GetTuple1(cell->GetPointId(static_cast<int>(a)));
     }
     values->InsertNextValue(value);
   }

@@ -2,6 +2,8 @@
 
 #include "geometry/base/error.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

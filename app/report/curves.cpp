@@ -45,7 +45,7 @@ void add_if_any(std::vector<NamedChart>& charts, NamedChart chart) {
 
 NamedChart loads_over_strokes(const ResultsFolder& results) {
   try {
-    NamedChart named{"load-stroke", render::load_stroke(results.path), false, false};
+    NamedChart named{"load-stroke", render::load_stroke({results.path}), false, false};
     named.over_time = named.chart.x_label.starts_with("time");
     named.chart.title = named.over_time ? "Forces over time" : "Forces over strokes";
     return named;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -19,15 +20,35 @@ namespace billet::process {
 
 namespace {
 
-/// Nodes nearer to a wall than this share of the first elements' sides are on it. The last of a
-/// bore would ask for hoops that shrink to nothing: what is left counts as closed.
-double reach(const Run& run, const Wall& wall) {
-  constexpr double of_side = 0.01, of_side_at_axis = 0.1;
-  return (wall.axis ? of_side_at_axis : of_side) * run.state.mesh.first_side;
+/// How far beyond a wall a node may end, once. [mm]
+double slack(const Wall& wall, double near) { return wall.axis ? 0.0 : near; }
+
+/// The shortest edge of a face [mm].
+double shortest_edge(const mechanics::Mesh& mesh, const mechanics::Face& face) {
+  const bool triangle = face.nodes.size() % 3 == 0;
+  const std::size_t corners = mesh.dimension() == 2 ? 2 : triangle ? 3 : 4;
+  double shortest = HUGE_VAL;
+  for (std::size_t a = 0; a < corners; ++a)
+    shortest = std::min(
+        shortest,
+        (mesh.points[idx(face.nodes[a])] - mesh.points[idx(face.nodes[(a + 1) % corners])]).norm());
+  return shortest;
 }
 
-/// How far beyond a wall a node may end, once. [mm]
-double slack(const Run& run, const Wall& wall) { return wall.axis ? 0.0 : reach(run, wall); }
+/// Nodes of the surface, and of each the shortest edge of its faces, if that is shorter than the
+/// first elements' edges were on average [mm].
+std::map<Index, double> surface_edges(const Run& run) {
+  std::map<Index, double> edges;
+  for (const mechanics::Face& face : mechanics::boundary_faces(run.mesh())) {
+    const double edge = std::min(run.state.mesh.first_side, shortest_edge(run.mesh(), face));
+    for (const Index node : face.nodes) {
+      const auto [place, is_new] = edges.emplace(node, edge);
+      if (!is_new)
+        place->second = std::min(place->second, edge);
+    }
+  }
+  return edges;
+}
 
 std::size_t unknown(const Run& run, const Wall& wall, Index node) {
   return idx(node * run.mesh().dimension() + wall.component);
@@ -83,7 +104,7 @@ std::optional<Wall> plane_of(const Run& run, const Support& support, const std::
   });
   if (!flat || 2 * slides < std::ssize(support.nodes) || (low < -rounding && high > rounding))
     return std::nullopt;
-  return Wall{c, at, high > rounding ? 1.0 : -1.0, false, {}, {}, {}};
+  return Wall{c, at, high > rounding ? 1.0 : -1.0, false, {}, {}, {}, {}};
 }
 
 /// Area that a node of the surface stands for, about [mm^2].
@@ -114,8 +135,9 @@ void release(const Run& run, Wall& wall) {
 /// Nodes that have come to a wall in the last increment.
 std::vector<Index> arrived(const Run& run, const Wall& wall) {
   std::vector<Index> nodes;
-  for (const Index node : wall.off)
-    if (gap(run, wall, node, run.state.x) < reach(run, wall) &&
+  for (std::size_t i = 0; i < wall.off.size(); ++i)
+    if (const Index node = wall.off[i];
+        gap(run, wall, node, run.state.x) < wall.near[i] &&
         wall.sense * run.state.velocity[unknown(run, wall, node)] < 0.0 &&
         !std::binary_search(wall.held.begin(), wall.held.end(), node))
       nodes.push_back(node);
@@ -135,7 +157,7 @@ void find_walls(Run& run) {
   const bool revolved = run.part().analysis == mechanics::Analysis::axisymmetric;
   run.state.walls.clear();
   if (revolved)
-    run.state.walls.push_back({0, 0.0, 1.0, true, {}, {}, {}});
+    run.state.walls.push_back({0, 0.0, 1.0, true, {}, {}, {}, {}});
   const std::vector<int> held = holds(run.part());
   const auto is_known = [&](const Wall& wall) { // several supports may share a plane
     return std::any_of(run.state.walls.begin(), run.state.walls.end(), [&](const Wall& other) {
@@ -152,42 +174,46 @@ void find_walls(Run& run) {
 void note_nodes_off_walls(Run& run) {
   if (run.state.walls.empty())
     return;
-  std::vector<Index> surface;
-  for (const mechanics::Face& face : mechanics::boundary_faces(run.mesh()))
-    surface.insert(surface.end(), face.nodes.begin(), face.nodes.end());
-  std::sort(surface.begin(), surface.end());
-  surface.erase(std::unique(surface.begin(), surface.end()), surface.end());
+  // Nodes nearer to a wall than this share of their edges are on it. The last of a bore would ask
+  // for hoops that shrink to nothing: what is left counts as closed.
+  constexpr double of_edge = 0.01, of_edge_at_axis = 0.1;
+  const std::map<Index, double> surface = surface_edges(run);
   for (Wall& wall : run.state.walls) {
     std::vector<char> supported(run.part().mesh.points.size(), 0);
     for (const Support& support : run.part().supports)
       if (support.component == wall.component)
         for (const Index node : support.nodes)
           supported[idx(node)] = 1;
-    // What has lain on the axis from the start without a support is free there.
-    const double least = wall.axis ? reach(run, wall) : -reach(run, wall);
     wall.off.clear();
-    for (const Index node : surface)
+    wall.near.clear();
+    for (const auto& [node, edge] : surface) {
+      const double near = (wall.axis ? of_edge_at_axis : of_edge) * edge;
+      // What has lain on the axis from the start without a support is free there.
+      const double least = wall.axis ? near : -near;
       if (supported[idx(node)] == 0 &&
           (gap(run, wall, node, run.state.x) > least ||
-           std::binary_search(wall.held.begin(), wall.held.end(), node)))
+           std::binary_search(wall.held.begin(), wall.held.end(), node))) {
         wall.off.push_back(node);
+        wall.near.push_back(near);
+      }
+    }
   }
 }
 
 void hold_where_on_walls(Run& run) {
   for (Wall& wall : run.state.walls) {
     wall.held.clear();
-    for (const Index node : wall.off)
-      if (gap(run, wall, node, run.state.x) < reach(run, wall))
-        wall.held.push_back(node);
+    for (std::size_t i = 0; i < wall.off.size(); ++i)
+      if (gap(run, wall, wall.off[i], run.state.x) < wall.near[i])
+        wall.held.push_back(wall.off[i]);
   }
 }
 
 Outcome<Done> check_walls(const Run& run) {
   for (const Wall& wall : run.state.walls)
-    for (const Index node : wall.off)
-      if (gap(run, wall, node, run.attempt.x) < -slack(run, wall)) {
-        const Vec3 x = place(run, node, run.attempt.x);
+    for (std::size_t i = 0; i < wall.off.size(); ++i)
+      if (gap(run, wall, wall.off[i], run.attempt.x) < -slack(wall, wall.near[i])) {
+        const Vec3 x = place(run, wall.off[i], run.attempt.x);
         return Failure{fmt::format("the workpiece goes through {}, at ({:.6g}, {:.6g}, {:.6g})",
                                    name_of_wall(wall), x[0], x[1], x[2])};
       }
@@ -196,11 +222,12 @@ Outcome<Done> check_walls(const Run& run) {
 
 double up_to_walls(const Run& run, double step) {
   for (const Wall& wall : run.state.walls)
-    for (const Index node : wall.off) {
-      const double near = reach(run, wall);
+    for (std::size_t i = 0; i < wall.off.size(); ++i) {
+      const Index node = wall.off[i];
+      const double near = wall.near[i];
       const double h = gap(run, wall, node, run.state.x);
       const double v = wall.sense * run.state.velocity[unknown(run, wall, node)];
-      if (v < 0.0 && h > near && h + step * v < -slack(run, wall))
+      if (v < 0.0 && h > near && h + step * v < -slack(wall, near))
         step = (h - 0.5 * near) / -v;
     }
   return step;

@@ -23,15 +23,16 @@ struct MetWall {
 
 struct Wall {
   int component = 0;
-  double at = 0.0;         ///< its coordinate [mm]
-  double sense = 1.0;      ///< +1: the part lies above it, -1: below
-  bool axis = false;       ///< of revolution
-  std::vector<Index> off;  ///< nodes of the surface that may come to it, sorted
-  std::vector<Index> held; ///< those that have, and stay there, sorted
+  double at = 0.0;          ///< its coordinate [mm]
+  double sense = 1.0;       ///< +1: the part lies above it, -1: below
+  bool axis = false;        ///< of revolution
+  std::vector<Index> off;   ///< nodes of the surface that may come to it, sorted
+  std::vector<double> near; ///< how near to it each of these counts as on it [mm]
+  std::vector<Index> held;  ///< those that have, and stay there, sorted
   std::optional<MetWall> met;
 
   template <class Archive> void fields(Archive& archive) {
-    archive(component, at, sense, axis, off, held, met);
+    archive(component, at, sense, axis, off, near, held, met);
   }
 };
 

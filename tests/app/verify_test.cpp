@@ -38,6 +38,13 @@ TEST(Verify, a_case_that_it_wrote_can_be_run_by_hand) {
   EXPECT_TRUE(fs::exists(folder.path() / "by-hand" / "history.csv"));
 }
 
+TEST(Verify, every_problem_is_within_its_tolerances) {
+  const TemporaryFolder folder;
+  const Outcome outcome = billet({"verify", "--quiet"}, folder.path());
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_TRUE(outcome.prints("all are within their tolerances")) << outcome.out;
+}
+
 TEST(Verify, without_a_folder_nothing_is_left) {
   const TemporaryFolder folder;
   const Outcome outcome = billet(Start{{"verify", "block-tresca", "--quiet"}, folder.path(), [&] {
