@@ -53,7 +53,7 @@ def build_billet() -> Path:
 
 
 class BuildByCMake(build_ext):
-    """The one extension, with the programs and libraries that it needs beside it."""
+    """The one extension, with the programs and libraries that it needs in the same package."""
 
     def build_extension(self, extension: Extension) -> None:
         work = Path(self.build_temp).resolve()

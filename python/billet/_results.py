@@ -30,7 +30,7 @@ class FrameData:
     point_data: dict[str, Values]
     """fields at points, shape (n_points,) or (n_points, components)"""
     cell_data: dict[str, Values]
-    """fields of cells, in the order of cells, likewise"""
+    """fields of cells, in the order of cells, shape (n_cells,) or (n_cells, components)"""
 
 
 class Frame:

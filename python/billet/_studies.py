@@ -94,7 +94,7 @@ class ChartedQuantity:
     values: Floats
     """shape (n_values of each parameter, n_stations); nan where a run did not get there"""
     model_error: Floats
-    """half widths of 95 % for what mesh and increments leave, likewise"""
+    """half widths of 95 % for what mesh and increments leave, shape as of values"""
 
 
 class Chart:

@@ -17,23 +17,22 @@ GUIDE = ROOT / "docs" / "guide" / "python.md"
 NOTEBOOKS = sorted((ROOT / "python" / "examples").glob("*.ipynb"))
 
 
-def blocks(page: Path) -> list[tuple[int, str]]:
-    """Line and text of each block of Python."""
+def blocks(page: Path, language: str) -> list[tuple[int, str]]:
+    """Line and text of each block of a language."""
     text = page.read_text()
-    found = re.finditer(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    found = re.finditer(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
     return [(text[: match.start(1)].count("\n"), match.group(1)) for match in found]
 
 
 def test_every_block_of_the_guide_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """In their order, in one program, in a folder with the files that the page names."""
-    from conftest import DISK
-
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "case.toml").write_text(DISK)
+    [(_, case)] = blocks(GUIDE, "toml")
+    (tmp_path / "case.toml").write_text(case)
     for name in ("case.toml", "chart.toml"):
         (tmp_path / f"ring-{name}").write_text((ROOT / "cases" / "ring-632" / name).read_text())
     names: dict[str, object] = {}
-    found = blocks(GUIDE)
+    found = blocks(GUIDE, "python")
     assert len(found) >= 8
     for line, text in found:
         exec(compile("\n" * line + text, str(GUIDE), "exec"), names)
