@@ -20,8 +20,6 @@ namespace billet::render {
 
 namespace {
 
-
-
 /// The planes of symmetry that the results know: "x = 0, y = 2.5".
 std::vector<AxisPlane> known_planes(vtkUnstructuredGrid& part) {
   std::vector<AxisPlane> planes;

@@ -164,7 +164,8 @@ with_touched_values(vtkPolyData& tool, const Frame& frame, const Shown& shown, d
                              weights.data());
       value = 0.0;
       for (vtkIdType a = 0; a < cell->GetNumberOfPoints(); ++a)
-        value += weights[static_cast<std::size_t>(a)] * known->GetTuple1(cell->GetPointId(static_cast<int>(a)));
+        value += weights[static_cast<std::size_t>(a)] *
+                 known->GetTuple1(cell->GetPointId(static_cast<int>(a)));
     }
     values->InsertNextValue(value);
   }
