@@ -100,6 +100,7 @@ def colour(part, display, view, field, notes):
     unit = notes.get(f"unit of {array}", "1")
     bar.Title = array if unit == "1" else f"{array} [{unit}]"
     bar.ComponentTitle = component.upper()
+    bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
     display.SetScalarBarVisibility(view, True)
 
 
@@ -171,7 +172,7 @@ def show(folder, field):
             bounds = part.GetDataInformation().GetBounds()
             simple.SetActiveSource(part)
         else:
-            simple.ColorBy(display, None)
+            display.ColorArrayName = ["POINTS", ""]
             display.AmbientColor = display.DiffuseColor = GLASS
             display.Opacity = 0.2
             display.LineWidth = 3.0
