@@ -20,7 +20,7 @@ namespace billet::render {
 struct Completion {
   std::optional<double> revolve; ///< [degree]
   std::vector<Copy> copies{Copy{}};
-  std::vector<HalfSpace> sides;  ///< of the mirror planes where the part is
+  std::vector<HalfSpace> sides; ///< of the mirror planes where the part is
   std::vector<Removed> removed;
   bool flat = false; ///< a scene of the plane, not revolved
 };

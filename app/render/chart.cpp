@@ -204,7 +204,8 @@ std::string draw_chart(const Options& options, const std::filesystem::path& pict
     draw_curve(canvas, layout, chart.curves[i], colour_of(i));
   draw_legend(canvas, layout, chart.curves);
   canvas.text(
-      chart.title, {0.5 * (layout.low.x() + layout.high.x()), options.size()[1] - 1.0 * layout.font},
+      chart.title,
+      {0.5 * (layout.low.x() + layout.high.x()), options.size()[1] - 1.0 * layout.font},
       {.size = static_cast<int>(1.3 * layout.font), .along = Hold::middle, .across = Hold::high});
   canvas.write(picture);
   return in_words(chart);

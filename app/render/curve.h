@@ -38,9 +38,8 @@ struct SignedColumn {
 
 /// @param asked  its name; a minus before it turns the sign
 /// @throws Error  (Fault::usage) for a column that is not there, with those that are
-[[nodiscard]] SignedColumn find_column(const io::CsvTable& table,
-                                       const std::string& asked,
-                                       const std::filesystem::path& file);
+[[nodiscard]] SignedColumn
+find_column(const io::CsvTable& table, const std::string& asked, const std::filesystem::path& file);
 
 /// The points of two columns; rows that lack a number are left out.
 /// @throws Error  (Fault::input_output) where no row has both

@@ -61,9 +61,8 @@ vtkSmartPointer<vtkPolyData> element_lines(vtkPolyData& faces) {
 }
 
 /// The faces that one plane lays open where the cut has others as well.
-vtkSmartPointer<vtkPolyData> faces_of(vtkSmartPointer<vtkPolyData> section,
-                                      const Removed& cut,
-                                      std::size_t plane) {
+vtkSmartPointer<vtkPolyData>
+faces_of(vtkSmartPointer<vtkPolyData> section, const Removed& cut, std::size_t plane) {
   for (std::size_t other = 0; other < cut.size(); ++other)
     if (other != plane)
       section = part_in(*section, cut[other]);

@@ -38,10 +38,20 @@ std::vector<std::string> command(const std::filesystem::path& film,
                                  const std::filesystem::path& partial,
                                  const std::array<int, 2>& size,
                                  double fps) {
-  std::vector<std::string> words{program, "-loglevel", "error", "-y", "-f", "rawvideo",
-                                 "-pixel_format", "rgb24", "-video_size",
-                                 fmt::format("{}x{}", size[0], size[1]), "-framerate",
-                                 fmt::format("{}", fps), "-i", "-"};
+  std::vector<std::string> words{program,
+                                 "-loglevel",
+                                 "error",
+                                 "-y",
+                                 "-f",
+                                 "rawvideo",
+                                 "-pixel_format",
+                                 "rgb24",
+                                 "-video_size",
+                                 fmt::format("{}x{}", size[0], size[1]),
+                                 "-framerate",
+                                 fmt::format("{}", fps),
+                                 "-i",
+                                 "-"};
   // VTK's rows run from the foot of the picture upwards.
   if (film.extension() == ".gif") {
     // One palette for all frames, from what changes in them; without dithering even colours stay
@@ -52,9 +62,9 @@ std::vector<std::string> command(const std::filesystem::path& film,
                                "-loop", "0", "-f", "gif"});
   } else {
     // Players want even numbers of pixels.
-    words.insert(words.end(), {"-vf", "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v",
-                               "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags",
-                               "+faststart", "-f", "mp4"});
+    words.insert(words.end(),
+                 {"-vf", "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264",
+                  "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4"});
   }
   words.push_back("file:" + partial.string());
   return words;
@@ -97,7 +107,8 @@ Encoder::Encoder(std::filesystem::path film, const std::array<int, 2>& size, dou
     const int reason = errno;
     std::error_code ignored;
     std::filesystem::remove(partial_, ignored);
-    throw Error(Fault::limit, "", fmt::format("no process can be started: {}", std::strerror(reason)));
+    throw Error(Fault::limit, "",
+                fmt::format("no process can be started: {}", std::strerror(reason)));
   }
   if (child_ == 0)
     become_encoder(command(film_, partial_, size, fps), ends[0], ::fileno(messages_.get()));

@@ -5,9 +5,8 @@
 
 #pragma once
 
-#include <vtkImageData.h>
-
 #include <sys/types.h>
+#include <vtkImageData.h>
 
 #include <array>
 #include <cstdio>

@@ -23,7 +23,8 @@ public:
   explicit SeriesName(const std::filesystem::path& pattern) : folder_(pattern.parent_path()) {
     const std::string name = pattern.filename().string();
     const std::size_t sign = name.find('%'), end = name.find('d', sign);
-    const std::string digits = end == std::string::npos ? "x" : name.substr(sign + 1, end - sign - 1);
+    const std::string digits =
+        end == std::string::npos ? "x" : name.substr(sign + 1, end - sign - 1);
     constexpr std::size_t longest = 2;
     if (digits.find_first_not_of("0123456789") != std::string::npos || digits.size() > longest ||
         name.find('%', sign + 1) != std::string::npos || pattern.extension() != ".png")
@@ -72,8 +73,7 @@ std::string encode(const Scene& scene, const Options& options, const std::filesy
     encoder.add(*last);
   encoder.finish();
   return fmt::format("frames: {}, {:.4g} a second, {:.3g} MB\n{}", scene.pictures().size(),
-                     options.film.fps,
-                     1e-6 * static_cast<double>(std::filesystem::file_size(file)),
+                     options.film.fps, 1e-6 * static_cast<double>(std::filesystem::file_size(file)),
                      scene.in_words());
 }
 

@@ -49,13 +49,18 @@ std::string label_format(const std::array<double, 2>& range) {
   const double length = range[1] - range[0];
   if (largest >= 1e5 || largest < 1e-3)
     return "%.2e";
-  return length >= 50.0 ? "%.0f" : length >= 5.0 ? "%.1f" : length >= 0.5 ? "%.2f" : "%.4g";
+  return length >= 50.0   ? "%.0f"
+         : length >= 5.0  ? "%.1f"
+         : length >= 0.5  ? "%.2f"
+         : length >= 0.05 ? "%.3f"
+                          : "%.4g";
 }
 
 } // namespace
 
 Sheet::Sheet(const std::array<int, 2>& picture, bool with_scale, int caption_lines)
-    : size(picture), font(std::clamp(std::min(picture[0] * 3 / 4, picture[1]) / 45, smallest_font, largest_font)) {
+    : size(picture),
+      font(std::clamp(std::min(picture[0] * 3 / 4, picture[1]) / 45, smallest_font, largest_font)) {
   const double height = size[1];
   constexpr double scale_fonts = 10.0, least = 0.12, most = 0.3;
   right = with_scale ? 1.0 - std::clamp(scale_fonts * font / size[0], least, most) : 1.0;

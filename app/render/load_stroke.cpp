@@ -185,10 +185,10 @@ Chart load_stroke(const std::vector<std::filesystem::path>& results) {
     Loads loads = loads_of(folder);
     if (first && (loads.travels != first->travels || loads.units.length != first->units.length ||
                   loads.units.per_thickness != first->units.per_thickness))
-      throw Error(Fault::usage, folder.string(),
-                  fmt::format("its forces have other axes than those of {}",
-                              results.front().string()),
-                  "draw columns: --curve X:Y, or a chart of its own");
+      throw Error(
+          Fault::usage, folder.string(),
+          fmt::format("its forces have other axes than those of {}", results.front().string()),
+          "draw columns: --curve X:Y, or a chart of its own");
     for (Curve& curve : loads.curves) {
       if (results.size() > 1)
         curve.label = fmt::format("{}: {}", name_of(folder), curve.label);
@@ -200,8 +200,9 @@ Chart load_stroke(const std::vector<std::filesystem::path>& results) {
   const CaseUnits& units = first->units;
   if (results.size() == 1)
     chart.title = units.title;
-  chart.x_label = first->travels ? fmt::format("stroke [{}]", rescale(chart.curves, 0, units.length))
-                                 : fmt::format("time [{}]", units.time);
+  chart.x_label = first->travels
+                      ? fmt::format("stroke [{}]", rescale(chart.curves, 0, units.length))
+                      : fmt::format("time [{}]", units.time);
   const std::string force = rescale(chart.curves, 1, units.force);
   chart.y_label = units.per_thickness
                       ? fmt::format("force per thickness [{}/{}]", force, units.length)

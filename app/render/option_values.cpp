@@ -14,8 +14,6 @@ namespace billet::render {
 
 namespace {
 
-
-
 /// The value that a word stands for.
 template <class T>
 T one_of(const std::string& text, const std::map<std::string, T>& words, std::string_view what) {
@@ -88,7 +86,8 @@ std::array<int, 2> picture_size(const std::string& text) {
   const std::array<double, 2> size = pair(text, 'x');
   for (const double length : size)
     if (!(length >= 16.0 && length <= 16384.0))
-      fail_usage(fmt::format("a picture of {} pixels cannot be drawn: width and height are 16 to 16384", text));
+      fail_usage(fmt::format(
+          "a picture of {} pixels cannot be drawn: width and height are 16 to 16384", text));
   return {static_cast<int>(size[0]), static_cast<int>(size[1])};
 }
 
@@ -137,7 +136,8 @@ void take_direction(View& view, const std::string& text) {
                              text));
     const std::array<double, 2> angles = pair(text, ',');
     if (std::abs(angles[1]) > 90.0)
-      fail_usage(fmt::format("the elevation of the view, {:g}, should be from -90 to 90", angles[1]));
+      fail_usage(
+          fmt::format("the elevation of the view, {:g}, should be from -90 to 90", angles[1]));
     view.from = View::From::angles;
     view.azimuth = angles[0];
     view.elevation = angles[1];
@@ -210,8 +210,7 @@ ToolStyle tool_style(const std::string& text) {
 
 Place place_of_field(const std::string& text) {
   return one_of<Place>(
-      text,
-      {{"workpiece", Place::workpiece}, {"contact", Place::contact}, {"tools", Place::tools}},
+      text, {{"workpiece", Place::workpiece}, {"contact", Place::contact}, {"tools", Place::tools}},
       "--on");
 }
 

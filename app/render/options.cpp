@@ -22,7 +22,8 @@ std::map<std::string, Setter> scene_setters() {
   using S = const std::string&;
   return {
       {"--arrows", [](Options& o, S text) { o.scene.arrows = field_name(text); }},
-      {"--arrow-scale", [](Options& o, S text) { o.scene.arrow_scale = positive(text, "a scale"); }},
+      {"--arrow-scale",
+       [](Options& o, S text) { o.scene.arrow_scale = positive(text, "a scale"); }},
       {"--bands", [](Options& o, S text) { o.scene.bands = count(text, 2, 64, "colours"); }},
       {"--compare",
        [](Options& o, S text) { o.scene.compare = io::with_home_folder(text, "--compare"); }},
@@ -72,8 +73,14 @@ const std::map<std::string, Switch>& switches() {
       {"-h", [](Options& o) { o.help = true; }},
       {"--mesh", [](Options& o) { o.scene.mesh = true; }},
       {"--no-mesh", [](Options& o) { o.scene.mesh = false; }},
-      {"--mirror", [](Options& o) { o.scene.mirror = {Mirror::Planes::known, {}, {}}; }},
-      {"--no-mirror", [](Options& o) { o.scene.mirror = {Mirror::Planes::none, {}, {}}; }},
+      {"--mirror",
+       [](Options& o) {
+         o.scene.mirror = {Mirror::Planes::known, {}, {}};
+       }},
+      {"--no-mirror",
+       [](Options& o) {
+         o.scene.mirror = {Mirror::Planes::none, {}, {}};
+       }},
       {"--revolve", [](Options& o) { o.scene.revolve = 270.0; }},
       {"--tight", [](Options& o) { o.chart.tight = true; }},
   };
@@ -120,9 +127,9 @@ bool is_value_of(const std::string& option, const std::string& word) {
   for (const auto& [option, setter] : switches())
     known.push_back(option);
   const std::string near = io::suggestion(name, known);
-  throw Error(Fault::usage, "", fmt::format("the option {} is not known", name),
-              near.starts_with("did you mean") ? near
-                                               : "billet render --help lists what can be asked for");
+  throw Error(
+      Fault::usage, "", fmt::format("the option {} is not known", name),
+      near.starts_with("did you mean") ? near : "billet render --help lists what can be asked for");
 }
 
 /// Whether a picture's name is that of a film.
@@ -183,7 +190,8 @@ void check(const Options& options) {
 void take(Options& options, const std::vector<std::string>& words) {
   ChartOptions& chart = options.chart;
   for (const std::string& word : words) {
-    const auto colons = std::filesystem::exists(word) ? 0 : std::count(word.begin(), word.end(), ':');
+    const auto colons =
+        std::filesystem::exists(word) ? 0 : std::count(word.begin(), word.end(), ':');
     if (chart.wanted && colons == 1)
       chart.columns.push_back(columns(word));
     else if (chart.wanted && colons > 1)

@@ -52,12 +52,12 @@ using Cut = std::vector<CutPlane>;
 struct View {
   enum class From { usual, iso, axis, angles };
   From from = From::usual;
-  Vec3 axis = Vec3::UnitZ();  ///< towards the viewer, of From::axis
-  double azimuth = 0.0;       ///< about `up` [degree]
-  double elevation = 0.0;     ///< above the plane across `up` [degree]
-  std::optional<int> up;      ///< the axis that is drawn upwards; empty: z, in the plane y
-  double zoom = 1.0;          ///< over the scale at which all is in the picture
-  std::optional<Vec3> focus;  ///< what is in the middle [mm]; empty: the middle of the part
+  Vec3 axis = Vec3::UnitZ(); ///< towards the viewer, of From::axis
+  double azimuth = 0.0;      ///< about `up` [degree]
+  double elevation = 0.0;    ///< above the plane across `up` [degree]
+  std::optional<int> up;     ///< the axis that is drawn upwards; empty: z, in the plane y
+  double zoom = 1.0;         ///< over the scale at which all is in the picture
+  std::optional<Vec3> focus; ///< what is in the middle [mm]; empty: the middle of the part
 };
 
 enum class ToolStyle { glass, solid, outline, none };
@@ -81,10 +81,10 @@ struct SceneOptions {
   std::optional<Place> on;         ///< empty: where the results have the field
   std::vector<AskedTime> times;    ///< a picture each, next to each other; empty: the last
   std::optional<std::filesystem::path> compare; ///< other results, next to these
-  std::optional<std::array<double, 2>> range; ///< of the colours; empty: that of the frames
-  std::optional<int> bands;                   ///< colours; empty: a smooth scale
-  std::optional<int> flow_lines;              ///< of each family, instead of the mesh
-  bool mesh = true;                           ///< edges of elements
+  std::optional<std::array<double, 2>> range;   ///< of the colours; empty: that of the frames
+  std::optional<int> bands;                     ///< colours; empty: a smooth scale
+  std::optional<int> flow_lines;                ///< of each family, instead of the mesh
+  bool mesh = true;                             ///< edges of elements
   Mirror mirror;
   int copies = 1;                ///< of a sector, around the axis `up`
   std::optional<double> revolve; ///< angle of the body of an axisymmetric scene [degree]
@@ -119,7 +119,7 @@ struct ChartOptions {
 /// What to draw.
 struct Options {
   bool help = false;
-  std::optional<std::filesystem::path> output; ///< a file or a folder; empty: with the results
+  std::optional<std::filesystem::path> output;  ///< a file or a folder; empty: with the results
   std::optional<std::array<int, 2>> size_asked; ///< [pixels]
   std::string title;                            ///< empty: that of the results
 

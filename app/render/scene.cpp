@@ -22,7 +22,6 @@ namespace billet::render {
 
 namespace {
 
-
 constexpr std::array<double, 3> dark{0.15, 0.15, 0.15};
 constexpr std::array<double, 3> steel{0.62, 0.66, 0.72};
 constexpr std::array<double, 3> pale{0.86, 0.86, 0.86};
@@ -145,6 +144,8 @@ Completion Scene::completion_of(const Frame& frame) const {
 
 void Scene::measure() {
   measure_parts();
+  if (!options_.scene.arrows.empty())
+    extent_.grow(arrow_length());
   check_cuts();
   constexpr double margin_share = 0.15;
   const Vec3 margin = Vec3::Constant(margin_share * part_.size());
@@ -198,10 +199,10 @@ void Scene::check_cuts() const {
       if (plane.plane.at > whole_.low[d] && plane.plane.at < whole_.high[d])
         continue;
       const char name = axis_names[static_cast<std::size_t>(d)];
-      throw Error(Fault::usage, "--cut",
-                  fmt::format("the plane {}={:g} does not cut the part", name, plane.plane.at),
-                  fmt::format("it reaches from {}={:.6g} to {:.6g}", name, whole_.low[d],
-                              whole_.high[d]));
+      throw Error(
+          Fault::usage, "--cut",
+          fmt::format("the plane {}={:g} does not cut the part", name, plane.plane.at),
+          fmt::format("it reaches from {}={:.6g} to {:.6g}", name, whole_.low[d], whole_.high[d]));
     }
 }
 
@@ -226,16 +227,19 @@ void Scene::draw_tools(Stage& stage, const Frame& frame) const {
     else if (faces != nullptr && style == ToolStyle::solid)
       stage.add_plain(*faces, steel);
     if (tool.lines != nullptr && !(of_plane && has_values))
-      stage.add_lines(*tool.lines,
-                      of_plane ? Pen{3.5F, {0.1, 0.1, 0.1}, 1.0, lift} : Pen{1.5F, {0.3, 0.3, 0.3}});
+      stage.add_lines(*tool.lines, of_plane ? Pen{3.5F, {0.1, 0.1, 0.1}, 1.0, lift}
+                                            : Pen{1.5F, {0.3, 0.3, 0.3}});
   }
 }
 
-void Scene::draw_arrows(Stage& stage, vtkPolyData& faces) const {
+double Scene::arrow_length() const {
   constexpr double usual_share = 0.1;
+  return usual_share * options_.scene.arrow_scale * whole_.size();
+}
+
+void Scene::draw_arrows(Stage& stage, vtkPolyData& faces) const {
   const double size = whole_.size();
-  const auto arrows = arrows_on(faces, size, longest_vector_,
-                                usual_share * options_.scene.arrow_scale * size);
+  const auto arrows = arrows_on(faces, size, longest_vector_, arrow_length());
   if (arrows == nullptr)
     return;
   Pen pen{1.0F, red, 1.0, 0.05 * size};
@@ -258,8 +262,8 @@ void Scene::draw_frame(Stage& stage, const Frame& frame, double pixel) const {
   if (body.lines != nullptr && !on_tools) {
     const double opacity =
         options_.scene.flow_lines ? 1.0 : opacity_of(usual_length(*body.lines) / pixel);
-    stage.add_lines(*body.lines, {options_.scene.flow_lines ? 1.5F : 1.0F, dark, opacity,
-                                  1e-3 * size});
+    stage.add_lines(*body.lines,
+                    {options_.scene.flow_lines ? 1.5F : 1.0F, dark, opacity, 1e-3 * size});
   }
   if (!shown_.plain && shown_.on == Place::contact && frame.contact != nullptr &&
       frame.contact->GetNumberOfCells() > 0) {
@@ -306,9 +310,11 @@ void Scene::draw(const Picture& picture, vtkRenderWindow& window) const {
     const double left = sheet.right * static_cast<double>(i) / n;
     Stage stage(flat_);
     stage.enter(window, {left, sheet.bottom, left + sheet.right / n, sheet.top});
-    draw_frame(stage, picture[i].results->frame(picture[i].time), 2.0 * samples_a_side * aim.half_height / height);
+    draw_frame(stage, picture[i].results->frame(picture[i].time),
+               2.0 * samples_a_side * aim.half_height / height);
     stage.look(aim, sight_);
-    const double foot = 0.5 * sheet.font / sheet.size[1] + (with_arrows ? 1.4 : 0.0) * sheet.font / sheet.size[1];
+    const double foot =
+        0.5 * sheet.font / sheet.size[1] + (with_arrows ? 1.4 : 0.0) * sheet.font / sheet.size[1];
     add_text(*overlay, caption(picture[i]), {left + 0.5 * sheet.font / sheet.size[0], foot},
              sheet.font, width - sheet.font, false);
   }
@@ -322,7 +328,8 @@ void Scene::draw(const Picture& picture, vtkRenderWindow& window) const {
              sheet.right * sheet.size[0], false);
   }
   const std::string title = options_.title.empty() ? results_.front()->title() : options_.title;
-  add_text(*overlay, title, {0.5 * sheet.font / sheet.size[0], 1.0 - 1.8 * sheet.font / sheet.size[1]},
+  add_text(*overlay, title,
+           {0.5 * sheet.font / sheet.size[0], 1.0 - 1.8 * sheet.font / sheet.size[1]},
            sheet.font * 6 / 5, sheet.size[0] - sheet.font, false);
   window.AddRenderer(overlay);
   if (!with_scale)

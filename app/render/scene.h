@@ -53,6 +53,8 @@ private:
   void draw_frame(Stage& stage, const Frame& frame, double pixel) const;
   void draw_tools(Stage& stage, const Frame& frame) const;
   void draw_arrows(Stage& stage, vtkPolyData& faces) const;
+  /// Of the longest vector. [mm]
+  [[nodiscard]] double arrow_length() const;
   [[nodiscard]] std::string caption(const Source& source) const;
 
   Options options_;

@@ -140,7 +140,8 @@ double value(vtkDataArray& array, vtkIdType tuple, int component) {
 }
 
 void append(vtkDataSet* data, const Shown& shown, std::vector<double>& values) {
-  vtkDataArray* const array = data == nullptr ? nullptr : array_of(*data, shown.array, shown.at_points);
+  vtkDataArray* const array =
+      data == nullptr ? nullptr : array_of(*data, shown.array, shown.at_points);
   for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfTuples(); ++i)
     values.push_back(value(*array, i, shown.component));
 }
@@ -184,8 +185,7 @@ void require_vectors(const Frame& frame, const std::string& name) {
 }
 
 void add_values(vtkDataSet& data, const Shown& shown) {
-  vtkDataArray* const array =
-      shown.plain ? nullptr : array_of(data, shown.array, shown.at_points);
+  vtkDataArray* const array = shown.plain ? nullptr : array_of(data, shown.array, shown.at_points);
   if (array == nullptr)
     return;
   const vtkNew<vtkDoubleArray> values;

@@ -47,10 +47,8 @@ on_sides(vtkSmartPointer<vtkPolyData> tool, const std::vector<HalfSpace>& sides,
 
 } // namespace
 
-std::vector<DrawnTool> tools_of(const Frame& frame,
-                                const Shown& shown,
-                                const Completion& completion,
-                                const Box& window) {
+std::vector<DrawnTool>
+tools_of(const Frame& frame, const Shown& shown, const Completion& completion, const Box& window) {
   std::vector<DrawnTool> tools;
   for (const auto& [name, surface] : frame.tools) {
     if (surface->GetNumberOfCells() == 0)

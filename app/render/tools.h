@@ -22,9 +22,7 @@ struct DrawnTool {
 /// The tools of a frame.
 /// @param window  what is drawn of them, in coordinates of the section where a body is revolved
 /// @param part    faces of the part: where the field is one that tools have by touching it
-[[nodiscard]] std::vector<DrawnTool> tools_of(const Frame& frame,
-                                              const Shown& shown,
-                                              const Completion& completion,
-                                              const Box& window);
+[[nodiscard]] std::vector<DrawnTool>
+tools_of(const Frame& frame, const Shown& shown, const Completion& completion, const Box& window);
 
 } // namespace billet::render

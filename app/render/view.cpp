@@ -78,6 +78,11 @@ void Extent::add(vtkPolyData& data) {
   }
 }
 
+void Extent::grow(double length) {
+  const Vec3 margin(length, length, 0.0);
+  box_ = Box{box_.low - margin, box_.high + margin};
+}
+
 Aim aim_at(const Extent& extent, const Sight& sight, const View& view, double aspect) {
   constexpr double margin = 1.06;
   const Box& box = extent.box();

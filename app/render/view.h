@@ -29,8 +29,12 @@ struct Sight {
 class Extent {
 public:
   explicit Extent(const Sight& sight) : sight_(sight) {}
-  void add(const Vec3& x) { box_.add({sight_.right.dot(x), sight_.up.dot(x), sight_.towards.dot(x)}); }
+  void add(const Vec3& x) {
+    box_.add({sight_.right.dot(x), sight_.up.dot(x), sight_.towards.dot(x)});
+  }
   void add(vtkPolyData& data);
+  /// By a length on all four sides of the picture.
+  void grow(double length);
   [[nodiscard]] const Box& box() const { return box_; }
 
 private:
@@ -47,8 +51,7 @@ struct Aim {
 
 /// The largest picture that holds the extent, with a margin.
 /// @param aspect  width of the picture over its height
-[[nodiscard]] Aim
-aim_at(const Extent& extent, const Sight& sight, const View& view, double aspect);
+[[nodiscard]] Aim aim_at(const Extent& extent, const Sight& sight, const View& view, double aspect);
 
 void place_camera(vtkCamera& camera, const Aim& aim, const Sight& sight);
 

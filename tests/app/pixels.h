@@ -88,9 +88,9 @@ private:
   [[nodiscard]] std::vector<std::uint8_t> unpacked(const std::string& packed) const {
     std::vector<std::uint8_t> rows(height_ * (3 * width_ + 1));
     auto size = static_cast<uLongf>(rows.size());
-    const int status = ::uncompress(rows.data(), &size,
-                                    reinterpret_cast<const Bytef*>(packed.data()),
-                                    static_cast<uLong>(packed.size()));
+    const int status =
+        ::uncompress(rows.data(), &size, reinterpret_cast<const Bytef*>(packed.data()),
+                     static_cast<uLong>(packed.size()));
     EXPECT_EQ(status, Z_OK) << "the picture is no PNG";
     return rows;
   }

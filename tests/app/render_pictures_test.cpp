@@ -84,8 +84,9 @@ TEST_F(RenderPictures, crops_nothing) {
         {"solid", "--view", "iso"},
         {"solid", "--view", "-130,-20", "--mirror"},
         {"tiny", "--revolve", "200"},
-        {"tiny", "--title", "A title that is a great deal longer than the picture is wide, so long "
-                            "that no letter can be read any more when all of it is in it"},
+        {"tiny", "--title",
+         "A title that is a great deal longer than the picture is wide, so long "
+         "that no letter can be read any more when all of it is in it"},
         {"tiny", "--times", "0,last", "--field", "displacement"}}) {
     const Pixels picture = drawn(words);
     EXPECT_TRUE(picture.has_white_rim()) << words.back();
@@ -94,8 +95,8 @@ TEST_F(RenderPictures, crops_nothing) {
 }
 
 TEST_F(RenderPictures, glass_leaves_the_colours_of_the_part) {
-  const std::vector<std::string> words{"solid", "--field", "strain", "--view", "40,60", "--up", "y",
-                                       "--no-mesh"};
+  const std::vector<std::string> words{"solid", "--field", "strain", "--view",
+                                       "40,60", "--up",    "y",      "--no-mesh"};
   const auto with_tools = [&](const char* style) {
     std::vector<std::string> all = words;
     // In the same place: the part alone is larger in its picture.
@@ -118,9 +119,7 @@ TEST_F(RenderPictures, glass_leaves_the_colours_of_the_part) {
   EXPECT_GT(coloured, 1000);
   EXPECT_GT(same, 0.985 * coloured) << "but for pixels that the rim of the part shares";
   // The glass itself is seen, and a solid tool hides the part.
-  const auto is_glass = [](const Pixel& p) {
-    return !is_coloured(p) && p[0] > 150 && p[0] < 245;
-  };
+  const auto is_glass = [](const Pixel& p) { return !is_coloured(p) && p[0] > 150 && p[0] < 245; };
   EXPECT_GT(glass.count(scene, is_glass), outline.count(scene, is_glass) + 500);
   EXPECT_LT(solid.count(scene, is_coloured), coloured);
 }
@@ -128,8 +127,8 @@ TEST_F(RenderPictures, glass_leaves_the_colours_of_the_part) {
 TEST_F(RenderPictures, a_cut_shows_what_is_inside) {
   // Displacement along y goes from 0 at the foot to -0.1 at the punch: from above only the top of
   // the range is seen, in a cut across y the value there.
-  const std::vector<std::string> view{"solid", "--field", "displacement:y", "--range", "-0.1:0",
-                                      "--view", "y", "--no-mesh", "--tools", "none"};
+  const std::vector<std::string> view{"solid",  "--field", "displacement:y", "--range", "-0.1:0",
+                                      "--view", "y",       "--no-mesh",      "--tools", "none"};
   const Pixels whole = drawn(view);
   std::vector<std::string> words = view;
   words.insert(words.end(), {"--cut", "y=3.7"});
@@ -142,8 +141,8 @@ TEST_F(RenderPictures, a_cut_shows_what_is_inside) {
   EXPECT_NEAR(half.count(scene, is_coloured), whole.count(scene, is_coloured),
               0.05 * whole.count(scene, is_coloured));
   // Two planes take a quarter only.
-  const std::vector<std::string> sides{"solid", "--no-mesh", "--tools", "none", "--view", "z",
-                                       "--up", "y", "--field", "strain"};
+  const std::vector<std::string> sides{"solid", "--no-mesh", "--tools", "none",    "--view",
+                                       "z",     "--up",      "y",       "--field", "strain"};
   std::vector<std::string> one = sides, two = sides;
   one.insert(one.end(), {"--cut", "x>2.5", "--focus", "2.5,3.7,2.5"});
   two.insert(two.end(), {"--cut", "x>2.5,y>3.7", "--focus", "2.5,3.7,2.5"});
@@ -190,6 +189,12 @@ TEST_F(RenderPictures, images_are_as_what_they_are_images_of) {
               2.0 * (half[2] - half[0]) / (half[3] - half[1]), 0.1);
   EXPECT_NE(complaint({"solid", "--mirror", "x=2.5"}).find("lies on both sides of x=2.5"),
             std::string::npos);
+}
+
+TEST_F(RenderPictures, frames_name_planes_of_symmetry_and_units) {
+  const std::string frame = whole_file(folder_->path() / "solid/frames/workpiece_0000.vtu");
+  EXPECT_NE(frame.find("symmetry: x = 0, y = 0, z = 0"), std::string::npos);
+  EXPECT_NE(frame.find("name=\"UNITS_LABEL\""), std::string::npos);
 }
 
 TEST_F(RenderPictures, fields_of_contact_are_drawn_on_faces_and_tools) {
@@ -274,18 +279,18 @@ TEST_F(RenderPictures, mistakes_in_views_and_planes_say_what_is_right) {
     std::vector<std::string> words;
     std::string says;
   };
-  for (const auto& [words, says] : std::vector<Mistake>{
-           {{"solid", "--view", "top"}, "is not a view"},
-           {{"solid", "--view", "0,120"}, "should be from -90 to 90"},
-           {{"tiny", "--view", "x"}, "a scene of the plane is seen from z only"},
-           {{"solid", "--cut", "3.5"}, "is not a plane: x=3.5"},
-           {{"solid", "--revolve"}, "the scene is not axisymmetric"},
-           {{"tiny", "--mirror", "z"}, "no plane of symmetry across z"},
-           {{"tiny", "--tools", "glas"}, "did you mean 'glass'?"},
-           {{"tiny", "--bands", "1"}, "is not a number of colours from 2 to 64"},
-           {{"tiny", "--compare", "nothing"}, "there are no such results"},
-           {{"tiny", "--range", "1:0"}, "a low value below the high one"},
-           {{"tiny", "--animate", "-o", "a.png"}, ".gif or .mp4"}})
+  for (const auto& [words, says] :
+       std::vector<Mistake>{{{"solid", "--view", "top"}, "is not a view"},
+                            {{"solid", "--view", "0,120"}, "should be from -90 to 90"},
+                            {{"tiny", "--view", "x"}, "a scene of the plane is seen from z only"},
+                            {{"solid", "--cut", "3.5"}, "is not a plane: x=3.5"},
+                            {{"solid", "--revolve"}, "the scene is not axisymmetric"},
+                            {{"tiny", "--mirror", "z"}, "no plane of symmetry across z"},
+                            {{"tiny", "--tools", "glas"}, "did you mean 'glass'?"},
+                            {{"tiny", "--bands", "1"}, "is not a number of colours from 2 to 64"},
+                            {{"tiny", "--compare", "nothing"}, "there are no such results"},
+                            {{"tiny", "--range", "1:0"}, "a low value below the high one"},
+                            {{"tiny", "--animate", "-o", "a.png"}, ".gif or .mp4"}})
     EXPECT_NE(complaint(words).find(says), std::string::npos) << complaint(words);
 }
 
