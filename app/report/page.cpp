@@ -131,7 +131,7 @@ Parts parts_of(const ResultsFolder& results,
   Parts parts;
   parts.head = head_of(results, settings);
   parts.top = fmt::format("<body>\n<header><h1>{}</h1></header>\n<main>\n", escaped(results.title));
-  parts.top += status_section(results) + key_figures(results);
+  parts.top += status_section(results) + key_figures(results, charts);
   parts.tables = charts_section(charts) + tools_section(results) + blows_section(results) +
                  measures_section(results) + wear_section(results) + window_section(results) +
                  laps_section(results) + remeshing_section(results) +

@@ -110,15 +110,14 @@ std::string status_section(const ResultsFolder& results) {
   html += callout("bad", "Failure", failure_of(results));
   html += callout("warn", "Warnings", list(warnings_of(results)));
   html += callout("note", "What may help", list(results.said("what may help: ")));
-  html += callout("note", "Advice", list(results.said("advice: ")));
   html += callout("warn", "Could not be read", list(results.unreadable));
   return html;
 }
 
-std::string key_figures(const ResultsFolder& results) {
+std::string key_figures(const ResultsFolder& results, const std::vector<NamedChart>& charts) {
   const io::UnitSystem units = results.units();
   std::string tiles;
-  for (const NamedChart& chart : curves_of(results)) {
+  for (const NamedChart& chart : charts) {
     if (chart.id != "force-time" && !(chart.id == "load-stroke" && chart.over_time))
       continue;
     double largest = 0.0;
