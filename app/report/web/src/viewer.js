@@ -197,7 +197,10 @@ class Viewer {
       ends[1] = Math.max(ends[1], h);
     }
     const height = ends[0] + (position / 100) * (ends[1] - ends[0]);
-    return { origin: n.map((value) => value * height), normal: flip ? n : n.map((value) => -value), height };
+    const kept = flip ? n : n.map((value) => -value);
+    // A little into the half that stays: faces in the plane itself would show through its filling.
+    const inside = 1e-4 * (ends[1] - ends[0]);
+    return { origin: n.map((value, d) => value * height + kept[d] * inside), normal: kept, height };
   }
 
   setSection({ mesh, points }) {
