@@ -1,9 +1,8 @@
 // billet report: a page of a run's results that opens in a browser.
 
-#include "app/report/page.h"
-
 #include "app/command_line.h"
 #include "app/render.h"
+#include "app/report/page.h"
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
 #include "io/results/atomic_file.h"
@@ -33,9 +32,9 @@ fs::path page_file(const Arguments& arguments, const fs::path& results) {
     return *arguments.output / usual;
   const std::string suffix = arguments.output->extension().string();
   if (suffix != ".html" && suffix != ".htm")
-    throw Error(Fault::usage, "",
-                fmt::format("the page \"{}\" should have the suffix .html",
-                            arguments.output->string()));
+    throw Error(
+        Fault::usage, "",
+        fmt::format("the page \"{}\" should have the suffix .html", arguments.output->string()));
   return *arguments.output;
 }
 

@@ -66,8 +66,8 @@ private:
 
 /// For pipes and files: a line as often as the run has got on, all of it at the end.
 void print_line(const ResultsFolder& results) {
-  fmt::print("{}\n", results.state == RunState::running ? watch_line(results)
-                                                        : watch_text(results, 100));
+  fmt::print("{}", results.state == RunState::running ? watch_line(results) + "\n"
+                                                      : watch_text(results, 100));
   std::fflush(stdout);
 }
 

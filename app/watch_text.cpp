@@ -47,9 +47,9 @@ double share_of(const ResultsFolder& results) {
 std::string progress_line(const ResultsFolder& results) {
   const double share = share_of(results);
   constexpr int width = 24;
-  std::string line = fmt::format(
-      "[{:<{}}] {:3.0f} %  time {:.5g}", std::string(static_cast<std::size_t>(share * width), '='),
-      width, 100.0 * share, last_of(results, "time"));
+  std::string line = fmt::format("[{:<{}}] {:3.0f} %  time {:.5g}",
+                                 std::string(static_cast<std::size_t>(share * width), '='), width,
+                                 100.0 * share, last_of(results, "time"));
   if (const std::optional<double> end = results.facts.end)
     line += fmt::format(" of {:.5g}", *end);
   line += fmt::format(" {}  running for {}", results.units().time,
@@ -61,10 +61,10 @@ std::string progress_line(const ResultsFolder& results) {
 
 std::string increment_lines(const ResultsFolder& results) {
   const io::UnitSystem units = results.units();
-  std::string text = fmt::format(
-      "increment {:.0f}  dt {:.3g} {}  iterations {:.0f}  residual {:.1e}", last_of(results, "increment"),
-      last_of(results, "dt"), units.time, last_of(results, "iterations"),
-      last_of(results, "residual"));
+  std::string text =
+      fmt::format("increment {:.0f}  dt {:.3g} {}  iterations {:.0f}  residual {:.1e}",
+                  last_of(results, "increment"), last_of(results, "dt"), units.time,
+                  last_of(results, "iterations"), last_of(results, "residual"));
   if (const double cuts = last_of(results, "cutbacks"); cuts > 0.0)
     text += fmt::format("  after {:.0f} cut-back(s)", cuts);
   text += fmt::format("\npenetration {:.3g} {}  plastic strain {:.3g}  element quality {:.2f}",
@@ -149,8 +149,8 @@ std::string text_curve(std::span<const double> values, std::size_t width) {
       largest = std::max(largest, std::abs(value));
   std::string curve;
   for (std::size_t i = 0; i < width && !values.empty(); ++i) {
-    const double value = std::abs(values[std::min((i + 1) * values.size() / width,
-                                                  values.size() - 1)]);
+    const double value =
+        std::abs(values[std::min((i + 1) * values.size() / width, values.size() - 1)]);
     const double share = largest > 0.0 && std::isfinite(value) ? value / largest : 0.0;
     curve += blocks.at(static_cast<std::size_t>(std::lround(8.0 * share)));
   }

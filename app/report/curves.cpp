@@ -101,10 +101,9 @@ std::pair<double, std::string> unit_of_energy(const io::UnitSystem& units) {
 NamedChart energies(const ResultsFolder& results) {
   NamedChart named{"energies", {{}, "Energies", {}, {}}, false, true};
   const auto [factor, unit] = unit_of_energy(results.units());
-  for (const auto& [key, label] : {std::pair{"external_work", "external work"},
-                                   std::pair{"plastic_work", "plastic work"},
-                                   std::pair{"friction_work", "friction work"},
-                                   std::pair{"elastic_energy", "elastic energy"}})
+  for (const auto& [key, label] :
+       {std::pair{"external_work", "external work"}, std::pair{"plastic_work", "plastic work"},
+        std::pair{"friction_work", "friction work"}, std::pair{"elastic_energy", "elastic energy"}})
     named.chart.curves.push_back(curve_of(results.history, "time", key, label, factor));
   named.chart.x_label = with_unit("time", results.units().time);
   const bool per_thickness = results.facts.analysis == io::Analysis::plane_strain;
@@ -163,8 +162,8 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& values, std::size_t most) {
   for (std::size_t s = 0; s < stretches; ++s) {
     const auto first = values.begin() + static_cast<long>(s * values.size() / stretches);
     const auto last = values.begin() + static_cast<long>((s + 1) * values.size() / stretches);
-    const auto [low, high] = std::minmax_element(
-        first, last, [](const Vec2& a, const Vec2& b) { return a[1] < b[1]; });
+    const auto [low, high] =
+        std::minmax_element(first, last, [](const Vec2& a, const Vec2& b) { return a[1] < b[1]; });
     kept.push_back(*std::min(low, high));
     if (low != high)
       kept.push_back(*std::max(low, high));
@@ -181,17 +180,17 @@ std::vector<NamedChart> curves_of(const ResultsFolder& results) {
   add_if_any(charts, std::move(loads));
   if (travels)
     add_if_any(charts, of_tools_over_time(results, "force", "Forces over time", units.force));
-  NamedChart torques = of_tools_over_time(results, "torque", "Torques over time",
-                                          units.force + " " + units.length);
+  NamedChart torques =
+      of_tools_over_time(results, "torque", "Torques over time", units.force + " " + units.length);
   if (results.facts.tools_turn)
     add_if_any(charts, std::move(torques));
   add_if_any(charts, energies(results));
   add_if_any(charts, over_time(results, "penetration", "Certificate of penetration",
                                {{"max_penetration", "bound"}},
                                with_unit("deepest point of any face", units.length)));
-  add_if_any(charts, over_time(results, "iterations", "Iterations of each increment",
-                               {{"iterations", "iterations"}, {"cutbacks", "cut-backs"}},
-                               "number"));
+  add_if_any(charts,
+             over_time(results, "iterations", "Iterations of each increment",
+                       {{"iterations", "iterations"}, {"cutbacks", "cut-backs"}}, "number"));
   add_if_any(charts, over_time(results, "increments", "Length of increments", {{"dt", "dt"}},
                                with_unit("increment", units.time)));
   add_if_any(charts, residuals(results));

@@ -98,11 +98,11 @@ std::string remeshing_section(const ResultsFolder& results) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t row = 0; row < ledger.rows.size(); ++row)
     rows.push_back(row_of_ledger(ledger, row));
-  std::string html = table({"no.", "time<br><small>[" + escaped(results.units().time) + "]</small>",
-                            "cause", "elements", "worst quality", "volume", "plastic work",
-                            "force jump", "balanced", "increments solved again",
-                            "took<br><small>[s]</small>"},
-                           rows);
+  std::string html =
+      table({"no.", "time<br><small>[" + escaped(results.units().time) + "]</small>", "cause",
+             "elements", "worst quality", "volume", "plastic work", "force jump", "balanced",
+             "increments solved again", "took<br><small>[s]</small>"},
+            rows);
   constexpr std::size_t many = 15;
   if (rows.size() > many)
     html = folded(fmt::format("{} new meshes", rows.size()), html, false);

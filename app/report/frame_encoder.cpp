@@ -158,8 +158,8 @@ void FrameEncoder::add(const io::FrameFiles& files) {
     meshes_.back()["blob"] = mesh_blobs_.size() - 1;
   Blob blob;
   frames_.push_back({{"time", files.time}, {"mesh", meshes_.size() - 1}});
-  frames_.back()["points"] = components_of(
-      blob, of_shown_nodes(shown_, flat(workpiece.mesh.points), 3), 3, Blob::fine);
+  frames_.back()["points"] =
+      components_of(blob, of_shown_nodes(shown_, flat(workpiece.mesh.points), 3), 3, Blob::fine);
   frames_.back()["fields"] = ordered_json::object();
   add_node_fields(workpiece, blob);
   add_element_fields(workpiece, blob);
@@ -184,8 +184,7 @@ void FrameEncoder::add(const io::FrameFiles& files) {
 }
 
 ordered_json FrameEncoder::scene() const {
-  ordered_json scene{
-      {"dimension", mesh_.dimension()}, {"fields", fields_}, {"meshes", meshes_}};
+  ordered_json scene{{"dimension", mesh_.dimension()}, {"fields", fields_}, {"meshes", meshes_}};
   std::size_t number = mesh_blobs_.size();
   scene["frames"] = frames_;
   for (ordered_json& frame : scene["frames"])

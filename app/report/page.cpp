@@ -50,9 +50,8 @@ ordered_json data_of(const NamedChart& named) {
                      {"over_time", named.over_time}};
   chart["curves"] = ordered_json::array();
   for (const render::Curve& curve : named.chart.curves) {
-    ordered_json points{{"label", curve.label},
-                        {"x", ordered_json::array()},
-                        {"y", ordered_json::array()}};
+    ordered_json points{
+        {"label", curve.label}, {"x", ordered_json::array()}, {"y", ordered_json::array()}};
     for (const Vec2& value : thinned(curve.values, most_points_of_a_curve)) {
       points["x"].push_back(std::stod(fmt::format("{:.7g}", value[0])));
       points["y"].push_back(std::stod(fmt::format("{:.7g}", value[1])));
@@ -80,11 +79,10 @@ std::string head_of(const ResultsFolder& results, const PageSettings& settings) 
   head += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
           "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n";
   if (settings.reload_after)
-    head += settings.bundle
-                ? fmt::format("<meta name=\"reload-after\" content=\"{}\">\n",
-                              *settings.reload_after)
-                : fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n",
-                              *settings.reload_after);
+    head +=
+        settings.bundle
+            ? fmt::format("<meta name=\"reload-after\" content=\"{}\">\n", *settings.reload_after)
+            : fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", *settings.reload_after);
   head += "<style>\n" + std::string(page_style) + "</style>\n";
   if (settings.bundle)
     head += "<style>\n" + settings.bundle->style + "</style>\n";
@@ -94,9 +92,10 @@ std::string head_of(const ResultsFolder& results, const PageSettings& settings) 
 std::string view_section(const FrameView& view, bool has_bundle) {
   std::string html;
   if (!has_bundle)
-    html = "<p class=\"missing\">This program was built without the view of the frames: "
-           "<code>./dev build --report</code> builds it. <code>billet render</code> draws pictures, "
-           "ParaView opens the <code>.pvd</code> of the results.</p>\n";
+    html =
+        "<p class=\"missing\">This program was built without the view of the frames: "
+        "<code>./dev build --report</code> builds it. <code>billet render</code> draws pictures, "
+        "ParaView opens the <code>.pvd</code> of the results.</p>\n";
   else if (view.scene.is_null())
     html = "<p class=\"missing\">There are no frames to show.</p>\n";
   else
@@ -106,7 +105,8 @@ std::string view_section(const FrameView& view, bool has_bundle) {
   return section("frames", "Frames", html);
 }
 
-std::string data_of_page(const std::vector<NamedChart>& charts, const FrameView& view,
+std::string data_of_page(const std::vector<NamedChart>& charts,
+                         const FrameView& view,
                          const ResultsFolder& results) {
   ordered_json data{{"state", results.status()}, {"view", view.scene}};
   data["charts"] = ordered_json::array();
@@ -115,8 +115,8 @@ std::string data_of_page(const std::vector<NamedChart>& charts, const FrameView&
   std::string html =
       "<script type=\"application/json\" id=\"billet-data\">" + embedded(data) + "</script>\n";
   for (std::size_t i = 0; i < view.blobs.size(); ++i)
-    html += fmt::format("<script type=\"text/plain\" id=\"blob-{}\">{}</script>\n", i,
-                        view.blobs[i]);
+    html +=
+        fmt::format("<script type=\"text/plain\" id=\"blob-{}\">{}</script>\n", i, view.blobs[i]);
   return html;
 }
 
@@ -131,7 +131,7 @@ Parts parts_of(const ResultsFolder& results,
   Parts parts;
   parts.head = head_of(results, settings);
   parts.top = fmt::format("<body>\n<header><h1>{}</h1></header>\n<main>\n", escaped(results.title));
-  parts.top += status_section(results) + key_figures(results);
+  parts.top += status_section(results) + key_figures(results, charts);
   parts.tables = charts_section(charts) + tools_section(results) + blows_section(results) +
                  measures_section(results) + wear_section(results) + window_section(results) +
                  laps_section(results) + remeshing_section(results) +
@@ -164,8 +164,8 @@ std::string page_of(const ResultsFolder& results, const PageSettings& settings) 
                            parts.end.size() + script.size() + without_view.size();
   constexpr std::size_t descriptions = 400'000; // of what the blobs hold
   if (settings.bundle)
-    view = frame_view(results, settings.most_bytes - std::min(settings.most_bytes,
-                                                              used + descriptions));
+    view = frame_view(results,
+                      settings.most_bytes - std::min(settings.most_bytes, used + descriptions));
   return parts.head + parts.top + view_section(view, settings.bundle.has_value()) + parts.tables +
          parts.end + (settings.bundle ? data_of_page(charts, view, results) + script : "") +
          "</body>\n</html>\n";

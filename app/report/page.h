@@ -24,7 +24,7 @@ struct Bundle {
 
 struct PageSettings {
   std::optional<Bundle> bundle;
-  std::optional<int> reload_after;      ///< the page asks for itself again [s]
+  std::optional<int> reload_after;     ///< the page asks for itself again [s]
   std::size_t most_bytes = 10'000'000; ///< of the page
 };
 

@@ -92,9 +92,7 @@ ResultsFolder read_results(const fs::path& folder) {
   results.summary = json_of(folder / "summary.json", ordered_json::object(), results);
   results.starts = json_of(folder / "starts.json", ordered_json::array(), results);
   const bool ended = results.summary.contains("status");
-  results.state = ended            ? RunState::ended
-                  : results.writer ? RunState::running
-                                   : RunState::killed;
+  results.state = ended ? RunState::ended : results.writer ? RunState::running : RunState::killed;
   results.name = name_of(folder);
   results.case_text = text_of_file(folder / "case.resolved.toml");
   results.facts = case_facts(results.case_text);

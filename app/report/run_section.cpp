@@ -59,8 +59,8 @@ std::string run_section(const ResultsFolder& results) {
   add(rows, "Title", results.title);
   add(rows, "Case", results.name);
   const std::vector<std::string> versions = results.said("billet ");
-  add(rows, "Program", versions.empty() ? "billet " + text_of(summary, "billet")
-                                        : "billet " + versions.front());
+  add(rows, "Program",
+      versions.empty() ? "billet " + text_of(summary, "billet") : "billet " + versions.front());
   add_starts(rows, results.starts);
   if (results.writer)
     add(rows, "Running",
@@ -71,7 +71,8 @@ std::string run_section(const ResultsFolder& results) {
   add(rows, "Units", results.units().name);
   std::error_code error;
   add(rows, "Results", std::filesystem::absolute(results.path, error).lexically_normal().string());
-  add(rows, "Report made", fmt::format("{:%Y-%m-%d %H:%M:%S %z}", fmt::localtime(std::time(nullptr))));
+  add(rows, "Report made",
+      fmt::format("{:%Y-%m-%d %H:%M:%S %z}", fmt::localtime(std::time(nullptr))));
   std::string html = facts(rows);
   if (!results.case_text.empty())
     html += folded("Case, with every default filled in (case.resolved.toml)",

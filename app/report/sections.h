@@ -14,7 +14,8 @@ namespace billet::report {
 /// Status, what ended the run, failed checks, warnings, advice.
 [[nodiscard]] std::string status_section(const ResultsFolder& results);
 /// The largest figures of the run.
-[[nodiscard]] std::string key_figures(const ResultsFolder& results);
+[[nodiscard]] std::string key_figures(const ResultsFolder& results,
+                                      const std::vector<NamedChart>& charts);
 /// Program, machine, time, command; the case.
 [[nodiscard]] std::string run_section(const ResultsFolder& results);
 [[nodiscard]] std::string tools_section(const ResultsFolder& results);

@@ -1,4 +1,5 @@
-// What the page shows of a mesh: its faces as rings of nodes, and for cuts its cells by their corners.
+// What the page shows of a mesh: its faces as rings of nodes, and for cuts its cells by their
+// corners.
 //
 // In the plane every element is a face; in space those of the surface are. Nodes in the middle of
 // edges inside the part are left out: a cut interpolates between corners.

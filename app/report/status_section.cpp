@@ -56,9 +56,9 @@ std::vector<std::string> texts_in(const ordered_json& array) {
 }
 
 std::string callout(const std::string& tone, const std::string& title, const std::string& content) {
-  return content.empty()
-             ? std::string()
-             : fmt::format("<div class=\"callout {}\"><h3>{}</h3>\n{}</div>\n", tone, title, content);
+  return content.empty() ? std::string()
+                         : fmt::format("<div class=\"callout {}\"><h3>{}</h3>\n{}</div>\n", tone,
+                                       title, content);
 }
 
 /// Of a run without a summary those of its log.
@@ -103,22 +103,21 @@ std::string tile(const std::string& value, const std::string& unit, const std::s
 
 std::string status_section(const ResultsFolder& results) {
   const Verdict verdict = verdict_on(results);
-  std::string html = fmt::format(
-      "<div class=\"verdict {}\"><strong>{}</strong><p>{}</p><p>{}</p></div>\n", verdict.tone,
-      escaped(results.status()), verdict.words, progress_of(results));
+  std::string html =
+      fmt::format("<div class=\"verdict {}\"><strong>{}</strong><p>{}</p><p>{}</p></div>\n",
+                  verdict.tone, escaped(results.status()), verdict.words, progress_of(results));
   html += callout("bad", "Failed checks", list(failed_checks_of(results)));
   html += callout("bad", "Failure", failure_of(results));
   html += callout("warn", "Warnings", list(warnings_of(results)));
   html += callout("note", "What may help", list(results.said("what may help: ")));
-  html += callout("note", "Advice", list(results.said("advice: ")));
   html += callout("warn", "Could not be read", list(results.unreadable));
   return html;
 }
 
-std::string key_figures(const ResultsFolder& results) {
+std::string key_figures(const ResultsFolder& results, const std::vector<NamedChart>& charts) {
   const io::UnitSystem units = results.units();
   std::string tiles;
-  for (const NamedChart& chart : curves_of(results)) {
+  for (const NamedChart& chart : charts) {
     if (chart.id != "force-time" && !(chart.id == "load-stroke" && chart.over_time))
       continue;
     double largest = 0.0;

@@ -55,8 +55,8 @@ std::string grid(const Axes& axes) {
   for (const double tick : axes.x.ticks())
     svg += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/>"
                        "<text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>\n",
-                       axes.to_x(tick), top, picture_height - bottom, picture_height - bottom + 16.0,
-                       axes.x.label(tick));
+                       axes.to_x(tick), top, picture_height - bottom,
+                       picture_height - bottom + 16.0, axes.x.label(tick));
   for (const double tick : axes.y.ticks()) {
     const double y = picture_height - bottom - axes.y.share(tick) * (picture_height - top - bottom);
     const std::string label =
@@ -88,14 +88,15 @@ std::string key(const std::vector<render::Curve>& curves) {
 
 std::string svg_of(const NamedChart& named) {
   const Axes axes = axes_of(named);
-  std::string svg = fmt::format(
-      "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n",
-      picture_width, picture_height, escaped(named.chart.title));
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+                                "role=\"img\" aria-label=\"{2}\">\n",
+                                picture_width, picture_height, escaped(named.chart.title));
   svg += grid(axes);
   for (std::size_t i = 0; i < named.chart.curves.size(); ++i)
     svg += line(named.chart.curves[i], axes, colours.at(i % colours.size()));
   svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-                     (left + picture_width - right) / 2.0, picture_height - 8.0, escaped(named.chart.x_label));
+                     (left + picture_width - right) / 2.0, picture_height - 8.0,
+                     escaped(named.chart.x_label));
   svg += fmt::format(
       "<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
       (top + picture_height - bottom) / 2.0, escaped(named.chart.y_label));

@@ -118,13 +118,13 @@ std::string wear_section(const ResultsFolder& results) {
   if (rows.empty())
     return {};
   const std::string volume = units.length + "³";
-  return section("wear", "Wear",
-                 table({"tool", headed("volume", volume), headed("largest depth", units.length),
-                        headed("at", units.length), "strokes",
-                        headed("volume, all strokes", volume),
-                        headed("largest depth, all strokes", units.length),
-                        headed("worn off the part", volume), headed("its depth", units.length)},
-                       rows));
+  return section(
+      "wear", "Wear",
+      table({"tool", headed("volume", volume), headed("largest depth", units.length),
+             headed("at", units.length), "strokes", headed("volume, all strokes", volume),
+             headed("largest depth, all strokes", units.length),
+             headed("worn off the part", volume), headed("its depth", units.length)},
+            rows));
 }
 
 std::string window_section(const ResultsFolder& results) {
@@ -145,10 +145,10 @@ std::string window_section(const ResultsFolder& results) {
         rows.push_back({escaped(label), number(number_in(range, "mean")),
                         number(number_in(range, "lowest")), number(number_in(range, "highest")),
                         number(number_in(range, "last_mean"))});
-    html += fmt::format("<h3>{}</h3>\n<p>In contact for {} {}, mean area {} {}.</p>\n",
-                        escaped(name), number(number_in(window, "contact_time")),
-                        escaped(units.time), number(number_in(window, "mean_area")),
-                        escaped(units.length) + "²");
+    html +=
+        fmt::format("<h3>{}</h3>\n<p>In contact for {} {}, mean area {} {}.</p>\n", escaped(name),
+                    number(number_in(window, "contact_time")), escaped(units.time),
+                    number(number_in(window, "mean_area")), escaped(units.length) + "²");
     html += table({"quantity", "mean", "lowest", "highest", "mean at the last contact"}, rows);
   };
   const ordered_json& tools = member(results.summary, "tools");
@@ -172,8 +172,8 @@ std::string measures_section(const ResultsFolder& results) {
       least = std::fmin(least, value);
       most = std::fmax(most, value);
     }
-    rows.push_back({escaped(name), escaped(words_of_measure(results, name)),
-                    number(values.front()), number(values.back()), number(least), number(most)});
+    rows.push_back({escaped(name), escaped(words_of_measure(results, name)), number(values.front()),
+                    number(values.back()), number(least), number(most)});
   }
   if (rows.empty())
     return {};
@@ -224,12 +224,12 @@ std::string blows_section(const ResultsFolder& results) {
                     number(number_in(blow, "stroke")), number(number_in(blow, "end_speed"))});
   if (rows.empty())
     return {};
-  return section("blows", "Blows",
-                 table({"tool", headed("from", units.time), headed("to", units.time),
-                        headed("energy", energy), headed("used", energy), headed("left", energy),
-                        headed("stroke", units.length),
-                        headed("end speed", units.length + "/" + units.time)},
-                       rows));
+  return section(
+      "blows", "Blows",
+      table({"tool", headed("from", units.time), headed("to", units.time), headed("energy", energy),
+             headed("used", energy), headed("left", energy), headed("stroke", units.length),
+             headed("end speed", units.length + "/" + units.time)},
+            rows));
 }
 
 } // namespace billet::report

@@ -155,9 +155,8 @@ std::vector<std::size_t> thin(io::SurfaceFrame& surface, std::size_t most_triang
 std::size_t ToolShapes::store(const io::SurfaceFrame& surface) {
   Blob blob;
   ordered_json about;
-  const std::span<const double> flat(surface.points.empty() ? nullptr
-                                                            : surface.points.front().data(),
-                                     3 * surface.points.size());
+  const std::span<const double> flat(
+      surface.points.empty() ? nullptr : surface.points.front().data(), 3 * surface.points.size());
   for (std::size_t c = 0; c < 3; ++c)
     about["points"].push_back(blob.add_numbers(flat, c, 3, Blob::fine));
   about["lines"] = blob.add_integers(pieces(surface.lines, 2));

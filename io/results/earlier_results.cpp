@@ -80,7 +80,9 @@ void remove_later(const std::filesystem::path& folder, int first_frame) {
 
 void remove_earlier_run(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  std::vector<fs::path> old{folder / "summary.json", folder / "run.log", folder / "remesh.csv",
+  std::vector<fs::path> old{folder / "summary.json",
+                            folder / "run.log",
+                            folder / "remesh.csv",
                             folder / "starts.json",
                             folder / "failure" / "last_good.vtu",
                             folder / "failure" / "post_mortem.txt"};

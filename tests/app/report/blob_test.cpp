@@ -14,8 +14,7 @@ namespace {
 
 /// What a browser does with the text of a blob: from base64, inflated.
 std::string unpacked(const std::string& text) {
-  const std::string digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string packed;
   std::uint32_t group = 0;
   int n_bits = 0;

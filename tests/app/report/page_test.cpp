@@ -1,6 +1,5 @@
-#include "app/report/page.h"
-
 #include "app/report/frame_view.h"
+#include "app/report/page.h"
 #include "io/results/folder_lock.h"
 #include "tests/app/report/made_results.h"
 
@@ -39,8 +38,8 @@ TEST_F(Page, ShowsWhatTheResultsHave) {
   for (const char* part :
        {"Forces over strokes", "Energies", "Certificate of penetration", "Residual of each",
         "id=\"tools\"", "id=\"wear\"", "id=\"window\"", "id=\"laps\"", "id=\"remeshing\"",
-        "id=\"measures\"", "id=\"effort\"", "filling [-]", "full cavity", "100 → 140",
-        "force [kN]", "element quality 0.19 &lt; 0.2, say", "0.25", "811"})
+        "id=\"measures\"", "id=\"effort\"", "filling [-]", "full cavity", "100 → 140", "force [kN]",
+        "element quality 0.19 &lt; 0.2, say", "0.25", "811"})
     EXPECT_TRUE(holds(html, part)) << part;
   EXPECT_FALSE(holds(html, "id=\"blows\"")); // there were none
 }

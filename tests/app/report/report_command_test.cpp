@@ -61,7 +61,7 @@ TEST_F(ReportCommand, FollowsARunToItsEnd) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(page().find("<strong>done</strong>"), std::string::npos);
   EXPECT_EQ(page().find("http-equiv=\"refresh\""), std::string::npos);
-  EXPECT_EQ(page().find("name=\"reload-after\""), std::string::npos);
+  EXPECT_EQ(page().find("<meta name=\"reload-after\""), std::string::npos);
 }
 
 TEST_F(ReportCommand, ReportsARunOfTheProgram) {

@@ -1,5 +1,4 @@
 #include "app/report/tool_shapes.h"
-
 #include "geometry/base/box.h"
 
 #include <Eigen/Geometry>

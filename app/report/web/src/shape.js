@@ -144,7 +144,23 @@ export function revolved(mesh, points, steps = 48) {
   return joined([skin, end(0), end(opening)]);
 }
 
-/** A tool of the plane, turned likewise. */
+/** Lines as far as they lie at positive radii. */
+function atPositiveRadii(points, lines) {
+  const kept = [];
+  for (let i = 0; i < lines.length; i += 2) {
+    let ends = [lines[i], lines[i + 1]].map((node) => points.slice(3 * node, 3 * node + 3));
+    if (ends.every(([x]) => x < 0)) continue;
+    const t = ends[0][0] / (ends[0][0] - ends[1][0]);
+    const foot = [0, ends[0][1] + t * (ends[1][1] - ends[0][1]), 0];
+    ends = ends.map((end) => (end[0] < 0 ? foot : end));
+    kept.push(...ends[0], ...ends[1]);
+  }
+  return Float32Array.from(kept);
+}
+
+/** A tool of the plane, turned likewise; a plane goes on beyond the axis, and would be there twice. */
 export function revolvedTool(points, lines, steps = 48) {
-  return surfaceOfRevolution(points, lines, opening, steps);
+  const outline = atPositiveRadii(points, lines);
+  const segments = Int32Array.from({ length: outline.length / 3 }, (_, i) => i);
+  return surfaceOfRevolution(outline, segments, opening, steps);
 }

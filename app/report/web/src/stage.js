@@ -34,8 +34,8 @@ export class Body {
     property.setColor(...colour);
     property.setLineWidth(width);
     property.setLighting(lighting);
-    property.setAmbient(0.3);
-    property.setDiffuse(0.75);
+    property.setAmbient(0.5);
+    property.setDiffuse(0.55);
     property.setSpecular(0);
     property.setOpacity(opacity);
     stage.renderer.addActor(this.actor);
@@ -50,6 +50,12 @@ export class Body {
   inFront() {
     this.mapper.setResolveCoincidentTopologyToPolygonOffset();
     this.mapper.setRelativeCoincidentTopologyLineOffsetParameters(-1, -2);
+  }
+
+  /** A surface behind those that it coincides with: a tool where the part lies on it. */
+  behind() {
+    this.mapper.setResolveCoincidentTopologyToPolygonOffset();
+    this.mapper.setRelativeCoincidentTopologyPolygonOffsetParameters(2, 6);
   }
 
   set({ points, triangles = [], lines = [] }) {

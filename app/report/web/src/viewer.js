@@ -13,7 +13,7 @@ import { Body, Stage } from './stage.js';
 
 const part = [0.62, 0.66, 0.72];
 const tool = [0.45, 0.55, 0.68];
-const ink = [0.1, 0.12, 0.16];
+const ink = [0.33, 0.35, 0.39]; // seen on dark and on bright colours
 
 function defaults(about) {
   const first = ['von_mises', 'plastic_strain'].find((key) => about.quantities.some((q) => q.key === key));
@@ -79,12 +79,13 @@ class Viewer {
     const lighting = this.about.solid;
     const body = (options) => new Body(this.stage, options);
     this.surface = body({ colour: part, lighting });
-    this.edges = body({ colour: ink, lighting: false, opacity: 0.45 });
+    this.edges = body({ colour: ink, lighting: false });
     this.cap = body({ colour: part, lighting: false });
-    this.capEdges = body({ colour: ink, lighting: false, opacity: 0.45 });
+    this.capEdges = body({ colour: ink, lighting: false });
     this.contact = body({ colour: part, lighting: false, width: 5 });
     [this.edges, this.capEdges, this.contact].forEach((each) => each.inFront());
     this.tools = new Map(tools.map((name) => [name, body({ colour: tool, width: 2, lighting: true })]));
+    for (const each of this.tools.values()) each.behind();
   }
 
   changed(key) {
@@ -196,7 +197,10 @@ class Viewer {
       ends[1] = Math.max(ends[1], h);
     }
     const height = ends[0] + (position / 100) * (ends[1] - ends[0]);
-    return { origin: n.map((value) => value * height), normal: flip ? n : n.map((value) => -value), height };
+    const kept = flip ? n : n.map((value) => -value);
+    // A little into the half that stays: faces in the plane itself would show through its filling.
+    const inside = 1e-4 * (ends[1] - ends[0]);
+    return { origin: n.map((value, d) => value * height + kept[d] * inside), normal: kept, height };
   }
 
   setSection({ mesh, points }) {
