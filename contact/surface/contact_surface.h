@@ -9,7 +9,7 @@
 #pragma once
 
 #include "contact/law/interface_law.h"
-#include "contact/trapped/trapped_medium.h"
+#include "contact/law/trapped_medium.h"
 #include "geometry/curved/bezier_patch.h"
 #include "mechanics/bulk/bulk.h"
 #include "mechanics/equilibrium/faces.h"

@@ -9,11 +9,11 @@
 
 #pragma once
 
+#include "contact/law/trapped_medium.h"
 #include "contact/term/contact_term.h"
 #include "contact/trapped/pocket.h"
 #include "contact/trapped/pocket_volume.h"
 #include "contact/trapped/tool_line.h"
-#include "contact/trapped/trapped_medium.h"
 #include "mechanics/equilibrium/force_term.h"
 
 #include <span>

@@ -197,7 +197,11 @@ TEST_F(Processes, keep_the_status_and_say_it_once) {
   ASSERT_NE(told, std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("poisson", outcome.err.find('\n', told)), std::string::npos)
       << outcome.err;
-  EXPECT_EQ(launch(2, {"run", "nowhere.toml"}, folder_.path()).status, 6);
+  EXPECT_EQ(launch(2, {"run", "nowhere.toml"}, folder_.path()).status, 3);
+  write(ball_3d, "auto");
+  std::vector<std::string> from_nothing = words("nothing");
+  from_nothing.push_back("--resume");
+  EXPECT_EQ(launch(2, from_nothing, folder_.path()).status, 6);
 }
 
 TEST_F(Processes, refuse_what_is_for_one) {

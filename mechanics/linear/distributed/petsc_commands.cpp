@@ -71,34 +71,47 @@ void note(double& most) { most = std::max(most, memory_now("VmRSS:")); }
   std::abort(); // which MPI_Abort does not come back to
 }
 
-/// Whether an error of PETSc is one of numbers, which all processes see.
-bool is_of_numbers(PetscErrorCode code) {
-  switch (static_cast<int>(code)) {
-  case PETSC_ERR_FP:
-  case PETSC_ERR_CONV_FAILED:
-  case PETSC_ERR_NOT_CONVERGED:
-  case PETSC_ERR_MAT_LU_ZRPVT:
-  case PETSC_ERR_MAT_CH_ZRPVT:
-    return true;
-  default:
-    return false;
+constexpr int limit = 7, internal_error = 70; ///< exit statuses of the program
+
+/// The worst of what all processes have come to. One that failed where others did not, and wait for
+/// it in PETSc, does not wait for ever.
+int agreed(int status) {
+  int all = status;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&status, &all, 1, MPI_INT, MPI_MAX, PETSC_COMM_WORLD, &request);
+  if (status == distributed_done) {
+    MPI_Wait(&request, MPI_STATUS_IGNORE);
+    return all;
   }
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  for (int done = 0; done == 0;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done == 0 && std::chrono::steady_clock::now() > give_up)
+      end_all(internal_error, state().reason.c_str());
+  }
+  return all;
 }
 
 int status_of(PetscErrorCode code) {
-  constexpr int limit = 7, internal_error = 70; // exit statuses of the program
   if (code == good)
     return distributed_done;
+  if (static_cast<int>(code) == PETSC_ERR_MEM)
+    end_all(limit, "not enough memory for this case");
   const char* text = nullptr;
   char* where = nullptr;
   PetscErrorMessage(code, &text, &where);
   state().reason = std::string(text != nullptr ? text : "unknown") +
                    (where != nullptr && *where != '\0' ? ": " + std::string(where) : "");
-  if (is_of_numbers(code))
-    return distributed_failed;
-  if (static_cast<int>(code) == PETSC_ERR_MEM)
+  return distributed_failed;
+}
+
+/// What all processes do at the same time: a function that returns an error code of PETSc.
+template <class Function> int together(const Function& function) {
+  try {
+    return agreed(status_of(function()));
+  } catch (const std::bad_alloc&) {
     end_all(limit, "not enough memory for this case");
-  end_all(internal_error, state().reason.c_str());
+  }
 }
 
 Command receive(Command command) {
@@ -121,21 +134,22 @@ Command receive(Command command) {
 // --- what all processes do ------------------------------------------------------------------
 
 int make_here(int system, const DistributedPattern* pattern) {
-  auto made = std::make_unique<DistributedSystem>();
-  const int status = status_of(made->make(pattern));
-  state().systems[system] = std::move(made);
-  return status;
+  return together([&] {
+    auto& made = state().systems[system];
+    made = std::make_unique<DistributedSystem>();
+    return made->make(pattern);
+  });
 }
 
 int set_values_here(int system, const double* values) {
-  const int status = status_of(state().systems.at(system)->set_values(values));
+  const int status = together([&] { return state().systems.at(system)->set_values(values); });
   note(state().memory.after_distribution);
   return status;
 }
 
 int set_up_here(int system, DistributedSetUp& set_up) {
   DistributedSystem& here = *state().systems.at(system);
-  const int status = status_of(here.set_up(set_up));
+  const int status = together([&] { return here.set_up(set_up); });
   note(state().memory.after_set_up);
   if (status != distributed_done || here.preconditioner().is_ready())
     return status;
@@ -143,7 +157,7 @@ int set_up_here(int system, DistributedSetUp& set_up) {
 }
 
 int solve_here(int system, DistributedSolve& solve) {
-  const int status = status_of(state().systems.at(system)->solve(solve));
+  const int status = together([&] { return state().systems.at(system)->solve(solve); });
   note(state().memory.after_solve);
   return status;
 }
@@ -279,14 +293,9 @@ int start(int* number_of_this_process) {
 }
 
 int serve() {
-  constexpr int limit = 7;
-  try {
-    for (Command command{}; command.order != Order::end;) {
-      command = receive({});
-      obey(command);
-    }
-  } catch (const std::bad_alloc&) {
-    end_all(limit, "not enough memory for this case");
+  for (Command command{}; command.order != Order::end;) {
+    command = receive({});
+    obey(command);
   }
   end_here();
   return 0;

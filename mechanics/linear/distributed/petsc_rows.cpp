@@ -217,6 +217,7 @@ PetscErrorCode DistributedRows::scatter(const double* whole, Vec vector) const {
   std::vector<int> counts, starts;
   shares(counts, starts);
   std::vector<double> packed;
+  packed.reserve(rank_ == 0 ? idx(dim_) * idx(part_start_.back()) : 0);
   if (rank_ == 0)
     for (int place = 0; place < part_start_.back(); ++place)
       for (int i = 0; i < dim_; ++i)

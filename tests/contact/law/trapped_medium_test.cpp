@@ -1,4 +1,4 @@
-#include "contact/trapped/trapped_medium.h"
+#include "contact/law/trapped_medium.h"
 #include "tests/support/differences.h"
 
 #include <gtest/gtest.h>
