@@ -23,8 +23,8 @@ void note_meetings(const process::Scene& scene,
                    const io::UnitSystem& units,
                    std::vector<std::string>& notes) {
   for (const process::ToolMeeting& m : process::tool_meetings(scene)) {
-    const std::string pair = fmt::format("warning: tools '{}' and '{}'", scene.tools[m.first].name,
-                                         scene.tools[m.second].name);
+    const std::string pair = fmt::format("warning: [tools-meet] tools '{}' and '{}'",
+                                         scene.tools[m.first].name, scene.tools[m.second].name);
     const std::string place = fmt::format("({:.6g}, {:.6g}, {:.6g}) {}", m.place[0], m.place[1],
                                           m.place[2], units.length);
     notes.push_back(
