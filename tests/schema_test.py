@@ -20,7 +20,8 @@ except ImportError:
     sys.exit(77)
 
 KINDS = ("case", "study", "chart")
-NAMED = re.compile(r"^(material|.*\.?set|.*\.reference)$")  # tables whose keys the user names
+NAMED = re.compile(r"^material$")  # a table whose keys the user names
+FREE = re.compile(r"(^|\.)(set|reference)$")  # whose keys and values are those of another file
 
 
 def validators(program):
@@ -68,7 +69,7 @@ def misspelt(node, path=""):
         for index, item in enumerate(node):
             for changed in misspelt(item, f"{path}.{index}"):
                 yield node[:index] + [changed] + node[index + 1 :]
-    if not isinstance(node, dict):
+    if not isinstance(node, dict) or FREE.search(path):
         return
     for key in node:
         inner = f"{path}.{key}".lstrip(".")

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <map>
 
@@ -139,6 +141,39 @@ face_of(const Deck& deck, const DeckElement& element, const std::vector<std::siz
   return face;
 }
 
+/// Takes out corners that are given twice, of elements that collapse. False: nothing is left.
+bool clean(DeckFace& face) {
+  const std::size_t least = face.corners.size() == 2 ? 2 : 3;
+  std::vector<DeckNumber> corners;
+  for (const DeckNumber corner : face.corners)
+    if (std::find(corners.begin(), corners.end(), corner) == corners.end())
+      corners.push_back(corner);
+  if (corners.size() != face.corners.size())
+    face.middles.clear();
+  face.corners = std::move(corners);
+  return face.corners.size() >= least;
+}
+
+/// One node for all that lie on each other: meshes of parts that were joined without merging.
+std::map<DeckNumber, DeckNumber> merged_nodes(const Deck& deck, const DeckBody& body) {
+  constexpr double same = 1e-7; // of the body's size
+  Vec3 low = deck.nodes.at(*body.nodes.begin()), high = low;
+  for (const DeckNumber node : body.nodes) {
+    low = low.cwiseMin(deck.nodes.at(node));
+    high = high.cwiseMax(deck.nodes.at(node));
+  }
+  const double step = same * (high - low).maxCoeff();
+  std::map<std::array<std::int64_t, 3>, DeckNumber> by_place;
+  std::map<DeckNumber, DeckNumber> merged;
+  for (const DeckNumber node : body.nodes) {
+    const Vec3 at = (deck.nodes.at(node) - low) / step;
+    const std::array<std::int64_t, 3> place{std::llround(at[0]), std::llround(at[1]),
+                                            std::llround(at[2])};
+    merged[node] = by_place.try_emplace(place, node).first->second;
+  }
+  return merged;
+}
+
 bool holds_all(const std::vector<DeckNumber>& set, const std::vector<DeckNumber>& members) {
   std::vector<DeckNumber> sorted = set;
   std::sort(sorted.begin(), sorted.end());
@@ -218,9 +253,15 @@ faces_of(const Deck& deck, const DeckElement& element, const std::string& label)
 }
 
 std::vector<DeckFace> boundary_of(const Deck& deck, const DeckBody& body) {
+  const std::map<DeckNumber, DeckNumber> merged = merged_nodes(deck, body);
   std::map<std::vector<DeckNumber>, std::pair<DeckFace, int>> all;
   for (const DeckNumber number : body.elements)
     for (DeckFace& face : faces_of(deck, deck.elements.at(number), "")) {
+      for (auto* nodes : {&face.corners, &face.middles})
+        for (DeckNumber& node : *nodes)
+          node = merged.at(node);
+      if (!clean(face))
+        continue;
       std::vector<DeckNumber> key = face.corners;
       std::sort(key.begin(), key.end());
       auto& entry = all[key];

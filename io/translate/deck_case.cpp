@@ -146,10 +146,10 @@ private:
     return nodes;
   }
 
-  /// A name for a set of the mesh that holds these nodes.
+  /// Makes a set of the mesh of these nodes, named as in the deck.
   std::string set_named(const std::string& wish, std::vector<DeckNumber> nodes) {
     const auto written = deck_.names.find(in_capitals(wish));
-    std::string name = plain_name(written != deck_.names.end() ? written->second : "node-" + wish);
+    std::string name = plain_name(written != deck_.names.end() ? written->second : wish);
     sets_[name] = std::move(nodes);
     return name;
   }
@@ -178,9 +178,25 @@ private:
 
   std::string supports_text() {
     std::string text;
-    for (const auto& [target, motion] : motions_)
-      if (std::vector<DeckNumber> nodes = own_nodes(target); !nodes.empty())
-        text += support_text(set_named(target, std::move(nodes)), motion);
+    std::map<std::map<int, DeckHistory>, std::pair<std::vector<DeckNumber>, std::string>> single;
+    for (const auto& [target, motion] : motions_) {
+      std::vector<DeckNumber> nodes = own_nodes(target);
+      if (nodes.empty())
+        continue;
+      if (!deck_.node_sets.contains(target)) { // one by its number: all alike become one set
+        auto& [members, place] = single[motion.components];
+        members.push_back(nodes.front());
+        place = place.empty() ? motion.place : std::min(place, motion.place);
+        continue;
+      }
+      text += support_text(set_named(target, std::move(nodes)), motion);
+    }
+    int n_single = 0;
+    for (auto& [components, group] : single) {
+      const std::string set = fmt::format("nodes-{}", ++n_single);
+      sets_[set] = std::move(group.first);
+      text += support_text(set, {components, group.second});
+    }
     for (const DeckRigidBody& rigid : deck_.rigid_bodies)
       text += clamped_nodes(rigid);
     return text;
