@@ -35,6 +35,8 @@ void print_list() {
 std::string code_in(std::string text) {
   std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == '\''; });
   std::replace(text.begin(), text.end(), ' ', '-');
+  if (text.starts_with("exit-status-"))
+    text.erase(0, std::string_view("exit-status-").size());
   const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   if (text == "129" || text == "143")
     text = "130";

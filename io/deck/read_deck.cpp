@@ -128,6 +128,10 @@ private:
         numbers.push_back(whole(keyword, line, i));
       if (n_nodes != 0 && numbers.size() < n_nodes + 1)
         continue;
+      if (n_nodes != 0 && numbers.size() > n_nodes + 1)
+        throw Error(Fault::geometry, keyword.places[line],
+                    fmt::format("element {} has more than the {} nodes of {}", numbers.front(),
+                                n_nodes, type));
       const DeckNumber number = numbers.front();
       deck_.elements[number] = {type, {numbers.begin() + 1, numbers.end()}};
       if (keyword.has("ELSET"))
