@@ -226,7 +226,7 @@ int check_case(const Arguments& arguments) {
   if (const std::optional<std::string> warning = memory_warning(cost); warning && !ready.cost)
     fmt::print("{}\n", *warning);
   for (const io::Advice& advice : io::scene_advice(content, scene))
-    fmt::print("advice: {}\n", advice.text);
+    fmt::print("advice: [{}] {}\n", io::code_of(advice.kind), advice.text);
   fmt::print("the case is good\n");
   return 0;
 }

@@ -7,20 +7,36 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <span>
 
 namespace billet::app {
 
 namespace {
 
-/// An option of a command.
-struct Option {
-  std::string_view name;
-  std::string_view value; ///< what it takes; empty: nothing
-  std::string_view help;
-  std::string_view also = {}; ///< another way to write it
-};
+/// Of `render`, as its help has them: lines that begin with "  --NAME VALUE".
+std::vector<Option> render_options() {
+  std::vector<Option> all;
+  std::string_view rest = render::usage_text;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!line.starts_with("  -"))
+      continue;
+    line.remove_prefix(2);
+    const std::size_t name = std::min(line.find(' '), line.size());
+    std::string_view after = line.substr(name);
+    after.remove_prefix(std::min(after.size(), std::size_t{1}));
+    const std::size_t value = after.starts_with(' ') ? 0 : std::min(after.find(' '), after.size());
+    std::string_view help = after.substr(value);
+    help.remove_prefix(std::min(help.find_first_not_of(' '), help.size()));
+    all.push_back({line.substr(0, name), after.substr(0, value), help});
+  }
+  return all;
+}
 
 /// Of `info`.
 constexpr Option info_options[] = {
@@ -79,6 +95,24 @@ constexpr Option verify_options[] = {
     {"--quiet", "", "no progress on standard error"},
 };
 
+/// Of `schema`.
+constexpr Option schema_options[] = {
+    {"-o", "FILE", "the schema goes to FILE (standard output)", "--output"},
+};
+
+/// Of `import`.
+constexpr Option import_options[] = {
+    {"-o", "DIR", "the case goes to DIR (default: the deck's name)", "--output"},
+    {"--units", "UNITS", "of the deck's numbers: mm-t-s-N (default) or m-kg-s-N"},
+    {"--allow-outside", "", "the deck may include files outside its folder"},
+};
+
+/// Of `diff`.
+constexpr Option diff_options[] = {
+    {"--rtol", "R", "a difference counts above R times the quantity's largest value (1e-6)"},
+    {"--atol", "A", "... plus A, in the quantity's own unit (0)"},
+};
+
 int positive_number(const std::string& text, std::string_view option) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -88,9 +122,17 @@ int positive_number(const std::string& text, std::string_view option) {
   return value;
 }
 
+double tolerance(const std::string& text, std::string_view option) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0))
+    throw Error(Fault::usage, "", fmt::format("{} needs a number >= 0, not '{}'", option, text));
+  return value;
+}
+
 void set(Arguments& arguments, std::string_view option, const std::string& value) {
   if (option == "-o" && value.empty())
-    throw Error(Fault::usage, "", "-o needs the name of a folder");
+    throw Error(Fault::usage, "", "-o needs the name of a folder or a file");
   if (option == "-o")
     arguments.output = io::with_home_folder(value, option);
   else if (option == "--set")
@@ -115,6 +157,12 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     arguments.quiet = true;
   else if (option == "--profile")
     arguments.profile = true;
+  else if (option == "--rtol")
+    arguments.rtol = tolerance(value, option);
+  else if (option == "--atol")
+    arguments.atol = tolerance(value, option);
+  else if (option == "--units")
+    arguments.units = value;
   else if (option == "--unit")
     arguments.unit = value;
   else if (option == "--allow-outside")
@@ -123,35 +171,25 @@ void set(Arguments& arguments, std::string_view option, const std::string& value
     throw Error(Fault::usage, "", fmt::format("{} is not available in this version", option));
 }
 
-const Option& find_option(const std::string& word, const Command& command) {
+/// Options that a command takes, also those of which it has no use.
+std::vector<Option> taken_options(const Command& command) {
+  std::vector<Option> options = options_of(command);
+  if (command.name == "check")
+    options.insert(options.end(), std::begin(run_options), std::end(run_options));
+  return options;
+}
+
+Option find_option(const std::string& word, const Command& command) {
   std::vector<std::string> known;
-  const Option* found = nullptr;
-  const auto look_in = [&](std::span<const Option> options) {
-    for (const Option& option : options) {
-      if (word == option.name || word == option.also)
-        found = &option;
-      known.emplace_back(option.name);
-      if (!option.also.empty())
-        known.emplace_back(option.also);
-    }
-  };
-  if (command.name == "info") {
-    look_in(info_options);
-  } else if (command.name == "identify") {
-    look_in(identify_options);
-  } else if (command.name == "report") {
-    look_in(report_options);
-  } else if (command.name == "watch") {
-    look_in(watch_options);
-  } else if (command.name == "study" || command.name == "chart") {
-    look_in(study_options);
-  } else if (command.name == "verify") {
-    look_in(verify_options);
-  } else {
-    look_in(case_options);
-    look_in(run_options);
+  std::optional<Option> found;
+  for (const Option& option : taken_options(command)) {
+    if (word == option.name || word == option.also)
+      found = option;
+    known.emplace_back(option.name);
+    if (!option.also.empty())
+      known.emplace_back(option.also);
   }
-  if (found != nullptr)
+  if (found)
     return *found;
   throw Error(Fault::usage, "", fmt::format("billet {}: unknown option '{}'", command.name, word),
               io::suggestion(word, known));
@@ -188,7 +226,55 @@ const std::vector<Command>& commands() {
       {"verify", "[NAME ...] [options]",
        "run problems that have closed forms: every figure next to its reference", &verify_problems,
        0},
+      {"diff", "A B [--rtol R] [--atol A]",
+       "compare two folders of results, or two case files; status 1 if they differ",
+       &show_differences, 2},
+      {"import", "JOB.inp [-o DIR] [--units UNITS]", "a case from a deck of CalculiX or Abaqus",
+       &import_deck},
+      {"explain", "[CODE ...]", "what a code in a message means; without a code: all of them",
+       &explain_code, 0},
+      {"schema", "[case|study|chart] [-o FILE]",
+       "the JSON Schema of case, study or chart files, for editors", &print_schema, 0},
+      {"completion", "bash|zsh|fish", "a script that completes commands, options and files",
+       &print_completion, 0},
+      {"manual", "", "the manual page, for man -l -", &print_manual, 0},
   };
+  return all;
+}
+
+std::vector<Option> options_of(const Command& command) {
+  std::vector<Option> all;
+  const auto add = [&](std::span<const Option> options) {
+    all.insert(all.end(), options.begin(), options.end());
+  };
+  if (command.name == "info") {
+    add(info_options);
+  } else if (command.name == "render") {
+    return render_options();
+  } else if (command.name == "report") {
+    add(report_options);
+  } else if (command.name == "watch") {
+    add(watch_options);
+  } else if (command.name == "identify") {
+    add(identify_options);
+  } else if (command.name == "study" || command.name == "chart") {
+    add(study_options);
+  } else if (command.name == "verify") {
+    add(verify_options);
+  } else if (command.name == "import") {
+    add(import_options);
+  } else if (command.name == "explain" || command.name == "completion" ||
+             command.name == "manual") {
+    return all;
+  } else if (command.name == "diff") {
+    add(diff_options);
+  } else if (command.name == "schema") {
+    add(schema_options);
+  } else {
+    add(case_options);
+    if (command.name == "run")
+      add(run_options);
+  }
   return all;
 }
 
@@ -215,7 +301,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
     }
     const std::size_t equals = word.find('=');
     const bool joined = word.starts_with("--") && equals != std::string::npos;
-    const Option& option = find_option(joined ? word.substr(0, equals) : word, command);
+    const Option option = find_option(joined ? word.substr(0, equals) : word, command);
     if (option.value.empty()) {
       set(arguments, option.name, "");
     } else if (joined) {
@@ -232,22 +318,41 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
   if (arguments.file.empty() && !takes_names)
     throw Error(Fault::usage, "", fmt::format("billet {}: a file is missing", command.name),
                 fmt::format("billet {} {}", command.name, command.usage));
+  if (command.name == "diff" && arguments.rest.empty())
+    throw Error(Fault::usage, "", "billet diff: the second of two is missing",
+                fmt::format("billet {} {}", command.name, command.usage));
   return arguments;
+}
+
+const std::vector<ExitStatus>& exit_statuses() {
+  static const std::vector<ExitStatus> all{
+      {"0", "done"},
+      {"1", "billet diff: the two differ"},
+      {"2", "usage"},
+      {"3", "bad case file"},
+      {"4", "bad geometry or mesh"},
+      {"5", "not converged; results up to the last good increment are valid"},
+      {"6", "input/output or disk"},
+      {"7", "memory or another limit"},
+      {"8", "ran to its end, but the result fails a check, named in summary.json"},
+      {"70", "internal error"},
+      {"129/130/143", "stopped by SIGHUP/SIGINT/SIGTERM after a clean end of the increment (a "
+                      "second signal: at once)"},
+  };
+  return all;
 }
 
 std::string help() {
   std::string text = "billet: implicit simulation of metal forming\n\n";
   for (const Command& command : commands())
-    text += fmt::format("  billet {:8s} {}\n                  {}\n", command.name, command.usage,
+    text += fmt::format("  billet {:10s} {}\n                    {}\n", command.name, command.usage,
                         command.summary);
-  text +=
-      "\n  billet COMMAND --help   the options of a command\n"
-      "  billet --version        the version\n\n"
-      "Exit status: 0 done; 2 usage; 3 bad case file; 4 bad geometry or mesh; 5 not converged\n"
-      "(results up to the last good increment are valid); 6 input/output or disk; 7 memory or\n"
-      "another limit; 8 ran to its end, but the result fails a check that it must pass (named in\n"
-      "summary.json); 70 internal error; 129/130/143 stopped by SIGHUP/SIGINT/SIGTERM after a\n"
-      "clean end of the increment (a second signal: at once).\n";
+  text += "\n  billet COMMAND --help   the options of a command\n"
+          "  billet --version        the version\n\n"
+          "Exit status:\n";
+  for (const ExitStatus& status : exit_statuses())
+    text += fmt::format("  {:11s} {}\n", status.number, status.meaning);
+  text += "A code in brackets, as [tool-misses], is explained by: billet explain tool-misses\n";
   return text;
 }
 
@@ -263,29 +368,10 @@ std::string help(const Command& command) {
                        option.help);
   };
   text += '\n';
-  const auto add = [&](std::span<const Option> options) {
-    for (const Option& option : options)
-      text += line(option);
-  };
-  if (command.name == "info") {
-    add(info_options);
-  } else if (command.name == "identify") {
-    add(identify_options);
-  } else if (command.name == "report") {
-    add(report_options);
-  } else if (command.name == "watch") {
-    add(watch_options);
-  } else if (command.name == "study" || command.name == "chart") {
-    add(study_options);
-  } else if (command.name == "verify") {
-    add(verify_options);
-  } else {
-    add(case_options);
-    if (command.name == "run")
-      add(run_options);
-    else
-      text += "  options of billet run are taken, and have no effect\n";
-  }
+  for (const Option& option : options_of(command))
+    text += line(option);
+  if (command.name == "check")
+    text += "  options of billet run are taken, and have no effect\n";
   return text;
 }
 

@@ -148,7 +148,7 @@ std::optional<std::string> memory_warning(const CostEstimate& cost) {
   if (!left || cost.memory <= most * *left)
     return std::nullopt;
   return fmt::format(
-      "warning: the run takes about {:.0f} MB, and {:.0f} MB are left: it may end for "
+      "warning: [memory] the run takes about {:.0f} MB, and {:.0f} MB are left: it may end for "
       "want of memory; larger elements, or a symmetric half of the part, take less",
       cost.memory / megabyte, *left / megabyte);
 }

@@ -211,7 +211,7 @@ int run_case(const Arguments& arguments) {
                                    found->checkpoint.increment));
   if (found)
     for (const std::string& note : found->notes)
-      progress.say_aside("warning: " + note);
+      progress.say_aside("warning: [checkpoint] " + note);
   const process::RunStatus status = process.run({&writer, &progress});
   for (const std::string& line : writer.advice(run))
     progress.say("what may help: " + line);

@@ -195,8 +195,8 @@ std::optional<Chart> conduct_chart(const ChartFile& file, const Conduct& how) {
     if (!end)
       return std::nullopt;
     if (end->status != 0)
-      how.say(fmt::format("warning: {}: status {}, {}", fmt::join(rows[r].labels, ", "),
-                          end->status, end->reason));
+      how.say(fmt::format("warning: [run-failed] {}: status {}, {}",
+                          fmt::join(rows[r].labels, ", "), end->status, end->reason));
   }
   Chart chart{file.study.title, file.x.name, file.stations, {}, {}};
   for (const Uncertain& uncertain : file.uncertain)

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "io/case/shape.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -57,6 +59,9 @@ struct ChartFile {
 /// @throws Error (Fault::case_file) with all complaints
 [[nodiscard]] ChartFile read_chart_file(const std::filesystem::path& file,
                                         const std::vector<std::string>& overrides = {});
+
+/// What may stand in a chart file.
+[[nodiscard]] io::Shape chart_file_shape();
 
 /// One measured quantity of a law's runs.
 struct ChartedQuantity {

@@ -128,7 +128,7 @@ std::string in_words(const Identification& found) {
                         found.laws.size() > 1 ? "; " + in_words(found.comparisons[law]) : "");
   }
   for (const std::string& warning : found.warnings)
-    text += "warning: " + warning + "\n";
+    text += "warning: [identification] " + warning + "\n";
   for (const std::string& advice : found.advice)
     text += "a further measurement: " + advice + "\n";
   return text;

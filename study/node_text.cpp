@@ -1,5 +1,6 @@
 #include "study/node_text.h"
 
+#include "io/case/inquiry.h"
 #include "io/case/toml_text.h"
 
 #include <fmt/format.h>
@@ -16,6 +17,10 @@ struct Writer {
     return io::toml_text(std::string_view(value));
   }
   std::string operator()(const io::Date&) const { return "a date"; }
+  std::string operator()(io::Inquiry* asking) const {
+    asking->expect(io::AnyShape{"a value of the case file"});
+    return "0";
+  }
   std::string operator()(const io::List& list) const {
     std::vector<std::string> items;
     for (const io::Node& item : list)

@@ -34,7 +34,9 @@ std::optional<Parameter> as_parameter(const At& at) {
     return std::nullopt;
   Parameter parameter;
   table.required("name", parameter.name, io::as_name);
-  if (!table.optional("keys", parameter.keys, io::as_texts)) {
+  if (table.has("keys")) {
+    table.required("keys", parameter.keys, io::as_texts);
+  } else {
     parameter.keys.resize(1);
     table.required("key", parameter.keys.front(), io::as_text);
   }
@@ -128,6 +130,13 @@ void read_root_of_chart(TableReader& root, ChartFile& file) {
 }
 
 } // namespace
+
+io::Shape chart_file_shape() {
+  return shape_of_file([](TableReader& root) {
+    ChartFile file;
+    read_root_of_chart(root, file);
+  });
+}
 
 ChartFile read_chart_file(const std::filesystem::path& path,
                           const std::vector<std::string>& overrides) {

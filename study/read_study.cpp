@@ -40,18 +40,18 @@ template <const auto& words>
 constexpr auto as_one_of = [](const At& at) { return io::as_word(at, words); };
 
 void read_levels(const At& at, Axis& axis) {
-  const auto* const list = at.node.as<io::List>();
+  const auto* const list = at.list(1);
   if (list == nullptr || list->empty()) {
     at.complain_found("a list of tables { label, set = { KEY = VALUE }, size }");
     return;
   }
   for (std::size_t i = 0; i < list->size(); ++i)
-    if (std::optional<Level> level = as_level(at.item((*list)[i], i)))
+    if (std::optional<Level> level = io::read_value_of(at.item((*list)[i], i), as_level))
       axis.levels.push_back(std::move(*level));
 }
 
 void read_values(const At& at, const std::string& key, Axis& axis) {
-  const auto* const list = at.node.as<io::List>();
+  const auto* const list = at.list(1);
   if (list == nullptr || list->empty()) {
     at.complain_found("a list of at least one value");
     return;
@@ -105,7 +105,8 @@ std::optional<Axis> as_axis(const At& at) {
   if (!table.is_table())
     return std::nullopt;
   Axis axis;
-  if (const std::optional<At> levels = table.find("levels")) {
+  if (table.has("levels")) {
+    const std::optional<At> levels = table.find("levels");
     table.required("name", axis.name, io::as_name);
     read_levels(*levels, axis);
   } else {
@@ -113,7 +114,8 @@ std::optional<Axis> as_axis(const At& at) {
     table.required("key", key, io::as_text);
     axis.name = key;
     table.optional("name", axis.name, io::as_text);
-    if (const std::optional<At> values = table.find("values")) {
+    if (table.has("values")) {
+      const std::optional<At> values = table.find("values");
       read_values(*values, key, axis);
       read_sizes(table, axis);
     } else if (table.find("from") || table.find("to")) {
@@ -134,7 +136,8 @@ std::optional<Quantity> as_quantity(const At& at) {
   Quantity quantity;
   table.required("name", quantity.name, io::as_name);
   table.optional("scale", quantity.scale, io::as_number, io::positive_number);
-  if (table.optional("expression", quantity.expression, io::as_text)) {
+  if (table.has("expression")) {
+    table.required("expression", quantity.expression, io::as_text);
     table.finish();
     return quantity;
   }
@@ -169,6 +172,11 @@ std::optional<Sample> as_sample(const At& at) {
   return sample;
 }
 
+/// { AXIS = LABEL }
+io::TableShape labels_of_axes() {
+  return {{}, {}, {io::Shape{{io::AnyShape{"a label of the axis"}}}}};
+}
+
 std::optional<TradeSettings> as_trade(const At& at) {
   TableReader table(at);
   TradeSettings trade;
@@ -177,7 +185,9 @@ std::optional<TradeSettings> as_trade(const At& at) {
   table.optional("within", trade.within, io::as_number, io::positive_number);
   if (const std::optional<At> reference = table.require("reference")) {
     const auto* const text = reference->node.as<std::string>();
-    if (text != nullptr && *text != "finest")
+    if (reference->inquiry() != nullptr)
+      reference->expect(io::WordShape{{"finest"}}, labels_of_axes());
+    else if (text != nullptr && *text != "finest")
       reference->complain_found("\"finest\" or a table { AXIS = LABEL }");
     else if (text == nullptr) {
       TableReader labels(*reference);
@@ -322,6 +332,10 @@ bool Axis::refines() const {
 const Level& Axis::finest() const {
   return *std::min_element(levels.begin(), levels.end(),
                            [](const Level& a, const Level& b) { return *a.size < *b.size; });
+}
+
+io::Shape study_shape() {
+  return shape_of_file([](TableReader& root) { (void)read_root(root); });
 }
 
 Study read_study(const fs::path& file, const std::vector<std::string>& overrides) {

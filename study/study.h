@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include "io/case/shape.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -102,5 +104,8 @@ struct Study {
 /// @throws Error (Fault::case_file) with all complaints
 [[nodiscard]] Study read_study(const std::filesystem::path& file,
                                const std::vector<std::string>& overrides = {});
+
+/// What may stand in a study file.
+[[nodiscard]] io::Shape study_shape();
 
 } // namespace billet::study

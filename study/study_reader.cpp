@@ -80,10 +80,12 @@ std::optional<Level> as_level(const At& at) {
   std::string case_file;
   if (table.optional("case", case_file, io::as_text))
     level.case_file = at.context.directory / case_file;
+  if (!level.case_file && !table.find("set"))
+    (void)table.require("set");
   std::error_code error;
   if (level.case_file && !fs::exists(*level.case_file, error))
     table.find("case")->complain(fmt::format("there is no file '{}'", level.case_file->string()));
-  if (table.find("set") || !level.case_file)
+  if (table.has("set"))
     table.required("set", level.set, as_assignments);
   table.optional("size", level.size, io::as_number, io::positive_number);
   table.finish();
@@ -104,7 +106,7 @@ std::optional<Engine> as_engine(const At& at) {
 
 std::optional<std::vector<double>> as_steps(const At& at) {
   std::optional<std::vector<double>> steps =
-      at.node.as<io::Table>() != nullptr ? as_range(at) : io::as_numbers(at, io::Number{});
+      at.is_a<io::Table>() ? as_range(at) : io::as_numbers(at, io::Number{});
   for (std::size_t i = 1; steps && i < steps->size(); ++i)
     if (!((*steps)[i - 1] < (*steps)[i])) {
       at.complain(
@@ -127,6 +129,19 @@ void read_common(TableReader& root, Study& study) {
     for (const Assignment& assignment : set)
       study.overrides.push_back(assignment.key + "=" + assignment.value);
   root.optional("run", study.engine, as_engine);
+}
+
+io::Shape shape_of_file(const std::function<void(TableReader& root)>& read) {
+  io::Complaints complaints("");
+  io::ReadContext context{complaints, io::unit_systems().front(), std::nullopt, ".", true};
+  io::Inquiry inquiry;
+  const io::Node node{io::TextPlace{}, &inquiry};
+  (void)io::read_value_of(At{node, "", context}, [&](const At& at) {
+    TableReader root(at);
+    read(root);
+    return true;
+  });
+  return inquiry.take();
 }
 
 void read_file(const fs::path& file,

@@ -36,17 +36,20 @@ void read_file(const std::filesystem::path& file,
                const std::vector<std::string>& overrides,
                const std::function<void(io::TableReader& root)>& read);
 
+/// What `read` asks for, as read_file calls it.
+[[nodiscard]] io::Shape shape_of_file(const std::function<void(io::TableReader& root)>& read);
+
 /// The items of a list of tables, each read by `parse`.
 template <class Item, class Parse>
 std::vector<Item> read_items(io::TableReader& root, const std::string& key, Parse parse) {
   std::vector<Item> items;
   const std::optional<io::At> at = root.find(key);
-  const auto* const list = at ? at->node.as<io::List>() : nullptr;
+  const auto* const list = at ? at->list() : nullptr;
   if (at && list == nullptr)
     at->complain_found("a list of tables, each under [[" + key + "]]");
   for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
-    if (std::optional<Item> item =
-            parse(io::At{(*list)[i], key + "." + io::item_name((*list)[i], i), at->context}))
+    if (std::optional<Item> item = io::read_value_of(
+            io::At{(*list)[i], key + "." + io::item_name((*list)[i], i), at->context}, parse))
       items.push_back(std::move(*item));
   return items;
 }

@@ -25,6 +25,20 @@ fi
 # The programs work where they are installed.
 "$work/installed/bin/billet" run "$work/case.toml" --quiet -o "$work/results" | grep -q 'done at time 20'
 
+# So do the pages of man, if man is there, and the completions are no empty files.
+for page in billet billet-render; do
+  file=$work/installed/share/man/man1/$page.1
+  [[ $page == billet || -x $work/installed/bin/billet-render ]] || continue
+  grep -q '^\.SH NAME' "$file"
+  if command -v groff >/dev/null; then
+    [[ -z $(groff -man -ww -z -Tutf8 "$file" 2>&1) ]] || { groff -man -ww -z -Tutf8 "$file"; exit 1; }
+  fi
+done
+bash -n "$work/installed/share/bash-completion/completions/billet"
+if command -v zsh >/dev/null; then zsh -n "$work/installed/share/zsh/site-functions/_billet"; fi
+if command -v fish >/dev/null; then fish -n "$work/installed/share/fish/vendor_completions.d/billet.fish"; fi
+grep -q import "$work/installed/share/zsh/site-functions/_billet"
+
 # A bad case says what is wrong with it.
 sed -i 's/young/yung/' "$work/case.toml"
 if "$work/example/upset" "$work/case.toml" 2>"$work/said"; then

@@ -31,6 +31,32 @@ void add_reductions(const Case& content, const process::Scene& scene, std::vecto
 
 } // namespace
 
+std::string_view code_of(Advice::Kind kind) {
+  switch (kind) {
+  case Advice::Kind::symmetry:
+    return "symmetry";
+  case Advice::Kind::plane_strain:
+    return "plane-strain";
+  case Advice::Kind::axisymmetric:
+    return "axisymmetric";
+  case Advice::Kind::idle_tool:
+    return "idle-tool";
+  case Advice::Kind::die_pressure:
+    return "die-pressure";
+  case Advice::Kind::heating:
+    return "heating";
+  case Advice::Kind::chill:
+    return "chill";
+  case Advice::Kind::inertia:
+    return "inertia";
+  case Advice::Kind::rate:
+    return "rate";
+  case Advice::Kind::buckling:
+    return "buckling";
+  }
+  return "";
+}
+
 std::vector<Advice> scene_advice(const Case& content, const process::Scene& scene) {
   std::vector<Advice> all;
   add_reductions(content, scene, all);

@@ -15,6 +15,7 @@
 #include "process/scene/scene.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace billet::io {
@@ -36,6 +37,9 @@ struct Advice {
   Kind kind;
   std::string text; ///< one sentence or two, with the number, without "advice: "
 };
+
+/// The code of `billet explain`: "plane-strain".
+[[nodiscard]] std::string_view code_of(Advice::Kind kind);
 
 /// All that is to be said of a scene, savings first; empty: nothing.
 ///

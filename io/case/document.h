@@ -59,6 +59,7 @@ private:
 
 struct Node;
 struct Entry;
+class Inquiry;
 
 /// A date or a time of day: TOML has them, a case file has no use for them.
 struct Date {};
@@ -72,10 +73,10 @@ struct Table {
   [[nodiscard]] Node* find(std::string_view key);
 };
 
-/// A value, a list or a table.
+/// A value, a list or a table; where a reader is asked what it reads, an inquiry (inquiry.h).
 struct Node {
   TextPlace place;
-  std::variant<bool, std::int64_t, double, std::string, Date, List, Table> value;
+  std::variant<bool, std::int64_t, double, std::string, Date, List, Table, Inquiry*> value;
 
   template <class T> [[nodiscard]] const T* as() const { return std::get_if<T>(&value); }
   template <class T> [[nodiscard]] T* as() { return std::get_if<T>(&value); }

@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace billet::io {
 
@@ -33,9 +34,34 @@ inline void complain_of_kinds(const At& at, const TableReader& table, const std:
   at.complain(allowed);
 }
 
+/// Whether a kind is for the scenes of the case.
+template <class Into> [[nodiscard]] bool fits(const Kind<Into>& kind, const ReadContext& context) {
+  return !(kind.scenes == Scenes::plane && context.in_space()) &&
+         !(kind.scenes == Scenes::space && context.in_plane());
+}
+
+/// Tells an inquiry of the kinds that fit, one after the other.
+template <class Into>
+[[nodiscard]] std::optional<Into> inquire_one_kind(const At& at,
+                                                   std::span<const Kind<Into>> kinds) {
+  std::vector<std::string> keys;
+  std::vector<const Kind<Into>*> fitting;
+  for (const Kind<Into>& kind : kinds)
+    if (fits(kind, at.context)) {
+      keys.emplace_back(kind.key);
+      fitting.push_back(&kind);
+    }
+  const Kind<Into>& kind = *fitting[at.inquiry()->choose(keys)];
+  TableReader table(at);
+  return read_value_of(*table.require(kind.key),
+                       [&](const At& at_key) { return kind.read(table, at_key); });
+}
+
 /// Reads a table that must have the key of exactly one kind, and all the rest of its keys.
 template <class Into>
 [[nodiscard]] std::optional<Into> read_one_kind(const At& at, std::span<const Kind<Into>> kinds) {
+  if (at.inquiry() != nullptr)
+    return inquire_one_kind(at, kinds);
   TableReader table(at);
   const Kind<Into>* chosen = nullptr;
   std::string keys;
@@ -58,9 +84,7 @@ template <class Into>
     return std::nullopt;
   }
   const At at_key = *table.find(chosen->key);
-  const bool fits = !(chosen->scenes == Scenes::plane && at.context.in_space()) &&
-                    !(chosen->scenes == Scenes::space && at.context.in_plane());
-  if (!fits) {
+  if (!fits(*chosen, at.context)) {
     at_key.complain(chosen->scenes == Scenes::plane ? "only for scenes in the plane"
                                                     : "only for 3d scenes");
     return std::nullopt;

@@ -35,7 +35,7 @@ read_items(TableReader& root, std::string_view key, std::optional<Item> (*parse)
   const std::optional<At> at = root.find(key);
   if (!at)
     return items;
-  const List* const list = at->node.as<List>();
+  const List* const list = at->list();
   if (list == nullptr) {
     at->complain_found(fmt::format("a list of tables, each under [[{}]]", key));
     return items;
@@ -43,7 +43,7 @@ read_items(TableReader& root, std::string_view key, std::optional<Item> (*parse)
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Node& node = (*list)[i];
     const std::string path = fmt::format("{}.{}", key, item_name(node, i));
-    if (std::optional<Item> item = parse({node, path, at->context}))
+    if (std::optional<Item> item = read_value_of(At{node, path, at->context}, parse))
       items.push_back(std::move(*item));
   }
   return items;
@@ -56,7 +56,7 @@ void read_materials(TableReader& root, Case& content) {
   for (const auto& [name, at] : materials->named_items()) {
     const Node name_node{at.node.place, name};
     (void)as_name({name_node, at.path, at.context});
-    if (std::optional<Material> material = as_material(at))
+    if (std::optional<Material> material = read_value_of(at, as_material))
       content.materials.emplace(name, std::move(*material));
     else
       content.materials.emplace(name, Material{}); // for the names: complained about already
@@ -74,7 +74,7 @@ Case read_root(TableReader& root) {
   ReadContext& context = root.context();
   root.optional("units", context.units, as_unit_system);
   content.units = context.units;
-  root.required("analysis", context.analysis, [](const At& at) { return as_word(at, analyses); });
+  root.required("analysis", context.analysis, [](const At& at) { return as_choice(at, analyses); });
   content.analysis = context.analysis.value_or(Analysis::plane_strain);
   root.optional("title", content.title, as_text);
   root.optional("temperature", content.temperature, as_number,
@@ -121,6 +121,19 @@ std::string case_file_text(const fs::path& file) {
   if (stream.bad() || (stream.fail() && !stream.eof()))
     throw Error(Fault::case_file, name, "the file cannot be read", "look at its permissions");
   return text;
+}
+
+Shape case_shape() {
+  Complaints complaints("");
+  ReadContext context{complaints, unit_systems().front(), std::nullopt, {}, true};
+  Inquiry inquiry;
+  const Node node{TextPlace{}, &inquiry};
+  (void)read_value_of(At{node, "", context}, [](const At& at) {
+    TableReader root(at);
+    (void)read_root(root);
+    return true;
+  });
+  return without_labels(inquiry.take()); // the scenes' keys differ little: a schema has all of them
 }
 
 Case read_case_tree(const Node& tree,

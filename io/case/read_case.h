@@ -6,6 +6,7 @@
 #pragma once
 
 #include "io/case/case.h"
+#include "io/case/shape.h"
 
 #include <filesystem>
 #include <string>
@@ -48,6 +49,10 @@ struct ReadOptions {
 /// The text of a case file.
 /// @throws Error with Fault::case_file if there is none that could be read
 [[nodiscard]] std::string case_file_text(const std::filesystem::path& file);
+
+/// What may stand in a case file: the reader's own answer. What depends on the analysis, such as
+/// the number of entries of a vector, is there for all of them.
+[[nodiscard]] Shape case_shape();
 
 /// The case as a case file with every default filled in: reading it gives the same case.
 [[nodiscard]] std::string resolved_toml(const Case& content);

@@ -4,6 +4,8 @@
 #include "io/case/values.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace billet::io {
 
@@ -18,7 +20,7 @@ std::optional<std::size_t> as_component(const At& at) {
 }
 
 std::optional<std::array<bool, 3>> as_fix(const At& at) {
-  const List* const list = at.node.as<List>();
+  const List* const list = at.list(1);
   if (list == nullptr || list->empty()) {
     at.complain_found("a list of components such as [\"x\", \"y\"]");
     return std::nullopt;
@@ -83,6 +85,12 @@ constexpr std::array load_kinds{LoadKind{"pressure", &as_pressure_load},
 
 /// The one kind that the load has; complains about none and two.
 const LoadKind* kind_of(TableReader& table) {
+  if (Inquiry* const inquiry = table.at().inquiry()) {
+    std::vector<std::string> keys;
+    for (const LoadKind& kind : load_kinds)
+      keys.emplace_back(kind.key);
+    return &load_kinds[inquiry->choose(keys)];
+  }
   const LoadKind* chosen = nullptr;
   for (const LoadKind& kind : load_kinds) {
     const std::optional<At> at = table.find(kind.key);

@@ -89,7 +89,7 @@ bool add_values(const At& at, std::span<const std::size_t> sizes, std::vector<do
 /// [[pressure, coefficient], ...], or a grid over pressure, speed and sliding distance.
 std::optional<FrictionTable> as_friction_table(const At& at) {
   FrictionTable result;
-  if (at.node.as<List>() != nullptr) {
+  if (at.is_a<List>()) {
     const auto pairs = as_pairs(at, not_negative_stress, not_negative_number);
     if (!pairs)
       return std::nullopt;
@@ -110,6 +110,8 @@ std::optional<FrictionTable> as_friction_table(const At& at) {
     if (!axis->empty())
       sizes.push_back(axis->size());
   const std::optional<At> values = table.require("values");
+  if (values && values->expect(AnyShape{"numbers in lists within lists, one level for each axis"}))
+    return result;
   table.finish();
   if (sizes.empty()) {
     at.complain("needs an axis: 'pressure', 'speed' or 'sliding'");
@@ -265,7 +267,7 @@ void refuse_unfit(TableReader& table, const Friction& friction) {
 } // namespace
 
 std::optional<Friction> as_friction(const At& at) {
-  if (at.node.as<Table>() == nullptr) {
+  if (!at.is_table()) {
     at.complain_found("a table such as { law = \"coulomb\", mu = 0.1 }");
     return std::nullopt;
   }

@@ -45,7 +45,7 @@ bool read_value(const At& at, const Number& kind, std::optional<contact::ShearYi
 }
 
 bool read_value(const At& at, const Number& /*kind*/, contact::Flattening& into) {
-  return assign(as_word(at, real_contacts), into);
+  return assign(as_choice(at, real_contacts), into);
 }
 
 } // namespace billet::io

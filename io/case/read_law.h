@@ -49,14 +49,17 @@ private:
   }
 
   template <class Value> void read(const Parameter<Law, Value>& parameter) {
-    if (parameter.is_coefficient && table_.find("table"))
+    if (parameter.is_coefficient && table_.has("table"))
       return stand_in(parameter);
     const std::optional<At> at = parameter.presence == Presence::required
                                      ? table_.require(parameter.key)
                                      : table_.find(parameter.key);
     if (!at)
       return;
-    if (read_value(*at, {parameter.measured, parameter.bounds}, law_.*parameter.member))
+    const auto parse = [&](const At& value) {
+      return read_value(value, {parameter.measured, parameter.bounds}, law_.*parameter.member);
+    };
+    if (read_value_of(*at, parse))
       return;
     unread_.push_back(parameter.key);
   }
@@ -125,7 +128,7 @@ template <class... Laws> struct LawReaders<std::variant<Laws...>> {
 /// Reads the key "law" and the keys of that law. False: there is no such law (complained).
 template <class AnyLaw> bool read_law(TableReader& table, AnyLaw& into) {
   typename LawReaders<AnyLaw>::Reader reader = nullptr;
-  const auto parse = [](const At& at) { return as_word(at, LawReaders<AnyLaw>::words); };
+  const auto parse = [](const At& at) { return as_choice(at, LawReaders<AnyLaw>::words); };
   if (!table.required("law", reader, parse))
     return false;
   into = reader(table);

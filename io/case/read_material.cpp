@@ -27,7 +27,7 @@ std::optional<ElasticConstants> as_elastic(const At& at) {
 }
 
 std::optional<FlowLaw> as_flow(const At& at) {
-  if (at.node.as<Table>() == nullptr) {
+  if (!at.is_table()) {
     at.complain_found("a table such as { law = \"perfect\", yield = \"300 MPa\" }");
     return std::nullopt;
   }
@@ -65,7 +65,11 @@ std::optional<Material> read_material(const At& at) {
   if (!table.is_table())
     return std::nullopt;
   Material material;
-  table.optional("library", material.library, as_library_name);
+  const bool has_library = table.has("library");
+  if (has_library)
+    table.required("library", material.library, as_library_name);
+  if (has_library && at.inquiry() != nullptr)
+    at.inquiry()->require_nothing(); // the library has the rest
   table.required("elastic", material.elastic, as_elastic);
   table.optional("flow", material.flow, as_flow);
   table.optional("hardness", material.hardness, as_number, positive_stress);

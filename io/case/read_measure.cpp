@@ -79,7 +79,7 @@ std::optional<Measure> as_measure(const At& at) {
   Measure measure;
   table.required("name", measure.name, as_name);
   if (table.required("kind", measure.kind,
-                     [](const At& kind) { return as_word(kind, measure_kinds); }))
+                     [](const At& kind) { return as_choice(kind, measure_kinds); }))
     read_of_kind(table, measure);
   table.finish();
   return measure;

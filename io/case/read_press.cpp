@@ -90,7 +90,7 @@ std::optional<PressMotion> as_press(const At& at) {
                              Word<Kind>{"screw", Kind::screw}};
   TableReader table(at);
   std::optional<Kind> kind;
-  table.required("kind", kind, [&](const At& word) { return as_word(word, kinds); });
+  table.required("kind", kind, [&](const At& word) { return as_choice(word, kinds); });
   if (!kind)
     return std::nullopt; // what the other keys mean is not known
   PressMotion motion;

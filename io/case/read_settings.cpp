@@ -109,9 +109,9 @@ std::vector<std::string> field_names() {
 }
 
 std::optional<std::variant<FieldSet, std::vector<std::string>>> as_fields(const At& at) {
-  const List* const list = at.node.as<List>();
-  if (list == nullptr)
+  if (!at.is_a<List>())
     return as_word(at, field_sets);
+  const List* const list = at.list(1);
   std::vector<std::string> fields;
   if (list->empty())
     at.complain_found("\"default\", \"all\" or a list of at least one field");
@@ -133,8 +133,14 @@ std::optional<std::vector<double>> as_times(const At& at) {
   return times;
 }
 
+constexpr Quantity process_time{"a time of the process", {0, 0, 1}, "s", false};
+
 /// A number is a time of the process, a text with a unit one of the wall clock.
 std::optional<CheckpointInterval> as_checkpoint_interval(const At& at) {
+  if (at.expect(
+          NumberShape{process_time, positive},
+          TextShape{"a time of the wall clock, or never", R"(^(never|[0-9.eE+-]+ *(s|min|h))$)"}))
+    return CheckpointInterval{};
   const std::string* const text = at.node.as<std::string>();
   if (text == nullptr) {
     const std::optional<double> time = as_number(at, positive_time);
@@ -159,11 +165,11 @@ std::optional<CheckpointInterval> as_checkpoint_interval(const At& at) {
 /// true, false, or a table with the friction.
 std::optional<SelfContact> as_self_contact(const At& at) {
   SelfContact self;
-  if (const bool* const on = at.node.as<bool>()) {
-    self.on = *on;
+  if (at.is_a<bool>()) {
+    self.on = as_flag(at).value_or(true);
     return self;
   }
-  if (at.node.as<Table>() == nullptr) {
+  if (!at.is_table()) {
     at.complain_found(
         "true, false, or a table such as { friction = { law = \"coulomb\", mu = 0.1 } }");
     return std::nullopt;

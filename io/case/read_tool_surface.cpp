@@ -103,7 +103,7 @@ template <> std::optional<Vec2> as_point<Vec2>(const At& at) {
 }
 
 template <class Vec> std::optional<std::vector<Vec>> as_points(const At& at) {
-  const List* const list = at.node.as<List>();
+  const List* const list = at.list(2);
   if (list == nullptr || list->size() < 2) {
     at.complain_found("a list of at least two points [[x, y], ...]");
     return std::nullopt;
@@ -148,14 +148,19 @@ std::optional<ToolSurface> read_revolution(TableReader& /*table*/, const At& at)
   inner.required("point", surface.point, as_vector, any_length);
   inner.required("axis", surface.axis, as_direction);
   inner.optional("flip", surface.flip, as_flag);
-  const std::optional<At> profile = inner.find("profile"), points = inner.find("points");
+  const bool has_profile = inner.has("profile");
+  const std::optional<At> profile = has_profile ? inner.find("profile") : std::nullopt;
+  const std::optional<At> points = // an inquiry sees either
+      has_profile && at.inquiry() != nullptr ? std::nullopt : inner.find("points");
   bool good = false;
   if (profile && points)
     points->complain("there is 'profile' already, allowed is one of them");
   else if (profile)
     good = (surface.profile = as_input_file(*profile)).has_value();
   else if (points)
-    good = read_chain(inner, *points, surface.points, surface.closed);
+    good = read_value_of(*points, [&](const At& chain) {
+      return read_chain(inner, chain, surface.points, surface.closed);
+    });
   else if (inner.is_table())
     at.complain("allowed is exactly one of the keys profile, points");
   inner.finish();

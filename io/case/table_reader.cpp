@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace billet::io {
 
@@ -17,6 +18,8 @@ std::string joined(const std::string& path, std::string_view key) {
 } // namespace
 
 void At::complain(const std::string& message, const std::string& remedy) const {
+  if (inquiry() != nullptr)
+    return; // nothing is wrong where nothing is given
   context.complaints.add(node.place, path.empty() ? message : path + ": " + message, remedy);
 }
 
@@ -24,19 +27,31 @@ void At::complain_found(const std::string& allowed, const std::string& remedy) c
   complain(fmt::format("found {}, allowed is {}", shown(node), allowed), remedy);
 }
 
+const List* At::list(std::size_t least) const {
+  if (Inquiry* const asking = inquiry())
+    return asking->expect_list(std::max<std::size_t>(least, 1), least,
+                               std::numeric_limits<std::size_t>::max());
+  return node.as<List>();
+}
+
 At At::item(const Node& item_node, std::size_t i) const {
   return {item_node, joined(path, std::to_string(i)), context};
 }
 
 TableReader::TableReader(At at) : at_(std::move(at)), table_(at_.node.as<Table>()) {
-  if (table_ == nullptr)
+  if (at_.inquiry() != nullptr)
+    at_.inquiry()->expect_table();
+  else if (table_ == nullptr)
     at_.complain_found("a table");
 }
 
 std::optional<At> TableReader::find(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end())
     known_.emplace_back(key);
-  const Node* const node = table_ != nullptr ? table_->find(key) : nullptr;
+  Inquiry* const inquiry = at_.inquiry();
+  const Node* const node = inquiry != nullptr  ? inquiry->key(key, false)
+                           : table_ != nullptr ? table_->find(key)
+                                               : nullptr;
   if (node == nullptr)
     return std::nullopt;
   return At{*node, joined(at_.path, key), at_.context};
@@ -44,6 +59,8 @@ std::optional<At> TableReader::find(std::string_view key) {
 
 std::optional<At> TableReader::require(std::string_view key) {
   std::optional<At> at = find(key);
+  if (at && at_.inquiry() != nullptr)
+    (void)at_.inquiry()->key(key, true);
   if (!at && table_ != nullptr)
     missing_.push_back(
         {std::string(key),
@@ -64,6 +81,8 @@ std::optional<TableReader> TableReader::require_table(std::string_view key) {
 
 std::vector<std::pair<std::string, At>> TableReader::named_items() {
   std::vector<std::pair<std::string, At>> items;
+  if (Inquiry* const inquiry = at_.inquiry())
+    items.emplace_back("name", At{*inquiry->named(), joined(at_.path, "name"), at_.context});
   if (table_ == nullptr)
     return items;
   for (const Entry& entry : table_->entries) {
@@ -71,6 +90,14 @@ std::vector<std::pair<std::string, At>> TableReader::named_items() {
     items.emplace_back(entry.key, At{entry.node, joined(at_.path, entry.key), at_.context});
   }
   return items;
+}
+
+bool TableReader::has(std::string_view key) {
+  return at_.inquiry() != nullptr ? at_.inquiry()->has(key) : find(key).has_value();
+}
+
+void TableReader::note_initial_number(std::string_view key, double value) const {
+  at_.inquiry()->set_initial(key, fmt::format("{}", value));
 }
 
 bool TableReader::is_known(const std::string& key) const {

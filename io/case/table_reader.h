@@ -8,12 +8,16 @@
 
 #include "io/case/case.h"
 #include "io/case/document.h"
+#include "io/case/inquiry.h"
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,7 +49,45 @@ struct At {
   [[nodiscard]] std::string place() const { return context.complaints.text(node.place); }
   /// The i-th item of a list.
   [[nodiscard]] At item(const Node& item_node, std::size_t i) const;
+
+  /// What asks the reader, if it stands in place of the value.
+  [[nodiscard]] Inquiry* inquiry() const {
+    Inquiry* const* const inquiry = node.as<Inquiry*>();
+    return inquiry != nullptr ? *inquiry : nullptr;
+  }
+  /// Tells an inquiry what is expected. False: this is a value.
+  template <class... Alternatives> bool expect(Alternatives... alternatives) const {
+    if (Inquiry* const asking = inquiry())
+      (asking->expect(std::move(alternatives)), ...);
+    return inquiry() != nullptr;
+  }
+  /// Whether the value is a table, where nothing else is allowed.
+  [[nodiscard]] bool is_table() const {
+    return inquiry() != nullptr || node.as<Table>() != nullptr;
+  }
+  /// Whether the value is a T, where other types are allowed as well.
+  template <class T> [[nodiscard]] bool is_a() const {
+    static const std::array<std::string, 2> both{"one type", "another"};
+    return inquiry() != nullptr ? inquiry()->choose(both) == 0 : node.as<T>() != nullptr;
+  }
+  /// The items of a list, where nothing else is allowed; null: it is none.
+  ///
+  /// @param least  the fewest that are allowed, which the caller checks
+  [[nodiscard]] const List* list(std::size_t least = 0) const;
 };
+
+/// Reads a value: parse(at, spec...). An inquiry is read once for each way that the reader may go.
+template <class Parse, class... Spec>
+auto read_value_of(const At& at, const Parse& parse, const Spec&... spec) {
+  Inquiry* const inquiry = at.inquiry();
+  if (inquiry == nullptr)
+    return parse(at, spec...);
+  inquiry->begin();
+  auto value = parse(at, spec...);
+  while (inquiry->next())
+    value = parse(at, spec...);
+  return value;
+}
 
 /// The keys of one table.
 class TableReader {
@@ -56,7 +98,10 @@ public:
   [[nodiscard]] const At& at() const { return at_; }
   [[nodiscard]] ReadContext& context() const { return at_.context; }
   /// Whether the node was a table at all.
-  [[nodiscard]] bool is_table() const { return table_ != nullptr; }
+  [[nodiscard]] bool is_table() const { return at_.is_table(); }
+
+  /// Whether a key is there, where the other keys depend on it.
+  [[nodiscard]] bool has(std::string_view key);
 
   /// The value of a key, if it is there.
   [[nodiscard]] std::optional<At> find(std::string_view key);
@@ -70,7 +115,9 @@ public:
   /// Reads a key that may be absent: into = parse(at, spec...). True when it was read.
   template <class Into, class Parse, class... Spec>
   bool optional(std::string_view key, Into& into, Parse parse, const Spec&... spec) {
-    return assign(find(key), into, parse, spec...);
+    const std::optional<At> at = find(key);
+    note_initial(key, into);
+    return assign(at, into, parse, spec...);
   }
 
   /// Reads a key that must be there: into = parse(at, spec...). True when it was read.
@@ -96,12 +143,24 @@ private:
   assign(const std::optional<At>& at, Into& into, const Parse& parse, const Spec&... spec) {
     if (!at)
       return false;
-    auto value = parse(*at, spec...);
+    auto value = read_value_of(*at, parse, spec...);
     if (!value)
       return false;
     into = std::move(*value);
     return true;
   }
+
+  /// Tells an inquiry the default of a key.
+  template <class Into> void note_initial(std::string_view key, const Into& into) const {
+    if constexpr (std::is_same_v<Into, bool>) {
+      if (at_.inquiry() != nullptr)
+        at_.inquiry()->set_initial(key, into ? "true" : "false");
+    } else if constexpr (std::is_arithmetic_v<Into>) {
+      if (at_.inquiry() != nullptr && into != 0 && std::isfinite(static_cast<double>(into)))
+        note_initial_number(key, static_cast<double>(into));
+    }
+  }
+  void note_initial_number(std::string_view key, double value) const;
 
   /// A key that must be there and is not.
   struct Missing {

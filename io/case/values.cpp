@@ -63,6 +63,19 @@ std::size_t vector_size(const At& at, const List& list) {
   return list.size() == 2 ? 2 : 3; // the analysis is not known
 }
 
+const List* vector_items(const At& at) {
+  const std::size_t size = at.context.in_space() ? 3 : 2;
+  return at.inquiry() != nullptr ? at.inquiry()->expect_list(size, size, size) : at.node.as<List>();
+}
+
+/// A value within bounds.
+double some_value(const Bounds& bounds) {
+  for (const double value : {1.0, 0.5})
+    if (bounds.admit(value))
+      return value;
+  return 0.5 * (bounds.low + bounds.high);
+}
+
 bool is_part_of_name(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalnum(byte) != 0 || byte >= 0x80 || c == '_' || c == '-' || c == ' ';
@@ -83,6 +96,8 @@ std::string bounds_text(const Bounds& bounds) {
 }
 
 std::optional<double> as_number(const At& at, const Number& kind) {
+  if (at.expect(NumberShape{kind.measured, kind.bounds}))
+    return some_value(kind.bounds);
   const std::optional<double> value = finite_number(at, kind);
   if (!value || kind.bounds.admit(*value))
     return value;
@@ -91,6 +106,8 @@ std::optional<double> as_number(const At& at, const Number& kind) {
 }
 
 std::optional<std::string> as_text(const At& at) {
+  if (at.expect(TextShape{"a text", {}}))
+    return "text";
   if (const auto* const text = at.node.as<std::string>())
     return *text;
   at.complain_found("a text in quotes");
@@ -98,6 +115,8 @@ std::optional<std::string> as_text(const At& at) {
 }
 
 std::optional<bool> as_flag(const At& at) {
+  if (at.expect(FlagShape{}))
+    return false;
   if (const auto* const flag = at.node.as<bool>())
     return *flag;
   at.complain_found("true or false");
@@ -105,6 +124,8 @@ std::optional<bool> as_flag(const At& at) {
 }
 
 std::optional<int> as_count(const At& at) {
+  if (at.expect(CountShape{1, largest_count}))
+    return 1;
   const auto* const value = at.node.as<std::int64_t>();
   if (value != nullptr && *value >= 1 && *value <= largest_count)
     return static_cast<int>(*value);
@@ -113,6 +134,8 @@ std::optional<int> as_count(const At& at) {
 }
 
 std::optional<std::string> as_name(const At& at) {
+  if (at.expect(TextShape{"a name", "^[^ ](.*[^ ])?$"}))
+    return "name";
   const auto* const text = at.node.as<std::string>();
   if (text != nullptr && !text->empty() && text->size() <= 64 &&
       std::all_of(text->begin(), text->end(), is_part_of_name) && text->front() != ' ' &&
@@ -123,6 +146,8 @@ std::optional<std::string> as_name(const At& at) {
 }
 
 const List* as_list(const At& at, std::size_t size, const std::string& allowed) {
+  if (Inquiry* const inquiry = at.inquiry())
+    return inquiry->expect_list(size, size, size);
   const List* const list = at.node.as<List>();
   if (list != nullptr && list->size() == size)
     return list;
@@ -131,7 +156,7 @@ const List* as_list(const At& at, std::size_t size, const std::string& allowed) 
 }
 
 std::optional<std::vector<std::string>> as_texts(const At& at) {
-  const List* const list = at.node.as<List>();
+  const List* const list = at.list(1);
   if (list == nullptr || list->empty()) {
     at.complain_found("a list of at least one text");
     return std::nullopt;
@@ -144,7 +169,7 @@ std::optional<std::vector<std::string>> as_texts(const At& at) {
 }
 
 std::optional<std::vector<double>> as_numbers(const At& at, const Number& kind) {
-  const List* const list = at.node.as<List>();
+  const List* const list = at.list(1);
   if (list == nullptr || list->empty()) {
     at.complain_found("a list of at least one number");
     return std::nullopt;
@@ -157,7 +182,7 @@ std::optional<std::vector<double>> as_numbers(const At& at, const Number& kind) 
 }
 
 std::optional<Vec3> as_vector(const At& at, const Number& kind) {
-  const List* const list = at.node.as<List>();
+  const List* const list = vector_items(at);
   const std::size_t size = list != nullptr ? vector_size(at, *list) : 0;
   if (list == nullptr || list->size() != size) {
     at.complain_found(at.context.in_plane()   ? "a list of 2 numbers (the scene is in the plane)"
@@ -205,7 +230,7 @@ std::optional<Vec3> as_axis(const At& at) {
 
 std::optional<std::vector<std::vector<double>>> as_table(const At& at,
                                                          std::span<const Number> columns) {
-  const List* const rows = at.node.as<List>();
+  const List* const rows = at.list(1);
   if (rows == nullptr || rows->empty()) {
     at.complain_found("a list of at least one row of numbers");
     return std::nullopt;
@@ -246,7 +271,7 @@ as_pairs(const At& at, const Number& first, const Number& second) {
 }
 
 std::optional<TimeFunction> as_time_function(const At& at, const Number& kind) {
-  if (at.node.as<List>() == nullptr) {
+  if (!at.is_a<List>()) {
     const std::optional<double> constant = as_number(at, kind);
     return constant ? std::optional(TimeFunction(*constant)) : std::nullopt;
   }
@@ -254,7 +279,17 @@ std::optional<TimeFunction> as_time_function(const At& at, const Number& kind) {
   return pairs ? std::optional(TimeFunction(std::move(*pairs))) : std::nullopt;
 }
 
+std::optional<std::size_t> as_choice_index(const At& at, const std::vector<std::string>& words) {
+  if (at.inquiry() == nullptr)
+    return as_word_index(at, words);
+  const std::size_t chosen = at.inquiry()->parent().choose(words);
+  at.expect(WordShape{{words[chosen]}});
+  return chosen;
+}
+
 std::optional<std::size_t> as_word_index(const At& at, const std::vector<std::string>& words) {
+  if (at.expect(WordShape{words}))
+    return 0;
   const auto* const text = at.node.as<std::string>();
   if (text != nullptr) {
     const auto found = std::find(words.begin(), words.end(), *text);

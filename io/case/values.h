@@ -112,13 +112,29 @@ template <class Value> struct Word {
 [[nodiscard]] std::optional<std::size_t> as_word_index(const At& at,
                                                        const std::vector<std::string>& words);
 
-/// What one of the words stands for.
+/// The words of a list.
 template <class Value, std::size_t N>
-[[nodiscard]] std::optional<Value> as_word(const At& at, const std::array<Word<Value>, N>& words) {
+[[nodiscard]] std::vector<std::string> names_of(const std::array<Word<Value>, N>& words) {
   std::vector<std::string> names;
   std::transform(words.begin(), words.end(), std::back_inserter(names),
                  [](const Word<Value>& word) { return std::string(word.word); });
-  const std::optional<std::size_t> index = as_word_index(at, names);
+  return names;
+}
+
+/// What one of the words stands for.
+template <class Value, std::size_t N>
+[[nodiscard]] std::optional<Value> as_word(const At& at, const std::array<Word<Value>, N>& words) {
+  const std::optional<std::size_t> index = as_word_index(at, names_of(words));
+  return index ? std::optional(words[*index].value) : std::nullopt;
+}
+
+/// As as_word_index and as_word, for a word on which the other keys of its table depend.
+[[nodiscard]] std::optional<std::size_t> as_choice_index(const At& at,
+                                                         const std::vector<std::string>& words);
+template <class Value, std::size_t N>
+[[nodiscard]] std::optional<Value> as_choice(const At& at,
+                                             const std::array<Word<Value>, N>& words) {
+  const std::optional<std::size_t> index = as_choice_index(at, names_of(words));
   return index ? std::optional(words[*index].value) : std::nullopt;
 }
 

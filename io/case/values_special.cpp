@@ -44,6 +44,8 @@ std::optional<OnPlane> as_plane(const At& at, std::string_view text) {
 } // namespace
 
 std::optional<InputFile> as_input_file(const At& at) {
+  if (at.expect(TextShape{"a file, relative to the folder of the case", {}}))
+    return InputFile{};
   const std::optional<std::string> given = as_text(at);
   if (!given)
     return std::nullopt;
@@ -69,6 +71,8 @@ std::optional<InputFile> as_input_file(const At& at) {
 }
 
 std::optional<LengthUnit> as_length_unit(const At& at) {
+  if (at.expect(TextShape{"a unit of length such as mm, m or in", {}}))
+    return LengthUnit{};
   const std::optional<std::string> text = as_text(at);
   const Outcome<double> factor = length_factor(text.value_or(""), at.context.units);
   if (text && factor)
@@ -79,6 +83,9 @@ std::optional<LengthUnit> as_length_unit(const At& at) {
 }
 
 std::optional<Where> as_where(const At& at) {
+  if (at.expect(TextShape{"x = VALUE, y = VALUE, z = VALUE, set:NAME or all",
+                          R"(^\s*(all|set:.+|[xyz]\s*=.+)\s*$)"}))
+    return Where{};
   const auto* const text = at.node.as<std::string>();
   const std::string_view word = text != nullptr ? trimmed(*text) : std::string_view{};
   constexpr std::string_view set = "set:";
@@ -97,6 +104,8 @@ std::optional<Where> as_where(const At& at) {
 }
 
 std::optional<contact::ShearYieldStress> as_shear_strength(const At& at, const Number& kind) {
+  if (at.expect(NumberShape{kind.measured, kind.bounds}, WordShape{{"shear-yield", "von-mises"}}))
+    return contact::FollowedStress::yield;
   const auto* const text = at.node.as<std::string>();
   if (text != nullptr && *text == "shear-yield")
     return contact::FollowedStress::yield;

@@ -218,9 +218,9 @@ private:
     constexpr std::array ties{"TIE", "EQUATION", "MPC"};
     if (std::find(ties.begin(), ties.end(), keyword.name) != ties.end() &&
         ++n_ties_[keyword.name] == 1)
-      mesh_.notes.push_back(
-          fmt::format("warning: {}: *{} is passed over: what it joins is not joined here",
-                      lines_.place_in_note(), keyword.name));
+      mesh_.notes.push_back(fmt::format(
+          "warning: [passed-over] {}: *{} is passed over: what it joins is not joined here",
+          lines_.place_in_note(), keyword.name));
     using Action = void (AbaqusReader::*)(const Keyword&);
     Action action = &AbaqusReader::ignore_line;
     if (keyword.name == "NODE")
@@ -293,8 +293,9 @@ private:
     if (type_name_ == "B31" || type_name_ == "B21")
       type_ = {1, 2, {}};
     if (passes_over() && ++n_passed_over_[type_name_] == 1)
-      mesh_.notes.push_back(fmt::format("warning: {}: elements of type {} are passed over",
-                                        lines_.place_in_note(), type_name_.substr(0, 20)));
+      mesh_.notes.push_back(
+          fmt::format("warning: [passed-over] {}: elements of type {} are passed over",
+                      lines_.place_in_note(), type_name_.substr(0, 20)));
     else if (type_.n_nodes == 0 && !passes_over())
       lines_.fail(fmt::format("elements of type \"{}\" are not known", type_name_.substr(0, 20)),
                   "known are CPE4, CPE8, CPE6, CAX4, CAX8, CAX6, C3D8, C3D20, C3D10 and their "

@@ -221,7 +221,7 @@ read_mesh(const std::filesystem::path& path, double length_factor, const Include
   if (std::vector<Complaint> flaws = mechanics::check_connections(mesh, file); !flaws.empty())
     throw Error(Fault::geometry, std::move(flaws));
   for (const std::string& loose : mechanics::loose_connections(mesh))
-    result.notes.push_back("warning: " + loose);
+    result.notes.push_back("warning: [loose-mesh] " + loose);
   return result;
 }
 

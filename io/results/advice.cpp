@@ -42,20 +42,23 @@ void on_drives(const process::Run& run, const process::PostMortem& post, Lines& 
     const std::string& name = run.tools()[drive.tool].name;
     if (drive.turns) {
       lines.push_back(fmt::format(
-          "a torque of {:.6g} turns tool {}: one that friction cannot hold, or more than the part "
+          "[drive-turns] a torque of {:.6g} turns tool {}: one that friction cannot hold, or more "
+          "than the part "
           "bears, spins it freely; a smaller torque, more friction, or a prescribed rotation in "
           "its place goes on beyond",
           drive.load, name));
     } else if (drive.contact != DriveState::Contact::presses) {
       lines.push_back(fmt::format(
-          "the force of {:.6g} takes tool {} away from the part, and contact only pushes: turn its "
+          "[drive-leaves] the force of {:.6g} takes tool {} away from the part, and contact only "
+          "pushes: turn its "
           "direction round or give it the other sign, end its time to act (active, stages) before "
           "it lets go, or prescribe its motion",
           drive.load, name));
     } else {
       const double area = contact::bearing_area(*run.contact());
       const double yield = yield_stress_of(run);
-      lines.push_back(fmt::format("tool {} is under a force of {:.6g} there", name, drive.load));
+      lines.push_back(fmt::format("[drive-presses] tool {} is under a force of {:.6g} there", name,
+                                  drive.load));
       if (area > 0.0 && std::isfinite(yield))
         lines.back() += fmt::format(", all tools touch on {:.4g}: {:.3g} times the yield stress on "
                                     "average if it were this force alone",
@@ -79,7 +82,8 @@ void on_pressures(const process::Run& run, const process::PostMortem& post, Line
   if (!std::isfinite(yield) || !(asked > many * yield))
     return;
   lines.push_back(fmt::format(
-      "a pressure of {:.4g} acts there, {:.3g} times the yield stress of the metal, and up to "
+      "[pressure-too-high] a pressure of {:.4g} acts there, {:.3g} times the yield stress of the "
+      "metal, and up to "
       "{:.4g} are asked for: more than a part bears that it does not enclose; check its unit, or "
       "let a tool press in its place",
       largest, largest / yield, asked));
@@ -103,31 +107,35 @@ void on_chattering_points(const Case& content,
                    [&](const auto& point) { return is_faceted(content, scene, point.tool); });
   if (on_facets != post.chattering.end())
     lines.push_back(fmt::format(
-        "contact points went to and fro between the facets of tool {}, which are off the curved "
+        "[facets] contact points went to and fro between the facets of tool {}, which are off the "
+        "curved "
         "shape that they stand for by up to {:.2g}: smooth = true in its surface curves them; "
         "facets smaller than the elements help less",
         scene.tools[on_facets->tool].name, scene.tools[on_facets->tool].chord_error));
   if (post.chattering.empty())
     return;
   const std::string& name = scene.tools[post.chattering.front().tool].name;
-  lines.push_back(fmt::format(
-      "{} contact point(s) kept changing between open, stick and slip, most of them on tool {}: "
-      "smaller elements there let fewer change at once{}",
-      post.chattering.size(), name,
-      std::holds_alternative<contact::Frictionless>(
-          scene.tools[post.chattering.front().tool].friction.law)
-          ? ""
-          : ", and so does less friction"));
+  lines.push_back(fmt::format("[chattering] {} contact point(s) kept changing between open, stick "
+                              "and slip, most of them on tool {}: "
+                              "smaller elements there let fewer change at once{}",
+                              post.chattering.size(), name,
+                              std::holds_alternative<contact::Frictionless>(
+                                  scene.tools[post.chattering.front().tool].friction.law)
+                                  ? ""
+                                  : ", and so does less friction"));
 }
 
 void on_elements(const Case& content, const process::PostMortem& post, Lines& lines) {
   if (post.inside_out)
-    lines.push_back(content.remesh ? "an element turned inside out: smaller elements (remesh.size, "
-                                     "remesh.size.min) follow the metal further"
-                                   : "an element turned inside out: a [remesh] section replaces "
-                                     "the mesh in time, smaller elements go a little further");
+    lines.push_back(
+        content.remesh
+            ? "[element-inside-out] an element turned inside out: smaller elements (remesh.size, "
+              "remesh.size.min) follow the metal further"
+            : "[element-inside-out] an element turned inside out: a [remesh] section replaces "
+              "the mesh in time, smaller elements go a little further");
   if (post.too_deep)
-    lines.push_back("a face lies too deep in a tool between its contact points: smaller elements "
+    lines.push_back("[face-too-deep] a face lies too deep in a tool between its contact points: "
+                    "smaller elements "
                     "there follow the tool, a larger contact.max_penetration lets it be");
 }
 
@@ -135,10 +143,10 @@ void on_increments(const process::Run& run, const process::PostMortem& post, Lin
   constexpr double of_no_more_use = 1e-5; // of the run: shorter ones would have failed as well
   if (const std::optional<double>& min = run.scene.increments.min;
       min && post.dt < 2.0 * *min && post.dt > of_no_more_use * run.scene.stages.back().end)
-    lines.push_back(
-        fmt::format("time.increments.min = {:.4g} allows none shorter: leave it out, and the run "
-                    "finds its own",
-                    *min));
+    lines.push_back(fmt::format("[shortest-increment] time.increments.min = {:.4g} allows none "
+                                "shorter: leave it out, and the run "
+                                "finds its own",
+                                *min));
 }
 
 } // namespace
@@ -152,12 +160,14 @@ advice(const Case& content, const process::Run& run, const process::PostMortem& 
   on_drives(run, post, lines);
   on_increments(run, post, lines);
   if (driven_by_load(run, post))
-    lines.push_back("a load drives this part: it may be at the most that the part bears (it necks, "
+    lines.push_back("[load-driven] a load drives this part: it may be at the most that the part "
+                    "bears (it necks, "
                     "bulges, buckles or leaves the tool); a prescribed motion in its place goes on "
                     "beyond");
-  lines.push_back(content.remesh
-                      ? "smaller elements there (remesh.size), a check of the tools' motion"
-                      : "a finer mesh there, a [remesh] section, a check of the tools' motion");
+  lines.push_back(
+      content.remesh
+          ? "[finer-mesh] smaller elements there (remesh.size), a check of the tools' motion"
+          : "[finer-mesh] a finer mesh there, a [remesh] section, a check of the tools' motion");
   return lines;
 }
 

@@ -32,10 +32,10 @@ using Lines = std::vector<std::string>;
 
 void on_refused_meshes(const process::Run& run, const UnitSystem& units, Lines& lines) {
   if (const auto refused = run.state.record.refusals; !refused.empty())
-    lines.push_back(fmt::format("warning: {} time(s) a new mesh was wanted and could not be made, "
-                                "first at t = {:.6g} {}: {}",
-                                refused.size(), refused.front().time, units.time,
-                                refused.front().why));
+    lines.push_back(fmt::format(
+        "warning: [new-mesh-refused] {} time(s) a new mesh was wanted and could not be made, "
+        "first at t = {:.6g} {}: {}",
+        refused.size(), refused.front().time, units.time, refused.front().why));
 }
 
 /// Where the balance of energy missed the most.
@@ -52,7 +52,8 @@ void on_work_missing(const process::Run& run,
   constexpr double budget = 0.005;
   if (energy.error() > budget && std::abs(energy.missing()) > energy.nothing)
     lines.push_back(fmt::format(
-        "warning: the balance of energy misses {:.1f} % ({:.3g} {} {}), most in the increment that "
+        "warning: [energy-missing] the balance of energy misses {:.1f} % ({:.3g} {} {}), most in "
+        "the increment that "
         "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "
         "and forces that change much within an increment are integrated badly; a shorter "
         "time.increments.max shows which",
@@ -60,7 +61,8 @@ void on_work_missing(const process::Run& run,
         most.work));
   if (energy.stabilization > budget * energy.scale())
     lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) went into the stabilization, which holds the "
+        "warning: [stabilization-work] {:.1f} % of the work ({:.3g} {} {}) went into the "
+        "stabilization, which holds the "
         "part "
         "where neither supports nor tools do: forces and shape are off by as much and more; a "
         "[[support]] for its free motions helps",
@@ -74,13 +76,15 @@ void on_work_made(const process::Run& run, const UnitSystem& units, Lines& lines
   constexpr double most_lost = 0.02; // hub-forging-3d, of Coulomb's friction: 0.5 %
   if (std::abs(energy.remeshing) > std::max(energy.nothing, most_lost * energy.scale()))
     lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) was lost (negative: made) by carrying the "
+        "warning: [work-lost-remeshing] {:.1f} % of the work ({:.3g} {} {}) was lost (negative: "
+        "made) by carrying the "
         "part over to new meshes: energy in remesh.csv tells which; finer meshes lose less",
         100.0 * energy.remeshing / energy.scale(), energy.remeshing, units.force, units.length));
   constexpr double unpaid = 0.02;
   if (std::abs(energy.penalty_update) > std::max(energy.nothing, unpaid * energy.scale()))
     lines.push_back(fmt::format(
-        "warning: {:.1f} % of the work ({:.3g} {} {}) was done by no tool's motion but by contact "
+        "warning: [work-by-contact] {:.1f} % of the work ({:.3g} {} {}) was done by no tool's "
+        "motion but by contact "
         "itself, which holds faces out of tools (C.44) or presses harder: faces are too long for "
         "the tools' curvature, and metal is bent that no tool bends; smaller elements (for "
         "quadratic ones also contact.form = \"compatible\") help",
@@ -93,7 +97,8 @@ void on_multigrid(const process::Run& run, Lines& lines) {
   const mechanics::SolverWork work = run.solver_work();
   if (work.multigrid_failed > 0)
     lines.push_back(fmt::format(
-        "warning: multigrid did not solve {} of {} systems that it was set up for: they were "
+        "warning: [multigrid-failed] multigrid did not solve {} of {} systems that it was set up "
+        "for: they were "
         "factorized, or the increment was taken shorter where no factorization has room; with "
         "many of them solver.linear = \"cholmod\" may be faster",
         work.multigrid_failed, work.multigrid_failed + work.multigrid));
@@ -102,7 +107,8 @@ void on_multigrid(const process::Run& run, Lines& lines) {
 void on_limited_friction(const process::Run& run, Lines& lines) {
   if (const int increments = run.state.counters.friction_limited; increments > 0)
     lines.push_back(fmt::format(
-        "warning: in {} of {} increments contact points that kept changing between stick and slip "
+        "warning: [friction-limited] in {} of {} increments contact points that kept changing "
+        "between stick and slip "
         "were given no more shear than pressure, less than their friction law asks for: nothing "
         "else was in equilibrium. Where metal sticks and lets go again and again forces are right "
         "to some per cent only; smaller elements, or a law that ends at the shear yield stress, "
@@ -115,7 +121,8 @@ void on_fading_forces(const process::Run& run, Lines& lines) {
   if (const double flow = run.state.leaving.flow_in_decay;
       flow > springback * run.state.energy.plastic)
     lines.push_back(fmt::format(
-        "warning: {:.2g} % of the plastic work was done while forces of tools that had left faded: "
+        "warning: [fading-forces] {:.2g} % of the plastic work was done while forces of tools that "
+        "had left faded: "
         "they keep their direction, and a thin part pressed from both sides folds under them as no "
         "part does whose tools move back; end the stage before with unload, or let the tools move "
         "back",
@@ -124,17 +131,19 @@ void on_fading_forces(const process::Run& run, Lines& lines) {
 
 void on_resolution(const process::Run& run, const Case& content, Lines& lines) {
   for (const process::ContactZone& zone : process::poorly_resolved_tools(run))
-    lines.push_back(fmt::format(
-        "warning: at the end {} touches on {} of elements only, {:.3g} {} long: too few for its "
-        "force, which can be far too high; {}",
-        run.tools()[static_cast<std::size_t>(zone.tool)].name, process::sides_of(zone), zone.length,
-        content.units.length,
-        content.remesh ? "a smaller remesh.size.min would let a new mesh follow it"
-                       : "a finer mesh there or a [remesh] section helps"));
+    lines.push_back(fmt::format("warning: [few-elements-touch] at the end {} touches on {} of "
+                                "elements only, {:.3g} {} long: too few for its "
+                                "force, which can be far too high; {}",
+                                run.tools()[static_cast<std::size_t>(zone.tool)].name,
+                                process::sides_of(zone), zone.length, content.units.length,
+                                content.remesh
+                                    ? "a smaller remesh.size.min would let a new mesh follow it"
+                                    : "a finer mesh there or a [remesh] section helps"));
   constexpr double most_of_corner = 0.5;
   if (const process::CornerLoad load = process::most_at_corner(run); load.share > most_of_corner)
     lines.push_back(fmt::format(
-        "warning: at the end {:.0f} % of the pressure on {} is that of its corners on single "
+        "warning: [corner-pressure] at the end {:.0f} % of the pressure on {} is that of its "
+        "corners on single "
         "faces: "
         "its force is that of elements of this size, a sharper tool or a finer mesh gets another "
         "one; round the edge, and let elements be smaller than the rounding",
@@ -144,7 +153,8 @@ void on_resolution(const process::Run& run, const Case& content, Lines& lines) {
 void on_overlapping_tools(const process::Run& run, const UnitSystem& units, Lines& lines) {
   for (const process::ToolMeeting& overlap : process::overlapping_tools(run))
     lines.push_back(fmt::format(
-        "warning: at the end tools '{}' and '{}' overlap by {:.3g} {} at ({:.6g}, {:.6g}, {:.6g}): "
+        "warning: [tools-overlap] at the end tools '{}' and '{}' overlap by {:.3g} {} at ({:.6g}, "
+        "{:.6g}, {:.6g}): "
         "they do not feel each other, and nothing stops what a load drives once the part has left "
         "it; what was found since is wrong: let it act no longer than it holds the part (stages, "
         "active)",
@@ -155,7 +165,8 @@ void on_overlapping_tools(const process::Run& run, const UnitSystem& units, Line
 void on_initial_penetrations(const process::Run& run, const UnitSystem& units, Lines& lines) {
   for (const process::InitialPenetration& penetration : run.state.record.initial_penetrations)
     lines.push_back(fmt::format(
-        "warning: tool {} began to act at t = {:.6g} {} inside the workpiece, {}: {}; a tool goes "
+        "warning: [starts-inside] tool {} began to act at t = {:.6g} {} inside the workpiece, {}: "
+        "{}; a tool goes "
         "on its way while it does not act, so let it begin where it is clear",
         run.tools()[penetration.tool].name, penetration.time, units.time, penetration.where,
         run.state.time <= penetration.time ? "it could not be pushed out in one increment"
@@ -179,7 +190,8 @@ void on_walls_that_met(const process::Run& run, const Case& content, Lines& line
         return a.depth < b.depth;
       });
   lines.push_back(fmt::format(
-      "warning: walls of the part have met: {}, {:.3g} {} deep near ({:.6g}, {:.6g}, {:.6g}), "
+      "warning: [walls-met] walls of the part have met: {}, {:.3g} {} deep near ({:.6g}, {:.6g}, "
+      "{:.6g}), "
       "since "
       "t = {:.6g} {}, at the end {}; lap_depth in the frames shows it, laps of summary.json lists "
       "all",
@@ -197,7 +209,8 @@ void on_trapped(const process::Run& run, const Case& content, Lines& lines) {
       *std::max_element(pockets.begin(), pockets.end(),
                         [](const auto& a, const auto& b) { return a.volume < b.volume; });
   lines.push_back(fmt::format(
-      "warning: {} closed off at the end, {}near ({:.6g}, {:.6g}) on tool {}: {:.3g} of {:.3g} "
+      "warning: [pocket-closed] {} closed off at the end, {}near ({:.6g}, {:.6g}) on tool {}: "
+      "{:.3g} of {:.3g} "
       "{}^3 left, {:.4g} {} above the surroundings; a vent there would let it out, trapped in "
       "summary.json lists all",
       pockets.size() == 1 ? "a pocket is" : fmt::format("{} pockets are", pockets.size()),
@@ -210,7 +223,8 @@ void on_met_walls(const process::Run& run, const Case& content, Lines& lines) {
   for (const process::Wall& wall : run.state.walls)
     if (wall.met)
       lines.push_back(fmt::format(
-          "warning: metal came to {} from outside, between ({:.6g}, {:.6g}, {:.6g}) and ({:.6g}, "
+          "warning: [symmetry-wall-met] metal came to {} from outside, between ({:.6g}, {:.6g}, "
+          "{:.6g}) and ({:.6g}, "
           "{:.6g}, {:.6g}) {}, first at t = {:.6g} {}: {}",
           process::name_of_wall(wall), wall.met->box.low.x(), wall.met->box.low.y(),
           wall.met->box.low.z(), wall.met->box.high.x(), wall.met->box.high.y(),
@@ -220,15 +234,16 @@ void on_met_walls(const process::Run& run, const Case& content, Lines& lines) {
 
 void on_laps(const process::Run& run, const Case& content, Lines& lines) {
   for (const process::Lap& lap : process::laps(run))
-    lines.push_back(fmt::format(
-        "warning: at the end the boundary of the part crosses itself near {}, {:.3g} {} deep: "
-        "{}; {}",
-        lap.place, lap.depth, content.units.length,
-        run.model.self_contact
-            ? "a crease there is narrower than the elements at its root"
-            : "contact.self = false, so metal that folds over does not feel itself",
-        content.remesh ? "the next new mesh would have welded the lap"
-                       : "a [remesh] section welds laps and says where"));
+    lines.push_back(
+        fmt::format("warning: [boundary-crosses] at the end the boundary of the part crosses "
+                    "itself near {}, {:.3g} {} deep: "
+                    "{}; {}",
+                    lap.place, lap.depth, content.units.length,
+                    run.model.self_contact
+                        ? "a crease there is narrower than the elements at its root"
+                        : "contact.self = false, so metal that folds over does not feel itself",
+                    content.remesh ? "the next new mesh would have welded the lap"
+                                   : "a [remesh] section welds laps and says where"));
 }
 
 } // namespace
@@ -255,7 +270,8 @@ void RunWriter::warn_of_unmet_tools(const process::Run& run,
   for (std::size_t t = 0; t < record_.unmet.size(); ++t)
     if (!record_.unmet[t].met && record_.unmet[t].depth > 0.0)
       lines.push_back(fmt::format(
-          "warning: from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} deep, and no "
+          "warning: [tool-unfelt] from t = {:.6g} {} on tool {} is in the part, up to {:.3g} {} "
+          "deep, and no "
           "contact point meets it, so it has no force: it is narrower than they are apart, or a "
           "hollow that element edges are too long for; take smaller elements there",
           record_.unmet[t].time, content_->units.time, run.tools()[t].name, record_.unmet[t].depth,
@@ -263,15 +279,17 @@ void RunWriter::warn_of_unmet_tools(const process::Run& run,
   for (std::size_t t = 0; t < record_.unmet.size(); ++t)
     if (record_.unmet[t].acts && !record_.unmet[t].met && record_.unmet[t].depth == 0.0 &&
         moves(run.tools()[t].motion) && run.state.time == run.scene.stages.back().end)
-      lines.push_back(fmt::format("warning: tool {} has not touched the workpiece: does it move "
-                                  "far enough, and the right way?",
-                                  run.tools()[t].name));
+      lines.push_back(fmt::format(
+          "warning: [tool-untouched] tool {} has not touched the workpiece: does it move "
+          "far enough, and the right way?",
+          run.tools()[t].name));
 }
 
 void RunWriter::warn_of_penetration(std::vector<std::string>& lines) const {
   if (record_.largest_share > tolerated_penetration)
     lines.push_back(fmt::format(
-        "warning: between its contact points a face lay up to {:.3g} {} inside a tool, "
+        "warning: [face-in-tool] between its contact points a face lay up to {:.3g} {} inside a "
+        "tool, "
         "{:.1f} % of the parent element; a finer mesh there (for quadratic elements also "
         "contact.form = \"compatible\") lessens it",
         record_.largest_penetration, content_->units.length, 100.0 * record_.largest_share));
@@ -279,25 +297,27 @@ void RunWriter::warn_of_penetration(std::vector<std::string>& lines) const {
 
 void RunWriter::warn_of_elements(const process::Run& run, std::vector<std::string>& lines) const {
   if (record_.worn)
-    lines.push_back(fmt::format(
-        "warning: from t = {:.6g} {} on elements are bad (quality {:.2g}, at the end {:.2g}), and "
-        "what they say with them; {}",
-        record_.worn->time, content_->units.time, record_.worn->min_quality,
-        record_.last->min_quality,
-        !content_->remesh ? "a [remesh] section would have replaced the mesh"
-        : run.state.record.refusals.empty()
-            ? "new meshes were not better for long (remesh.csv: quality_after), sharp "
-              "edges of tools do that: a smaller remesh.size.min may help"
-            : "no new mesh could be made in time: the log says why"));
+    lines.push_back(
+        fmt::format("warning: [bad-elements] from t = {:.6g} {} on elements are bad (quality "
+                    "{:.2g}, at the end {:.2g}), and "
+                    "what they say with them; {}",
+                    record_.worn->time, content_->units.time, record_.worn->min_quality,
+                    record_.last->min_quality,
+                    !content_->remesh ? "a [remesh] section would have replaced the mesh"
+                    : run.state.record.refusals.empty()
+                        ? "new meshes were not better for long (remesh.csv: quality_after), sharp "
+                          "edges of tools do that: a smaller remesh.size.min may help"
+                        : "no new mesh could be made in time: the log says why"));
 }
 
 /// Why a run ended before its time; empty: it did not.
 std::string RunWriter::early_end(const process::Run& run) const {
   const UnitSystem& units = content_->units;
-  const auto ended = [&](const std::string& why, std::string_view key) {
-    return fmt::format("warning: the run ended at t = {:.6g} {}, before its time: {}. stop.{} = "
-                       "false goes on",
-                       run.state.time, units.time, why, key);
+  const auto ended = [&](std::string_view code, const std::string& why, std::string_view key) {
+    return fmt::format(
+        "warning: [{}] the run ended at t = {:.6g} {}, before its time: {}. stop.{} = "
+        "false goes on",
+        code, run.state.time, units.time, why, key);
   };
   const auto squeezed = [&](std::string_view what) {
     const process::Squeeze now = process::squeeze_of(run, record_.last->volume);
@@ -310,12 +330,15 @@ std::string RunWriter::early_end(const process::Run& run) const {
   };
   switch (run.state.ended_by) {
   case process::EndedBy::full_cavity:
-    return ended(squeezed("the cavity is full, or leaves too little way out"), "on_full_cavity");
+    return ended("full-cavity", squeezed("the cavity is full, or leaves too little way out"),
+                 "on_full_cavity");
   case process::EndedBy::tools_overloaded:
-    return ended(squeezed("no tool bears what the tools would have to"), "on_tools_overloaded");
+    return ended("tools-overloaded", squeezed("no tool bears what the tools would have to"),
+                 "on_tools_overloaded");
   case process::EndedBy::tools_together:
     if (const auto film = process::closing_film(run, run.state.last_dt))
       return ended(
+          "tools-together",
           fmt::format("tools '{}' and '{}' lie on each other near ({:.6g}, {:.6g}, {:.6g}), "
                       "but for a film of metal {:.3g} {} thick",
                       run.tools()[film->first].name, run.tools()[film->second].name,
@@ -324,10 +347,10 @@ std::string RunWriter::early_end(const process::Run& run) const {
           "on_tools_together");
     break;
   case process::EndedBy::lap:
-    return fmt::format("warning: the run ended at t = {:.6g} {}, before its time: a lap is deeper "
-                       "than stop.on_lap = {:.6g} {}; laps of summary.json tells where",
-                       run.state.time, units.time, run.scene.stop.on_lap.value_or(0.0),
-                       units.length);
+    return fmt::format(
+        "warning: [lap-limit] the run ended at t = {:.6g} {}, before its time: a lap is deeper "
+        "than stop.on_lap = {:.6g} {}; laps of summary.json tells where",
+        run.state.time, units.time, run.scene.stop.on_lap.value_or(0.0), units.length);
   case process::EndedBy::end_of_time:
   case process::EndedBy::energy_used_up:
     break;
@@ -341,7 +364,8 @@ void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>&
   else if (record_.squeezed_at) {
     const process::Squeeze now = process::squeeze_of(run, record_.last->volume);
     lines.push_back(fmt::format(
-        "warning: from t = {:.6g} {} on the metal is squeezed by more than 1 % of its volume, at "
+        "warning: [metal-squeezed] from t = {:.6g} {} on the metal is squeezed by more than 1 % of "
+        "its volume, at "
         "the end by {:.2g} %, under {:.3g} {} on average, {:.2g} times its flow stress: the cavity "
         "is full, or leaves too little way out",
         *record_.squeezed_at, content_->units.time, 100.0 * now.volume_lost, now.pressure,
@@ -353,13 +377,14 @@ void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>&
         material.flow, {record_.last->max_plastic_strain, 1.0, material.temperature});
     constexpr double soft = 0.5;
     if (left < soft)
-      lines.push_back(fmt::format(
-          "warning: at the largest plastic strain, {:.3g}, the flow law has {:.0f} % of "
-          "its largest stress left: metal that "
-          "softens so far flows in bands as thin as its elements, and forces depend on "
-          "their size; let the law "
-          "end where its measured curves do (eps_max of hansel-spittel, a table)",
-          record_.last->max_plastic_strain, 100.0 * left));
+      lines.push_back(
+          fmt::format("warning: [softening] at the largest plastic strain, {:.3g}, the flow law "
+                      "has {:.0f} % of "
+                      "its largest stress left: metal that "
+                      "softens so far flows in bands as thin as its elements, and forces depend on "
+                      "their size; let the law "
+                      "end where its measured curves do (eps_max of hansel-spittel, a table)",
+                      record_.last->max_plastic_strain, 100.0 * left));
   }
 }
 

@@ -418,10 +418,10 @@ std::vector<double> landing_times(const Case& content, const process::Scene& sce
 void note_molten(const mechanics::Material& material, std::vector<std::string>& notes) {
   const auto* const law = std::get_if<mechanics::JohnsonCook>(&material.flow);
   if (law != nullptr && law->softening(material.temperature) <= mechanics::JohnsonCook::melt_floor)
-    notes.push_back(fmt::format(
-        "warning: at {} degC the metal is molten (T_melt = {}): what is left of its flow stress, a "
-        "millionth, only keeps the equations solvable",
-        material.temperature, law->T_melt));
+    notes.push_back(fmt::format("warning: [molten] at {} degC the metal is molten (T_melt = {}): "
+                                "what is left of its flow stress, a "
+                                "millionth, only keeps the equations solvable",
+                                material.temperature, law->T_melt));
 }
 
 /// Bricks that the reduced rule leaves a motion.
@@ -433,7 +433,8 @@ void note_single_file(const process::Scene& scene, std::vector<std::string>& not
   const auto cells = mechanics::cells_in_single_file(scene.part.mesh, held);
   if (!cells.empty())
     notes.push_back(fmt::format(
-        "warning: {} element(s) of hex20, the first is {}, lie in single file with all other faces "
+        "warning: [single-file] {} element(s) of hex20, the first is {}, lie in single file with "
+        "all other faces "
         "free: nothing holds their middle nodes in one of their motions, and the shape can be "
         "wrong or an increment fail; take two elements in one direction across, or tet10",
         cells.size(), cells.front()));
@@ -454,10 +455,10 @@ void note_flat_elements(const mechanics::Mesh& mesh, std::vector<std::string>& n
   for (int i = 0; i < mesh.dimension(); ++i)
     thinnest = std::min(thinnest, extent[i]);
   if (aspect > flat)
-    notes.push_back(
-        fmt::format("warning: elements of {} are up to {:.3g} times as long as thick: "
-                    "they resist bending many times too much; quadratic elements do not",
-                    mechanics::name(mesh.kind), aspect));
+    notes.push_back(fmt::format(
+        "warning: [flat-elements] elements of {} are up to {:.3g} times as long as thick: "
+        "they resist bending many times too much; quadratic elements do not",
+        mechanics::name(mesh.kind), aspect));
   else if (longest > flat * thinnest)
     notes.push_back(fmt::format(
         "a part {:.3g} times as long as thick, of {}: where tools bend it, elements that are twice "
@@ -479,10 +480,10 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
           "tool '{}': without smooth = true feature_angle only counts feature edges", tool.name));
   for (const Tool& tool : content.tools)
     if (content.analysis == Analysis::axisymmetric && tool.motion.rotation)
-      notes.push_back(
-          fmt::format("warning: tool '{}' turns about the normal of the meridian, which "
-                      "no tool of revolution can do without changing its shape",
-                      tool.name));
+      notes.push_back(fmt::format(
+          "warning: [turns-off-meridian] tool '{}' turns about the normal of the meridian, which "
+          "no tool of revolution can do without changing its shape",
+          tool.name));
   const Material& material = content.materials.at(content.workpiece.material);
   if (material.library.empty() && material.density && !material.heating)
     notes.push_back("density has no effect in this version: there is no inertia");

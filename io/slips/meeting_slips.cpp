@@ -11,8 +11,8 @@ namespace billet::io {
 std::vector<std::string> meeting_slips(const process::Scene& scene, const UnitSystem& units) {
   std::vector<std::string> slips;
   for (const process::ToolMeeting& m : process::tool_meetings(scene)) {
-    const std::string pair = fmt::format("warning: tools '{}' and '{}'", scene.tools[m.first].name,
-                                         scene.tools[m.second].name);
+    const std::string pair = fmt::format("warning: [tools-meet] tools '{}' and '{}'",
+                                         scene.tools[m.first].name, scene.tools[m.second].name);
     const std::string place = fmt::format("({:.6g}, {:.6g}, {:.6g}) {}", m.place[0], m.place[1],
                                           m.place[2], units.length);
     slips.push_back(

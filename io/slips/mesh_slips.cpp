@@ -211,17 +211,19 @@ Slip longer_than_flash(const process::Scene& scene,
 std::vector<std::string> mesh_slips(const Case& content, const process::Run& run) {
   const process::Scene& scene = run.scene;
   std::vector<std::string> slips;
-  add_slip(slips, odd_size(content, scene.part.mesh));
-  add_slip(slips, one_element_high(scene));
+  add_slip(slips, "part-size", odd_size(content, scene.part.mesh));
+  add_slip(slips, "one-element", one_element_high(scene));
   if (scene.remesh || scene.part.contact_faces.empty()) // new meshes fit the tools
     return slips;
   const double shortest = shortest_contact_edge(scene);
   for (std::size_t t = 0; t < scene.tools.size(); ++t)
-    add_slip(slips, longer_than_radius(content.tools[t], *scene.tools[t].surface, shortest,
-                                       content.units));
+    add_slip(
+        slips, "element-over-radius",
+        longer_than_radius(content.tools[t], *scene.tools[t].surface, shortest, content.units));
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
     for (std::size_t j = i + 1; j < scene.tools.size(); ++j)
-      add_slip(slips, longer_than_flash(scene, i, j, shortest, content.units));
+      add_slip(slips, "element-over-flash",
+               longer_than_flash(scene, i, j, shortest, content.units));
   return slips;
 }
 

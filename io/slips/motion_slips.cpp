@@ -235,18 +235,18 @@ std::vector<std::string> motion_slips(const Case& content, const process::Run& r
   const MotionScene m = motion_scene(content, run.scene);
   std::vector<std::string> slips;
   for (std::size_t t = 0; t < m.reaches.size(); ++t) {
-    add_slip(slips, turned_tool(m, t));
-    add_slip(slips, never_arrives(m, t));
+    add_slip(slips, "tool-behind", turned_tool(m, t));
+    add_slip(slips, "tool-misses", never_arrives(m, t));
   }
   const bool all_arrive = slips.empty();
   for (std::size_t t = 0; t < m.reaches.size(); ++t)
-    add_slip(slips, starts_far_off(m, t));
+    add_slip(slips, "tool-far", starts_far_off(m, t));
   if (all_arrive) {
-    add_slip(slips, pushed_away(m));
-    add_slip(slips, nothing_yields(m, run.model.surface.get()));
+    add_slip(slips, "part-pushed-away", pushed_away(m));
+    add_slip(slips, "nothing-yields", nothing_yields(m, run.model.surface.get()));
   }
-  add_slip(slips, free_axis(m));
-  add_slip(slips, free_cut(m));
+  add_slip(slips, "free-axis", free_axis(m));
+  add_slip(slips, "free-cut", free_cut(m));
   return slips;
 }
 

@@ -189,16 +189,16 @@ std::vector<std::string> number_slips(const Case& content) {
   std::vector<std::string> slips;
   const std::string& name = content.workpiece.material;
   if (const auto material = content.materials.find(name); material != content.materials.end()) {
-    add_slip(slips, odd_modulus(name, material->second, content.units));
+    add_slip(slips, "modulus", odd_modulus(name, material->second, content.units));
     if (slips.empty()) // else it is the modulus that the strength is far from
-      add_slip(slips, odd_strength(name, material->second, content.units));
+      add_slip(slips, "strength", odd_strength(name, material->second, content.units));
   }
-  add_slip(slips, turned_in_radians("the workpiece", content.workpiece.place));
+  add_slip(slips, "radians", turned_in_radians("the workpiece", content.workpiece.place));
   for (const Tool& tool : content.tools) {
-    add_slip(slips, turned_in_radians(fmt::format("tool '{}'", tool.name), tool.place));
-    add_slip(slips, angle_in_radians(tool));
-    add_slip(slips, speed_in_degrees(tool, content.time.end));
-    add_slip(slips, large_friction(tool));
+    add_slip(slips, "radians", turned_in_radians(fmt::format("tool '{}'", tool.name), tool.place));
+    add_slip(slips, "radians", angle_in_radians(tool));
+    add_slip(slips, "speed-in-degrees", speed_in_degrees(tool, content.time.end));
+    add_slip(slips, "large-friction", large_friction(tool));
   }
   return slips;
 }

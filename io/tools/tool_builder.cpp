@@ -51,7 +51,7 @@ std::string facets_note(const contact::Tool& tool) {
   return fmt::format(
       "{}tool '{}': its facets are off the curved shape that they stand for by up to "
       "{:.2g}; smooth = true curves them{}",
-      turns ? "warning: " : "", tool.name, tool.chord_error,
+      turns ? "warning: [faceted-roll] " : "", tool.name, tool.chord_error,
       turns ? ". It turns: metal springs back by less than that and loses touch with "
               "each flat, forces can be far too low"
             : "");
@@ -117,7 +117,7 @@ private:
     const StlTool mesh = tool_mesh(file, use);
     notes.push_back(fmt::format("tool '{}': {}", tool, report(file, mesh)));
     if (const auto warning = size_warning(mesh.health.bounds.size(), workpiece_size, unit))
-      notes.push_back(fmt::format("warning: tool '{}': {}", tool, *warning));
+      notes.push_back(fmt::format("warning: [stl-size] tool '{}': {}", tool, *warning));
     if (!smoothed) {
       chord_error = geometry::chord_error(mesh.mesh, use.feature_angle * degree);
       return geometry::make_triangle_surface(mesh.mesh);

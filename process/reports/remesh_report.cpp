@@ -42,9 +42,10 @@ std::vector<std::string> RemeshReport::complaints() const {
   std::vector<std::string> lines;
   const auto check = [&](const char* what, double change, double budget) {
     if (change > budget)
-      lines.push_back(fmt::format("warning: remeshing {} changed the {} by {:.2g} %, more than "
-                                  "{:.2g} %",
-                                  number, what, 100.0 * change, 100.0 * budget));
+      lines.push_back(fmt::format(
+          "warning: [remeshing-changed] remeshing {} changed the {} by {:.2g} %, more than "
+          "{:.2g} %",
+          number, what, 100.0 * change, 100.0 * budget));
   };
   check("volume", volume.change(), volume_budget);
   check("plastic work", work_change(), work_budget);
@@ -54,14 +55,16 @@ std::vector<std::string> RemeshReport::complaints() const {
             ? fmt::format("note: remeshing {} closed the root of a crease, {:.3g} deep, near {}: "
                           "no mesh was fine enough for it; its walls go on touching each other",
                           number, lap.depth, lap.place)
-            : fmt::format("warning: remeshing {} welded a fold, {:.3g} deep, whose walls met "
-                          "near {}: the part there is a lap, which the mesh no longer shows",
-                          number, lap.depth, lap.place));
+            : fmt::format(
+                  "warning: [fold-welded] remeshing {} welded a fold, {:.3g} deep, whose walls met "
+                  "near {}: the part there is a lap, which the mesh no longer shows",
+                  number, lap.depth, lap.place));
   if (balanced)
     check("force on a tool", force_jump(), force_budget);
   else
-    lines.push_back(fmt::format(
-        "warning: remeshing {} was not followed by equilibrium before time went on", number));
+    lines.push_back(fmt::format("warning: [remeshing-unbalanced] remeshing {} was not followed by "
+                                "equilibrium before time went on",
+                                number));
   return lines;
 }
 

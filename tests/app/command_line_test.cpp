@@ -267,7 +267,8 @@ TEST_F(CommandLine, tools_that_go_through_each_other_are_told_before_and_after_t
 name    = "stop"
 surface = { points = [[20, 7.3], [30, 7.3], [30, 7.45], [20, 7.45]], closed = true }
 )");
-  const std::string warning = "warning: tools 'punch' and 'stop' meet at t = 0.05 s at (";
+  const std::string warning =
+      "warning: [tools-meet] tools 'punch' and 'stop' meet at t = 0.05 s at (";
   const Outcome check = run({"check", "stop.toml"});
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_TRUE(check.prints(warning)) << check.out;

@@ -355,8 +355,8 @@ TEST_F(HardStarts, ARunThatMissesEnergySaysWhere) {
               {"end = 0.02", "end = 0.0202\nincrements = { first = 1e-4, max = 4e-4 }"}}));
   ASSERT_EQ(outcome.status, 8) << outcome.err;
   EXPECT_TRUE(outcome.says("failed check 'energy-balance'")) << outcome.err;
-  EXPECT_TRUE(outcome.prints("warning: the balance of energy misses") ||
-              outcome.says("warning: the balance of energy misses"))
+  EXPECT_TRUE(outcome.prints("warning: [energy-missing] the balance of energy misses") ||
+              outcome.says("warning: [energy-missing] the balance of energy misses"))
       << outcome.out << outcome.err;
   EXPECT_TRUE(outcome.prints("the increment that ends at t = 0.020") ||
               outcome.says("the increment that ends at t = 0.020"))

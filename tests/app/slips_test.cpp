@@ -26,8 +26,9 @@ protected:
 TEST_F(Slips, are_told_by_check_and_run_and_stand_in_the_summary) {
   write_text(at("case.toml"), edited(upsetting, {{"\"tresca\", m = 0.08", "\"coulomb\", mu = 8"},
                                                  {"point = [0, 7.5]", "point = [0, 9]"}}));
-  const std::vector<std::string> told{"warning: tool 'punch': mu = 8 is more than metals have",
-                                      "warning: tool 'punch' does not reach the workpiece"};
+  const std::vector<std::string> told{
+      "warning: [large-friction] tool 'punch': mu = 8 is more than metals have",
+      "warning: [tool-misses] tool 'punch' does not reach the workpiece"};
   const Outcome check = run({"check", "case.toml"});
   EXPECT_EQ(check.status, 0) << check.err;
   const Outcome done = run({"run", "case.toml", "-o", "r"});

@@ -128,7 +128,8 @@ TEST(AbaqusReader, springs_masses_and_couplings_beside_a_body_are_passed_over) {
   EXPECT_EQ(file.mesh.n_elements(), 1);
   EXPECT_EQ(file.mesh.node_sets.at("all").size(), 4U);
   ASSERT_EQ(file.notes.size(), 2U);
-  EXPECT_EQ(file.notes[0], "warning: line 8: elements of type SPRINGA are passed over");
+  EXPECT_EQ(file.notes[0],
+            "warning: [passed-over] line 8: elements of type SPRINGA are passed over");
 }
 
 TEST(AbaqusReader, a_single_part_with_an_instance_in_place_is_read) {

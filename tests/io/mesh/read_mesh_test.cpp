@@ -111,7 +111,8 @@ TEST(ReadMesh, parts_that_share_no_node_are_noted) {
     two.points.emplace_back(point + Vec3(1, 0, 0));
   const MeshFile file = read_text(text_of(two));
   ASSERT_EQ(file.notes.size(), 2U);
-  EXPECT_NE(file.notes[0].find("warning: the mesh is not joined along 1 pair"), std::string::npos);
+  EXPECT_NE(file.notes[0].find("warning: [loose-mesh] the mesh is not joined along 1 pair"),
+            std::string::npos);
   EXPECT_NE(file.notes[1].find("2 parts"), std::string::npos);
 }
 

@@ -71,7 +71,8 @@ TEST(SceneSlips, a_part_that_is_too_small_or_too_large_for_its_unit) {
 
 TEST(SceneSlips, a_tool_that_does_not_reach_the_workpiece_in_its_time) {
   expect_told(edited(upsetting, {{"point = [0, 7.5]", "point = [0, 9]"}}),
-              {"warning: tool 'punch' does not reach the workpiece: it is 1.5 mm off at t = 0 s, "
+              {"warning: [tool-misses] tool 'punch' does not reach the workpiece: it is 1.5 mm off "
+               "at t = 0 s, "
                "moves 0.1 mm and comes as near as 1.4 mm",
                "touch = true"});
 }

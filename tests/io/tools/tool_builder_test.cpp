@@ -58,7 +58,8 @@ TEST_F(ToolBuilder, ARollOfFacetsThatTurnsIsAWarning) {
   tool_.motion.rotation = RotationMotion{Vec3::Zero(), Vec3::UnitZ(), TimeFunction(1.0)};
   (void)gap();
   ASSERT_EQ(notes_.size(), 2U);
-  EXPECT_EQ(notes_[1].find("warning: tool 'roll': its facets are off"), 0U) << notes_[1];
+  EXPECT_EQ(notes_[1].find("warning: [faceted-roll] tool 'roll': its facets are off"), 0U)
+      << notes_[1];
   stl().smooth = true;
   notes_.clear();
   (void)gap();

@@ -121,8 +121,9 @@ TEST(Remeshing, ComplainsOfWhatIsBeyondTheBudget) {
   report.plastic_work.after = 99.0;
   report.forces[0].after = 97.0;
   ASSERT_EQ(report.complaints().size(), 3u);
-  EXPECT_EQ(report.complaints()[0],
-            "warning: remeshing 2 changed the volume by 0.02 %, more than 0.01 %");
+  EXPECT_EQ(
+      report.complaints()[0],
+      "warning: [remeshing-changed] remeshing 2 changed the volume by 0.02 %, more than 0.01 %");
   report.balanced = false;
   EXPECT_NE(report.complaints()[2].find("not followed by equilibrium"), std::string::npos);
   EXPECT_EQ((RemeshReport::Pair{0.0, 0.0}.change()), 0.0);

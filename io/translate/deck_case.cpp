@@ -1,0 +1,580 @@
+#include "io/translate/deck_case.h"
+
+#include "geometry/base/error.h"
+#include "io/case/toml_text.h"
+#include "io/translate/deck_history.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace billet::io {
+
+namespace {
+
+/// Elements of a case by those of a deck: letters and number of nodes.
+std::string element_of(const DeckElement& element) {
+  const std::size_t n = element.nodes.size();
+  if (is_plane_type(element.type))
+    return n == 8 ? "quad8" : n == 4 ? "quad4" : n == 6 ? "tri6" : "";
+  return n == 20 ? "hex20" : n == 8 ? "hex8" : n == 10 ? "tet10" : "";
+}
+
+bool deforms(const Deck& deck, const DeckBody& body) {
+  const std::string& type = deck.elements.at(body.elements.front()).type;
+  return body.rigid == nullptr && (type.starts_with("C3D") || type.starts_with("CPE") ||
+                                   type.starts_with("CPS") || type.starts_with("CAX"));
+}
+
+const DeckMaterial* material_of(const Deck& deck, const DeckBody& body) {
+  const auto found = deck.materials.find(body.material);
+  return found == deck.materials.end() ? nullptr : &found->second;
+}
+
+/// How much a body looks like the workpiece: plastic first, then the softer, then the larger.
+std::array<double, 3> rank_of(const Deck& deck, const DeckBody& body) {
+  const DeckMaterial* const material = material_of(deck, body);
+  const bool plastic = material != nullptr && !material->plastic.empty();
+  const double young =
+      material != nullptr && material->elastic ? (*material->elastic)[0] : HUGE_VAL;
+  return {plastic ? 1.0 : 0.0, -young, static_cast<double>(body.elements.size())};
+}
+
+class CaseMaker {
+public:
+  CaseMaker(Deck& deck, const DeckUnits& units)
+      : deck_(deck), units_(units), bodies_(deck_bodies(deck)) {
+    choose_workpiece();
+    motions_ = prescribed_motions(deck_);
+    forces_ = concentrated_forces(deck_);
+  }
+
+  DeckCase make(const std::string& name) {
+    std::string text =
+        head() + material_text() + supports_text() + loads_text() + tools_text() + time_text();
+    const std::string mesh = mesh_text(); // knows by now which sets are asked for
+    note_unused_forces();
+    DeckCase result;
+    result.files.push_back({"case.toml", remarks_text(name) + text});
+    result.files.push_back({"part.inp", mesh});
+    for (DeckFile& file : files_)
+      result.files.push_back(std::move(file));
+    result.remarks = deck_.remarks;
+    return result;
+  }
+
+private:
+  void remark(const std::string& text, const std::string& place = {}) {
+    deck_.remarks.push_back({place, text});
+  }
+
+  // --- workpiece ---------------------------------------------------------------------------------
+
+  void choose_workpiece() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (deforms(deck_, bodies_[i]) &&
+          (workpiece_ == bodies_.size() + 1 ||
+           rank_of(deck_, bodies_[i]) > rank_of(deck_, bodies_[workpiece_])))
+        workpiece_ = i;
+    if (workpiece_ > bodies_.size())
+      throw Error(Fault::geometry, "", "the deck has no body of solid elements that deforms",
+                  "C3D, CPE or CAX elements with a *SOLID SECTION make the workpiece");
+    const DeckElement& first = deck_.elements.at(part().elements.front());
+    in_space_ = !is_plane_type(first.type);
+    axisymmetric_ = first.type.starts_with("CAX");
+    element_ = element_of(first);
+    for (const DeckNumber number : part().elements)
+      if (element_of(deck_.elements.at(number)) != element_ || element_.empty())
+        throw Error(Fault::geometry, "",
+                    fmt::format("the workpiece has elements of type {}, which are not available{}",
+                                deck_.elements.at(number).type,
+                                element_.empty() ? "" : " together with others"),
+                    "mesh it with one of CPE4, CPE8, CPE6, CAX4, CAX8, CAX6, C3D8, C3D20, C3D10");
+    if (first.type.starts_with("CPS"))
+      remark("plane stress is not available: the case is in plane strain, forces are higher");
+    if (!in_space_ && !axisymmetric_ && deck_.thickness.value_or(1.0) != 1.0)
+      remark(fmt::format("forces of the case are per unit of thickness, the deck's of {:g}",
+                         *deck_.thickness));
+    for (const DeckNumber node : part().nodes)
+      around_.points.push_back(deck_.nodes.at(node));
+    around_.in_space = in_space_;
+    around_.unit = units_.length;
+  }
+
+  [[nodiscard]] const DeckBody& part() const { return bodies_[workpiece_]; }
+  [[nodiscard]] int dimension() const { return in_space_ ? 3 : 2; }
+
+  [[nodiscard]] std::string head() const {
+    return fmt::format("title = {}\nunits = \"{}\"\nanalysis = \"{}\"\n\n[workpiece]\nelement = "
+                       "\"{}\"\nmaterial = \"workpiece\"\nmesh = {{ file = \"part.inp\" }}\n\n",
+                       toml_text(std::string_view(deck_.title)), units_.system,
+                       in_space_       ? "3d"
+                       : axisymmetric_ ? "axisymmetric"
+                                       : "plane-strain",
+                       element_);
+  }
+
+  std::string material_text() {
+    const DeckMaterial* const material = material_of(deck_, part());
+    if (material == nullptr || !material->elastic) {
+      remark("the workpiece has no *ELASTIC: its material is missing in the case");
+      return "[material.workpiece] # missing in the deck\n\n";
+    }
+    std::string text =
+        fmt::format("[material.workpiece] # {}\nelastic = {{ young = {:.10g}, "
+                    "poisson = {:.10g} }}\n",
+                    plain_name(material->name), (*material->elastic)[0], (*material->elastic)[1]);
+    if (material->plastic.size() == 1)
+      text += fmt::format("flow = {{ law = \"perfect\", yield = {:.10g} }}\n",
+                          material->plastic.front().second);
+    else if (!material->plastic.empty())
+      text +=
+          fmt::format("flow = {{ law = \"table\", points = {} }}\n", toml_text(material->plastic));
+    return text + "\n";
+  }
+
+  // --- supports and loads ------------------------------------------------------------------------
+
+  /// Those of a target's nodes that belong to the workpiece.
+  [[nodiscard]] std::vector<DeckNumber> own_nodes(const std::string& target) const {
+    std::vector<DeckNumber> nodes = deck_.nodes_of(target);
+    std::erase_if(nodes, [&](DeckNumber node) { return !part().nodes.contains(node); });
+    return nodes;
+  }
+
+  /// Makes a set of the mesh of these nodes, named as in the deck.
+  std::string set_named(const std::string& wish, std::vector<DeckNumber> nodes) {
+    const auto written = deck_.names.find(in_capitals(wish));
+    std::string name = plain_name(written != deck_.names.end() ? written->second : wish);
+    sets_[name] = std::move(nodes);
+    return name;
+  }
+
+  std::string support_text(const std::string& set, const DeckMotion& motion) {
+    constexpr std::array names{"x", "y", "z"};
+    std::vector<std::string> fix, move;
+    for (const auto& [component, history] : motion.components) {
+      if (component > dimension())
+        continue; // rotations of nodes without any, or out of the plane
+      const char* const name = names[static_cast<std::size_t>(component - 1)];
+      if (is_zero(history))
+        fix.emplace_back(name);
+      else
+        move.push_back(fmt::format("{} = {}", name, toml_text(history)));
+    }
+    if (fix.empty() && move.empty())
+      return "";
+    std::string text = fmt::format("[[support]] # {}\nwhere = \"set:{}\"\n", motion.place, set);
+    if (!fix.empty())
+      text += "fix = " + toml_text(fix) + "\n";
+    if (!move.empty())
+      text += fmt::format("move = {{ {} }}\n", fmt::join(move, ", "));
+    return text + "\n";
+  }
+
+  std::string supports_text() {
+    std::string text;
+    std::map<std::map<int, DeckHistory>, std::pair<std::vector<DeckNumber>, std::string>> single;
+    for (const auto& [target, motion] : motions_) {
+      std::vector<DeckNumber> nodes = own_nodes(target);
+      if (nodes.empty())
+        continue;
+      if (!deck_.node_sets.contains(target)) { // one by its number: all alike become one set
+        auto& [members, place] = single[motion.components];
+        members.push_back(nodes.front());
+        place = place.empty() ? motion.place : std::min(place, motion.place);
+        continue;
+      }
+      text += support_text(set_named(target, std::move(nodes)), motion);
+    }
+    int n_single = 0;
+    for (auto& [components, group] : single) {
+      const std::string set = fmt::format("nodes-{}", ++n_single);
+      sets_[set] = std::move(group.first);
+      text += support_text(set, {components, group.second});
+    }
+    for (const DeckRigidBody& rigid : deck_.rigid_bodies)
+      text += clamped_nodes(rigid);
+    return text;
+  }
+
+  /// Nodes of the workpiece that a rigid body takes along.
+  std::string clamped_nodes(const DeckRigidBody& rigid) {
+    if (rigid.nodes.empty())
+      return "";
+    std::vector<DeckNumber> nodes = own_nodes(rigid.nodes);
+    if (nodes.empty() || nodes.size() == part().nodes.size())
+      return "";
+    const DeckMotion motion = motion_of_node(deck_, motions_, rigid.reference);
+    remark(fmt::format("*RIGIDBODY: nodes of the workpiece in {} move as the reference node does, "
+                       "without turning; components that nothing prescribes there are free",
+                       rigid.nodes),
+           rigid.place);
+    return support_text(set_named(rigid.nodes, std::move(nodes)), motion);
+  }
+
+  /// The nodes of a surface, or of faces of elements, on the workpiece.
+  [[nodiscard]] std::vector<DeckNumber> face_nodes(const DeckPressure& pressure) const {
+    std::vector<std::pair<std::string, std::string>> members{{pressure.elements, pressure.face}};
+    if (const auto surface = deck_.surfaces.find(in_capitals(pressure.surface));
+        surface != deck_.surfaces.end())
+      members = surface->second.members;
+    std::set<DeckNumber> nodes;
+    for (const auto& [set, label] : members)
+      for (const DeckNumber number : deck_.elements_of(set))
+        if (const auto element = deck_.elements.find(number); element != deck_.elements.end())
+          for (const DeckFace& face : faces_of(deck_, element->second, label)) {
+            nodes.insert(face.corners.begin(), face.corners.end());
+            nodes.insert(face.middles.begin(), face.middles.end());
+          }
+    std::erase_if(nodes, [&](DeckNumber node) { return !part().nodes.contains(node); });
+    return {nodes.begin(), nodes.end()};
+  }
+
+  std::string loads_text() {
+    std::string text;
+    for (const DeckPressureHistory& one : pressure_histories(deck_)) {
+      std::vector<DeckNumber> nodes = face_nodes(one.pressure);
+      if (nodes.empty()) {
+        remark("the pressure does not act on the workpiece: left out", one.pressure.place);
+        continue;
+      }
+      const std::string set = fmt::format("pressure-{}", ++n_pressures_);
+      sets_[set] = std::move(nodes);
+      text += fmt::format("[[load]] # {}\nwhere = \"set:{}\"\npressure = {}\n\n",
+                          one.pressure.place, set, toml_text(one.history));
+    }
+    const DeckMaterial* const material = material_of(deck_, part());
+    if (deck_.gravity && material != nullptr && material->density) {
+      const Vec3 force =
+          *material->density * deck_.gravity->value * deck_.gravity->direction.normalized();
+      text += fmt::format("[[load]] # gravity\nwhere = \"all\"\nbody_force = {}\n\n",
+                          vector_text(force, in_space_));
+    }
+    return text;
+  }
+
+  void note_unused_forces() {
+    for (const auto& [target, force] : forces_)
+      if (!used_forces_.contains(target))
+        remark(fmt::format("*CLOAD on {}: a case has no forces on single nodes, left out", target),
+               force.place);
+  }
+
+  // --- tools -------------------------------------------------------------------------------------
+
+  std::string tools_text() {
+    std::string text;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (i != workpiece_)
+        text += body_tool(bodies_[i]);
+    for (const DeckRigidBody& rigid : deck_.rigid_bodies)
+      if (const auto surface = deck_.surfaces.find(in_capitals(rigid.surface));
+          !rigid.surface.empty() && surface != deck_.surfaces.end())
+        text += profile_tool(rigid, surface->second);
+    return text;
+  }
+
+  /// The motion of a body: that of its reference node, or of all nodes that something holds.
+  DeckMotion motion_of(const DeckBody& body) {
+    if (body.rigid != nullptr)
+      return motion_of_node(deck_, motions_, body.rigid->reference);
+    DeckMotion motion;
+    for (const auto& [target, one] : motions_) {
+      const std::vector<DeckNumber> nodes = deck_.nodes_of(target);
+      if (std::none_of(nodes.begin(), nodes.end(),
+                       [&](DeckNumber node) { return body.nodes.contains(node); }))
+        continue;
+      for (const auto& [component, history] : one.components) {
+        DeckHistory& own = motion.components[component];
+        if (!own.empty() && own != history && !is_zero(own) && !is_zero(history))
+          remark(fmt::format("nodes of {} move in different ways: as a rigid tool it goes with the "
+                             "last of them",
+                             body.name),
+                 one.place);
+        if (own.empty() || !is_zero(history))
+          own = history;
+      }
+      motion.place = one.place;
+    }
+    return motion;
+  }
+
+  std::string body_tool(const DeckBody& body) {
+    const std::string name = tool_name(body.name);
+    const std::optional<DeckInteraction> pair = interaction_with(body);
+    if (!pair) {
+      remark(
+          fmt::format("the body {} is in no contact pair with the workpiece: left out", body.name));
+      return "";
+    }
+    const DeckMaterial* const material = material_of(deck_, body);
+    if (body.rigid == nullptr)
+      remark(fmt::format("the body {} becomes a rigid tool{}", body.name,
+                         material != nullptr && !material->plastic.empty()
+                             ? ": it is plastic in the deck, its own deformation is lost"
+                             : ": in the deck it is elastic"));
+    return tool_text(name, surface_of_body(deck_, body, name, around_), motion_of(body), *pair,
+                     body.rigid);
+  }
+
+  std::string profile_tool(const DeckRigidBody& rigid, const DeckSurface& surface) {
+    const std::string name = tool_name(surface.name);
+    DeckInteraction pair;
+    for (const DeckPair& one : deck_.pairs)
+      if (one.master == in_capitals(surface.name) || one.slave == in_capitals(surface.name))
+        pair = deck_.interactions[one.interaction];
+    return tool_text(name, surface_of_profile(surface, name, around_),
+                     motion_of_node(deck_, motions_, rigid.reference), pair, &rigid);
+  }
+
+  std::string tool_name(const std::string& wish) {
+    std::string name = plain_name(wish);
+    while (!tool_names_.insert(name).second)
+      name += "-2";
+    return name;
+  }
+
+  std::string tool_text(const std::string& name,
+                        DeckToolSurface surface,
+                        const DeckMotion& motion,
+                        const DeckInteraction& pair,
+                        const DeckRigidBody* rigid) {
+    for (const std::string& text : surface.remarks)
+      remark(fmt::format("tool {}: {}", name, text));
+    if (surface.text.empty()) {
+      remark(fmt::format("tool {}: left out", name));
+      return "";
+    }
+    for (DeckFile& file : surface.files)
+      files_.push_back(std::move(file));
+    std::string text = fmt::format("[[tool]]\nname = \"{}\"\nsurface = {}\n", name, surface.text);
+    text += motion_text(name, motion, rigid);
+    if (pair.rough)
+      text += "friction = { law = \"sticking\" }\n";
+    else if (pair.mu > 0.0)
+      text += fmt::format("friction = {{ law = \"coulomb\", mu = {:.10g}{} }}\n", pair.mu,
+                          pair.largest_shear ? fmt::format(", cap = {:.10g}", *pair.largest_shear)
+                                             : "");
+    return text + "\n";
+  }
+
+  /// How the workpiece and a body touch, if a contact pair says so.
+  [[nodiscard]] std::optional<DeckInteraction> interaction_with(const DeckBody& body) const {
+    for (const DeckPair& pair : deck_.pairs)
+      if ((touches(pair.slave, body) && touches(pair.master, part())) ||
+          (touches(pair.master, body) && touches(pair.slave, part()))) {
+        const auto found = deck_.interactions.find(pair.interaction);
+        return found == deck_.interactions.end() ? DeckInteraction{} : found->second;
+      }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool touches(const std::string& surface, const DeckBody& body) const {
+    const auto found = deck_.surfaces.find(surface);
+    if (found == deck_.surfaces.end())
+      return false;
+    for (const auto& [set, label] : found->second.members) {
+      const bool of_nodes = found->second.type == "NODE";
+      const std::vector<DeckNumber> members =
+          of_nodes ? deck_.nodes_of(set) : deck_.elements_of(set);
+      if (!members.empty() && (of_nodes ? body.nodes.contains(members.front())
+                                        : std::binary_search(body.elements.begin(),
+                                                             body.elements.end(), members.front())))
+        return true;
+    }
+    return false;
+  }
+
+  // --- motions -----------------------------------------------------------------------------------
+
+  std::string
+  motion_text(const std::string& tool, const DeckMotion& motion, const DeckRigidBody* rigid) {
+    std::vector<std::string> parts;
+    if (const std::string text = translation_text(tool, motion, rigid); !text.empty())
+      parts.push_back(text);
+    if (rigid != nullptr)
+      if (const std::string text = rotation_text(tool, motion, *rigid); !text.empty())
+        parts.push_back(text);
+    return parts.empty() ? "" : fmt::format("motion = {{ {} }}\n", fmt::join(parts, ", "));
+  }
+
+  std::string
+  translation_text(const std::string& tool, const DeckMotion& motion, const DeckRigidBody* rigid) {
+    if (const std::string force = force_text(tool, rigid); !force.empty())
+      return force;
+    std::set<double> times{0.0};
+    bool moves = false;
+    for (int c = 1; c <= dimension(); ++c)
+      if (const auto found = motion.components.find(c); found != motion.components.end()) {
+        moves = moves || !is_zero(found->second);
+        for (const auto& [time, value] : found->second)
+          times.insert(time);
+      } else {
+        remark(
+            fmt::format("tool {}: nothing holds or moves it in {}: it stays", tool, "xyz"[c - 1]));
+      }
+    if (!moves)
+      return "";
+    std::string rows;
+    for (const double time : times) {
+      rows += fmt::format("{}[{:.10g}", rows.empty() ? "" : ", ", time);
+      for (int c = 1; c <= dimension(); ++c) {
+        const auto found = motion.components.find(c);
+        rows +=
+            fmt::format(", {:.10g}",
+                        found == motion.components.end() ? 0.0 : TimeFunction(found->second)(time));
+      }
+      rows += "]";
+    }
+    return "displacement = [" + rows + "]";
+  }
+
+  /// Of a tool that a concentrated force on its reference node drives.
+  std::string force_text(const std::string& tool, const DeckRigidBody* rigid) {
+    if (rigid == nullptr)
+      return "";
+    for (const auto& [target, force] : forces_) {
+      const std::vector<DeckNumber> nodes = deck_.nodes_of(target);
+      if (nodes.size() != 1 || nodes.front() != rigid->reference)
+        continue;
+      used_forces_.insert(target);
+      const auto& [component, history] = *force.components.begin();
+      if (force.components.size() > 1)
+        remark(fmt::format("tool {}: the force along {} is taken, the others are left out", tool,
+                           "xyz"[component - 1]),
+               force.place);
+      Vec3 direction = Vec3::Zero();
+      direction[component - 1] = 1.0;
+      return fmt::format("force = {{ direction = {}, value = {} }}",
+                         vector_text(direction, in_space_), toml_text(history));
+    }
+    return "";
+  }
+
+  /// Rotations: components 4 to 6 of the reference node, or 1 to 3 of the rotation node.
+  std::string
+  rotation_text(const std::string& tool, const DeckMotion& motion, const DeckRigidBody& rigid) {
+    std::map<int, DeckHistory> angles;
+    for (const auto& [component, history] : motion.components)
+      if (component > 3 && !is_zero(history))
+        angles[component - 3] = history;
+    if (rigid.rotation != 0)
+      for (const auto& [component, history] :
+           motion_of_node(deck_, motions_, rigid.rotation).components)
+        if (component <= 3 && !is_zero(history))
+          angles[component] = history;
+    if (angles.empty())
+      return "";
+    if (angles.size() > 1)
+      remark(fmt::format("tool {}: it turns about one axis only, the others are left out", tool));
+    const auto& [axis, history] = *angles.begin();
+    Vec3 direction = Vec3::Zero();
+    direction[axis - 1] = 1.0;
+    return fmt::format("rotation = {{ point = {}{}, speed = {} }}",
+                       vector_text(deck_.nodes.at(rigid.reference), in_space_),
+                       in_space_ ? ", axis = " + vector_text(direction, true) : "",
+                       speed_text(history));
+  }
+
+  /// The speed of an angle: constant between its points.
+  static std::string speed_text(const DeckHistory& angle) {
+    constexpr double jump = 1e-6; // of a span, in which the speed changes
+    std::vector<std::pair<double, double>> speed;
+    for (std::size_t i = 1; i < angle.size(); ++i) {
+      const double span = angle[i].first - angle[i - 1].first;
+      const double value = (angle[i].second - angle[i - 1].second) / span;
+      speed.emplace_back(angle[i - 1].first + (i > 1 ? jump * span : 0.0), value);
+      speed.emplace_back(angle[i].first, value);
+    }
+    const bool is_constant = std::all_of(speed.begin(), speed.end(), [&](const auto& point) {
+      return point.second == speed.front().second;
+    });
+    return is_constant ? fmt::format("{:.10g}", speed.front().second) : toml_text(speed);
+  }
+
+  // --- time, mesh, remarks -----------------------------------------------------------------------
+
+  std::string time_text() {
+    std::string text = fmt::format("[time]\nend = {:.10g}\n", end_of(deck_));
+    double most = HUGE_VAL;
+    for (const DeckStep& step : deck_.steps)
+      if (step.most && *step.most < step.period)
+        most = std::min(most, *step.most);
+      else if (step.direct && step.first)
+        most = std::min(most, *step.first);
+    if (std::isfinite(most))
+      text += fmt::format("increments = {{ max = {:.10g} }}\n", most);
+    return text;
+  }
+
+  std::string mesh_text() {
+    std::string text = "*NODE\n";
+    for (const DeckNumber node : part().nodes) {
+      const Vec3& p = deck_.nodes.at(node);
+      text += fmt::format("{}, {:.17g}, {:.17g}, {:.17g}\n", node, p[0], p[1], p[2]);
+    }
+    text += fmt::format("*ELEMENT, TYPE={}\n", deck_.elements.at(part().elements.front()).type);
+    for (const DeckNumber number : part().elements)
+      text += numbers_text({number}, deck_.elements.at(number).nodes);
+    for (const auto& [name, nodes] : sets_)
+      text += fmt::format("*NSET, NSET={}\n{}", name, numbers_text({}, nodes));
+    return text;
+  }
+
+  static std::string numbers_text(std::vector<DeckNumber> numbers,
+                                  const std::vector<DeckNumber>& more) {
+    constexpr std::size_t a_line = 16;
+    numbers.insert(numbers.end(), more.begin(), more.end());
+    std::string text;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      text += fmt::format("{}{}", numbers[i],
+                          i + 1 == numbers.size() ? "\n"
+                          : (i + 1) % a_line == 0 ? ",\n"
+                                                  : ", ");
+    return text;
+  }
+
+  [[nodiscard]] std::string remarks_text(const std::string& name) const {
+    std::string text = fmt::format(
+        "# From {} by billet import; its numbers were taken to be in {}.\n", name, units_.name);
+    if (!deck_.remarks.empty())
+      text += "#\n# Left out, or otherwise than in the deck:\n";
+    for (const DeckRemark& one : deck_.remarks)
+      text += fmt::format("# - {}{}{}\n", one.place, one.place.empty() ? "" : ": ", one.text);
+    return text + "\n";
+  }
+
+  Deck& deck_;
+  const DeckUnits& units_;
+  std::vector<DeckBody> bodies_;
+  std::size_t workpiece_ = bodies_.size() + 1;
+  bool in_space_ = false;
+  bool axisymmetric_ = false;
+  std::string element_;
+  DeckSurroundings around_;
+  std::map<std::string, DeckMotion> motions_, forces_;
+  std::set<std::string> used_forces_;
+  std::map<std::string, std::vector<DeckNumber>> sets_; ///< of the mesh
+  std::set<std::string> tool_names_;
+  std::vector<DeckFile> files_;
+  int n_pressures_ = 0;
+};
+
+} // namespace
+
+const std::vector<DeckUnits>& deck_units() {
+  static const std::vector<DeckUnits> all{{"mm-t-s-N", "mm-N-s-MPa-degC", "mm"},
+                                          {"m-kg-s-N", "m-N-s-Pa-degC", "m"}};
+  return all;
+}
+
+DeckCase case_of(Deck deck, const DeckUnits& units, const std::string& name) {
+  return CaseMaker(deck, units).make(name);
+}
+
+} // namespace billet::io

@@ -1,0 +1,47 @@
+// What a deck prescribes, as functions of the time of the whole run.
+
+#pragma once
+
+#include "io/deck/deck.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace billet::io {
+
+/// Points (time, value); times increase, the first is 0.
+using DeckHistory = std::vector<std::pair<double, double>>;
+
+/// What is prescribed of one target, by component 1 to 6.
+struct DeckMotion {
+  std::map<int, DeckHistory> components;
+  std::string place; ///< of the first line that says so
+};
+
+/// End of the last step.
+[[nodiscard]] double end_of(const Deck& deck);
+
+/// Displacements by target, in capitals. Supports that a step releases are kept; a remark says so.
+[[nodiscard]] std::map<std::string, DeckMotion> prescribed_motions(Deck& deck);
+
+/// Concentrated forces by target, in capitals.
+[[nodiscard]] std::map<std::string, DeckMotion> concentrated_forces(Deck& deck);
+
+/// A pressure as it acts in a step, and after it.
+struct DeckPressureHistory {
+  DeckPressure pressure;
+  DeckHistory history;
+};
+[[nodiscard]] std::vector<DeckPressureHistory> pressure_histories(Deck& deck);
+
+/// Whether a history is zero throughout.
+[[nodiscard]] bool is_zero(const DeckHistory& history);
+
+/// What is prescribed of a single node by any target that holds it.
+[[nodiscard]] DeckMotion
+motion_of_node(const Deck& deck, const std::map<std::string, DeckMotion>& all, DeckNumber node);
+
+} // namespace billet::io
