@@ -5,13 +5,14 @@ As a macro: Macros > Import new macro..., choose this file; then select the .pvd
 the pipeline browser, or let the macro ask for the folder.
 From a shell, without a window: pvbatch billet.py RESULTS [-o PICTURE.png] [--field NAME[:COMPONENT]]
 
-Made for ParaView 5.11; units and the names of components come from the files themselves.
+Made for ParaView 5.11. Forces and strokes are in the units of the case.
 """
 
 import argparse
 import csv
 import math
 import pathlib
+import re
 import sys
 
 from paraview import servermanager, simple
@@ -76,7 +77,8 @@ def travels(folder):
 def add_part(reader, name, view):
     """One part of the frames as a source of its own."""
     part = simple.ExtractBlock(registrationName=name, Input=reader)
-    part.Selectors = [f"/Root/{name}"]
+    # ParaView's names of blocks have letters, digits and '_' only: "toolpunch" of "tool-punch".
+    part.Selectors = ["/Root/" + re.sub(r"\W", "", name)]
     return part, simple.Show(part, view)
 
 
