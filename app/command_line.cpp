@@ -16,24 +16,38 @@ namespace billet::app {
 
 namespace {
 
-/// Of `render`, as its help has them: lines that begin with "  --NAME VALUE".
+/// The first word of a text, which is taken from it with the blanks behind it.
+std::string_view take_word(std::string_view& text) {
+  const std::string_view word = text.substr(0, text.find(' '));
+  text.remove_prefix(word.size());
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  return word;
+}
+
+/// An option as a line of the help has it: "--name VALUE   what it does", "-o, --output FILE  ...".
+Option option_of_line(std::string_view line) {
+  Option option{};
+  option.name = take_word(line);
+  if (option.name.ends_with(',')) {
+    option.name.remove_suffix(1);
+    option.also = take_word(line);
+  }
+  const auto is_value = [](char c) { return c >= 'A' && c <= 'Z'; };
+  if (!line.empty() && (is_value(line.front()) || line.front() == '['))
+    option.value = take_word(line);
+  option.help = line;
+  return option;
+}
+
+/// Of `render`: the lines of its help that begin with an option.
 std::vector<Option> render_options() {
   std::vector<Option> all;
   std::string_view rest = render::usage_text;
   while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (!line.starts_with("  -"))
-      continue;
-    line.remove_prefix(2);
-    const std::size_t name = std::min(line.find(' '), line.size());
-    std::string_view after = line.substr(name);
-    after.remove_prefix(std::min(after.size(), std::size_t{1}));
-    const std::size_t value = after.starts_with(' ') ? 0 : std::min(after.find(' '), after.size());
-    std::string_view help = after.substr(value);
-    help.remove_prefix(std::min(help.find_first_not_of(' '), help.size()));
-    all.push_back({line.substr(0, name), after.substr(0, value), help});
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    if (line.starts_with("  -"))
+      all.push_back(option_of_line(line.substr(2)));
   }
   return all;
 }

@@ -1,7 +1,7 @@
 // Pictures to a film, by the program ffmpeg, which reads them through a pipe.
 //
 // VTK 9.1 of Debian is built without FFmpeg, and has no writer of GIFs
-// (docs/decisions/0034-films-by-ffmpeg.md). VTK in a header: only for sources of this folder.
+// (docs/decisions/0035-films-by-ffmpeg.md). VTK in a header: only for sources of this folder.
 
 #pragma once
 
