@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -92,7 +93,9 @@ void choose_averaged_faces(const ContactModel& model, ContactState& state, std::
       continue;
     const Eigen::Map<const Eigen::VectorXd> areas(&state.areas[first], points);
     AveragedFace face{f, {}};
-    face.compliance.weights = areas / areas.sum();
+    // In turn: Eigen's sum of numbers in memory depends on where they lie.
+    face.compliance.weights =
+        areas / std::accumulate(&state.areas[first], &state.areas[first] + points, 0.0);
     face.compliance.rise = Eigen::Map<const Eigen::VectorXd>(&smoothed.rise[first], points);
     double stiffness = stiffness_of_deviations * model.surface->stiffness();
     for (std::size_t k = first; k < first + idx(points); ++k)

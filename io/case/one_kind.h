@@ -5,6 +5,7 @@
 #include "io/case/suggestion.h"
 #include "io/case/table_reader.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -46,8 +47,11 @@ template <class Into>
                                                    std::span<const Kind<Into>> kinds) {
   std::vector<std::string> keys;
   std::vector<const Kind<Into>*> fitting;
+  // Where no kind is for the scenes of this reading the key is not either: others have it.
+  const bool any_fits = std::any_of(kinds.begin(), kinds.end(),
+                                    [&](const Kind<Into>& kind) { return fits(kind, at.context); });
   for (const Kind<Into>& kind : kinds)
-    if (fits(kind, at.context)) {
+    if (!any_fits || fits(kind, at.context)) {
       keys.emplace_back(kind.key);
       fitting.push_back(&kind);
     }

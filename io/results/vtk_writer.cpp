@@ -21,9 +21,12 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdlib>
+#include <new>
 #include <string_view>
 
 namespace billet::io {
@@ -130,9 +133,22 @@ template <class Frame> bool is_large(const Frame& frame) {
   return values >= large;
 }
 
+/// VTK's writers go on where memory that they need is not given, and crash: so there is room for
+/// them, or none of them begins.
+/// @throws std::bad_alloc
+void ensure_room_for(vtkDataObject& data) {
+  constexpr std::size_t kibibyte = 1024, copies = 4, least = 4096 * kibibyte;
+  void* volatile const room =
+      std::malloc(std::max(least, copies * kibibyte * data.GetActualMemorySize()));
+  if (room == nullptr)
+    throw std::bad_alloc();
+  std::free(room);
+}
+
 /// Writes through memory, for what fails is told by the system (atomic_file.h).
 template <class Writer>
 void write(const std::filesystem::path& path, vtkDataObject& data, bool compressed) {
+  ensure_room_for(data);
   vtkNew<Writer> writer;
   writer->SetInputData(&data);
   writer->SetDataModeToBinary();

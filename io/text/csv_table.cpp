@@ -1,6 +1,7 @@
 #include "io/text/csv_table.h"
 
 #include "geometry/base/error.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 
@@ -16,21 +17,13 @@ namespace billet::io {
 
 namespace {
 
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r";
-  const std::size_t first = text.find_first_not_of(blank);
-  if (first == std::string_view::npos)
-    return {};
-  return std::string(text.substr(first, text.find_last_not_of(blank) - first + 1));
-}
-
 /// Cells of a line; a quote within quotes is written twice.
 std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> cells(1);
   bool quoted = false, was_quoted = false;
   const auto end_cell = [&] {
     if (!was_quoted)
-      cells.back() = trimmed(cells.back());
+      cells.back() = std::string(trimmed(cells.back()));
     was_quoted = false;
   };
   for (std::size_t i = 0; i < line.size(); ++i) {

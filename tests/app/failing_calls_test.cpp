@@ -122,7 +122,8 @@ TEST_F(FailingCalls, what_the_summary_speaks_for_is_on_the_disk_before_it) {
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(out())) {
     const std::string name = "out/" + entry.path().lexically_relative(out()).string();
-    if (!entry.is_regular_file() || name == "out/summary.json")
+    if (!entry.is_regular_file() || name == "out/summary.json" ||
+        name == "out/starts.json") // of which the summary says nothing
       continue;
     ++files;
     if (entry.path().extension() == ".checkpoint") { // before it has its name
@@ -181,7 +182,8 @@ TEST_F(FailingCalls, an_order_of_the_unknowns_without_memory_is_no_tangent_witho
   bool of_metis = false;
   for (int i = 400; !of_metis && i < 6000; i += 30) { // METIS takes some ninety blocks
     const Outcome outcome = run_failing("malloc:" + std::to_string(i));
-    EXPECT_EQ(outcome.status, 7) << i << ": " << outcome.err;
+    // A run goes on without the note of its start (starts.json).
+    EXPECT_TRUE(outcome.status == 7 || outcome.status == 0) << i << ": " << outcome.err;
     of_metis = outcome.says("Memory allocation failed");
   }
   EXPECT_TRUE(of_metis);

@@ -457,7 +457,7 @@ TEST_F(Remeshing, IsDescribedByCheck) {
                                      "penetration = 0.004 }\nsize = { default = 1, min = 0.3, "
                                      "max = 2 }"));
   EXPECT_TRUE(all.prints("worse than 0.1 or increments fail, a tool touches on fewer than three "
-                         "sides, plastic strain has grown by 0.5, "
+                         "edges, plastic strain has grown by 0.5, "
                          "every 0.03 s, a face lies 0.004 mm deep in a tool; edges of 0.3 to 2 mm"))
       << all.out;
 }

@@ -18,7 +18,7 @@ const std::string stored_often = upsetting + "\n[output]\nevery = 0.02\ncheckpoi
 
 bool has_no_clock(const fs::path& file) {
   return file.extension() != ".checkpoint" && file.filename() != "history.csv" &&
-         file.filename() != "summary.json";
+         file.filename() != "starts.json" && file.filename() != "summary.json";
 }
 
 class Resume : public CaseRun {

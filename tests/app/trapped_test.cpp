@@ -113,7 +113,7 @@ TEST_F(Trapped, LubricantKeepsItsVolumeAndLiftsTheDie) {
 }
 
 TEST_F(Trapped, GoesOnFromACheckpointWithTheSameBits) {
-  const std::string often = grooved + "\n[output]\nfields = \"none\"\ncheckpoint_every = 0.05\n";
+  const std::string often = grooved + "\n[output]\ncheckpoint_every = 0.05\n";
   const std::string shorter = edited(often, {{"end = 0.4", "end = 0.2"}});
   ASSERT_EQ(go(often, "whole", {"--set", "time.increments.max=0.01"}).status, 0);
   ASSERT_EQ(go(shorter, "parts", {"--set", "time.increments.max=0.01"}).status, 0);

@@ -113,7 +113,7 @@ TEST_F(ProfileFile, BadTomlAndMissingFilesAreRefused) {
   EXPECT_TRUE(contains(complaints("").at(0), "missing"));
   EXPECT_TRUE(contains(complaints("start = [0, 0]").at(0), "'segment' is missing"));
   EXPECT_TRUE(contains(complaints("points = [[0, 0]]").at(0), "at least two"));
-  EXPECT_TRUE(contains(complaints("points = [[0, 0], [1, 1]]\nstart = [0, 0]").at(0), "beside"));
+  EXPECT_TRUE(contains(complaints("points = [[0, 0], [1, 1]]\nstart = [0, 0]").at(0), "next to"));
   EXPECT_TRUE(contains(complaints("start = [0, 0]\nsegment = 3").at(0), "[[segment]]"));
   EXPECT_TRUE(contains(complaints("start = [0, 0]\nsegment = [3]").at(0), "table"));
   EXPECT_TRUE(

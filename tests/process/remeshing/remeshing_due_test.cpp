@@ -332,7 +332,7 @@ TEST(Remeshing, KeepsTheSizeAtAContactThatGrows) {
   ASSERT_EQ(done.status, RunStatus::done);
   const auto& made = done.process->view().state.record.remeshings;
   const auto for_size = std::count_if(made.begin(), made.end(), [](const RemeshReport& r) {
-    return r.cause == "contact on sides longer than 0.64";
+    return r.cause == "contact on edges longer than 0.64";
   });
   EXPECT_GE(for_size, 1);
   EXPECT_LE(made.size(), 8u);
