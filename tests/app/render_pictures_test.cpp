@@ -27,7 +27,7 @@ protected:
                edited(upsetting, {{"\"axisymmetric\"", "\"3d\""},
                                   {"\"quad8\"", "\"hex8\""},
                                   {"{ box = [[0, 0], [5, 7.5]], cells = [2, 3] }",
-                                   "{ box = [[0, 0, 0], [5, 7.5, 5]], cells = [2, 3, 2] }"},
+                                   "{ box = [[0, 0, 0], [5, 7.5, 5]], cells = [3, 3, 3] }"},
                                   {"point = [0, 7.5], normal = [0, -1]",
                                    "point = [0, 7.5, 0], normal = [0, -1, 0]"},
                                   {"velocity = [0, -1]", "velocity = [0, -1, 0]"}}) +
