@@ -7,12 +7,11 @@
 // meets a pivot that is not positive, or the neighbour is too far, MUMPS' LDL^T or LU: in large
 // problems an LU in single precision, with GMRES around it. UMFPACK stands in when MUMPS fails.
 // Large parts in space are solved by GMRES around multigrid where that is cheaper, or where memory
-// does not hold the factors; what it does not solve is factorized. Where the program runs in several
-// processes all of them solve large systems (distributed/).
-// Every solution's residual is checked, and refined once where it is too large.
-// docs/decisions/0010-symmetric-neighbour.md, 0013-memory-of-factorizations.md,
-// 0018-factorization-in-single-precision.md, 0032-threads.md, 0033-multigrid.md,
-// 0034-several-processes.md
+// does not hold the factors; what it does not solve is factorized. Where the program runs in
+// several processes all of them solve large systems (distributed/). Every solution's residual is
+// checked, and refined once where it is too large. docs/decisions/0010-symmetric-neighbour.md,
+// 0013-memory-of-factorizations.md, 0018-factorization-in-single-precision.md, 0032-threads.md,
+// 0033-multigrid.md, 0034-several-processes.md
 
 #pragma once
 
