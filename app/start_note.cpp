@@ -16,6 +16,8 @@
 #include <thread>
 #include <vector>
 
+#include "study/runs.h"
+
 namespace billet::app {
 
 namespace {
@@ -31,12 +33,8 @@ std::string content_of(const std::filesystem::path& file) {
 std::string shell_word(const std::string& word) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
-    return word;
-  std::string quoted = "'";
-  for (const char c : word)
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  const bool is_plain = !word.empty() && word.find_first_not_of(plain) == std::string::npos;
+  return is_plain ? word : study::quoted(word);
 }
 
 /// The words this program was called with.

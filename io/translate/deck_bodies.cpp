@@ -1,6 +1,7 @@
 #include "io/translate/deck_bodies.h"
 
 #include "geometry/triangles/disjoint_sets.h"
+#include "mechanics/mesh/mesh_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -22,22 +23,19 @@ struct ElementShape {
   Sides edges; ///< in the order of the nodes in their middles
 };
 
+/// Decks number the nodes of bricks and tetrahedra as we do.
+Sides edges_of(mechanics::ElementKind kind) {
+  Sides edges;
+  for (const auto& [a, b] : mechanics::element_edges(kind))
+    edges.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b)});
+  return edges;
+}
+
 const ElementShape& hexahedron() {
   static const ElementShape shape{
       8,
       {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}},
-      {{0, 1},
-       {1, 2},
-       {2, 3},
-       {3, 0},
-       {4, 5},
-       {5, 6},
-       {6, 7},
-       {7, 4},
-       {0, 4},
-       {1, 5},
-       {2, 6},
-       {3, 7}}};
+      edges_of(mechanics::ElementKind::hex20)};
   return shape;
 }
 
@@ -50,9 +48,8 @@ const ElementShape& wedge() {
 }
 
 const ElementShape& tetrahedron() {
-  static const ElementShape shape{4,
-                                  {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}},
-                                  {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  static const ElementShape shape{
+      4, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, edges_of(mechanics::ElementKind::tet10)};
   return shape;
 }
 
