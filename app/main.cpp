@@ -3,6 +3,7 @@
 #include "app/among_processes.h"
 #include "app/command_line.h"
 #include "app/no_memory.h"
+#include "app/processor.h"
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
 #include "io/results/vtk_threads.h"
@@ -124,4 +125,7 @@ int program(int argc, char** argv) {
 
 } // namespace
 
-int main(int argc, char** argv) { return app::among_processes(argc, argv, &program); }
+int main(int argc, char** argv) {
+  app::go_on_for_this_processor(argv);
+  return app::among_processes(argc, argv, &program);
+}

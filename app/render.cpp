@@ -22,7 +22,9 @@ std::filesystem::path renderer() { return own_file().parent_path() / "billet-ren
 
 } // namespace
 
-std::filesystem::path own_file() { return std::filesystem::read_symlink("/proc/self/exe"); }
+std::filesystem::path own_file() {
+  return started_program(std::filesystem::read_symlink("/proc/self/exe"));
+}
 
 void draw_curves(const std::vector<std::string>& arguments,
                  const std::function<void(const std::string&)>& say) {

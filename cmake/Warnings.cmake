@@ -13,6 +13,8 @@ target_compile_options(billet_warnings INTERFACE -fno-math-errno $<IF:$<BOOL:${B
 if(BILLET_NATIVE)
   # g++ 12 warns of an uninitialized variable in its own AVX-512 intrinsics.
   target_compile_options(billet_warnings INTERFACE -march=native $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+elseif(BILLET_LEVEL)
+  target_compile_options(billet_warnings INTERFACE -march=${BILLET_LEVEL})
 elseif(CMAKE_CXX_FLAGS MATCHES "fsanitize")
   # ... and, with sanitizers, of the strings in its own std::variant.
   target_compile_options(billet_warnings

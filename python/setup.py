@@ -6,6 +6,7 @@ in its place. The package holds the libraries and programs.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from setuptools.command.build_ext import build_ext
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 TARGETS = ["billet", "billet_library", "billet-render", "billet_multigrid"]  # as far as configured
+COMPONENTS = ["program", "development", "multigrid"]  # of its installation, likewise
 
 
 def cmake(*words: object) -> None:
@@ -52,6 +54,12 @@ def build_billet() -> Path:
     return build
 
 
+def version() -> str:
+    found = re.search(r"^project\(billet VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text(), re.M)
+    assert found
+    return found[1]
+
+
 class BuildByCMake(build_ext):
     """The one extension, with the programs and libraries that it needs in the same package."""
 
@@ -73,7 +81,9 @@ class BuildByCMake(build_ext):
     def installed_billet(work: Path) -> Path:
         if "BILLET_PREFIX" in os.environ:
             return Path(os.environ["BILLET_PREFIX"]).resolve()
-        cmake("--install", build_billet(), "--prefix", work / "installed", "--component", "Unspecified")
+        build = build_billet()
+        for component in COMPONENTS:
+            cmake("--install", build, "--prefix", work / "installed", "--component", component)
         return work / "installed"
 
     @staticmethod
@@ -89,4 +99,4 @@ class BuildByCMake(build_ext):
                 shutil.copy2(library, package / "lib" / library.name)
 
 
-setup(ext_modules=[Extension("billet._native", sources=[])], cmdclass={"build_ext": BuildByCMake})
+setup(version=version(), ext_modules=[Extension("billet._native", sources=[])], cmdclass={"build_ext": BuildByCMake})

@@ -23,9 +23,8 @@ from ._results import Frame, FrameData, Results, results
 from ._run import Increment, Run
 from ._studies import Chart, ChartedQuantity, Study, chart, study
 from ._table import Table
+from ._native import __version__
 from ._values import Field
-
-__version__ = "0.1.0"
 
 __all__ = [
     "Case",

@@ -4,6 +4,8 @@ from typing import Literal
 
 from ._arrays import Floats, Integers
 
+__version__: str
+
 Status = Literal["running", "done", "not-converged"]
 
 class Error(Exception): ...

@@ -239,6 +239,7 @@ void bind_view(py::class_<OwnRun>& run) {
 
 PYBIND11_MODULE(_native, module) {
   module.doc() = "The library billet, as the package billet uses it.";
+  module.attr("__version__") = BILLET_VERSION;
   py::register_exception<billet::RunError>(module, "Error");
   bind_case(module);
   bind_increment(module);

@@ -39,9 +39,7 @@ const Outcome<const MultigridComponent*>& component_of_process() {
 
 } // namespace
 
-bool Multigrid::is_there() {
-  return number_of_processes() > 1 || bool(component_of_process());
-}
+bool Multigrid::is_there() { return number_of_processes() > 1 || bool(component_of_process()); }
 
 Outcome<std::unique_ptr<Multigrid>> Multigrid::make() {
   const Outcome<const MultigridComponent*>& component = component_of_process();
