@@ -214,8 +214,10 @@ void StageLoop::take(const Step& step) {
 }
 
 bool StageLoop::goes_on_with_new_mesh(const Step& step) {
-  if ((progress_.failures < tries_of_a_mesh && progress_.refusals != most_refusals) ||
-      !may_remesh(run_))
+  const bool in_vain = progress_.failures >= tries_of_a_mesh ||
+                       progress_.refusals == most_refusals ||
+                       run_.state.mesh.turned_inside_out >= most_turned;
+  if (!in_vain || !may_remesh(run_))
     return false;
   const Outcome<Done> meshed = remesh(run_, "failed increments", observers_);
   progress_.unmeshed = meshed ? "" : meshed.error().reason;
