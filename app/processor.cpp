@@ -16,8 +16,9 @@ constexpr const char* faster_programs = "lib/billet/x86-64-v3";
 /// Whether this program is not yet the one for it.
 bool processor_has_more() {
 #if defined(__x86_64__) && !defined(__AVX2__)
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("x86-64-v3") != 0;
+  __builtin_cpu_init(); // these stand for the level, whose name clang 14 does not know
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+         __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0;
 #else
   return false;
 #endif
