@@ -38,11 +38,7 @@ void go_on_for_this_processor(char** argv) {
 
 fs::path started_program(const fs::path& file) {
   const fs::path folder = file.parent_path();
-  fs::path prefix = folder;
-  for (const fs::path& part : fs::path(faster_programs)) {
-    (void)part;
-    prefix = prefix.parent_path();
-  }
+  const fs::path prefix = folder.parent_path().parent_path().parent_path();
   if (folder != prefix / faster_programs)
     return file;
   fs::path started = prefix / programs / file.filename();

@@ -8,7 +8,7 @@ readonly source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly packages=$(cd "$1" && pwd)
 readonly empty=$(dirname "$packages")/empty
 readonly root=$(mktemp -d --tmpdir="$(dirname "$packages")" tried.XXXX)
-trap 'umount "$root/proc" 2>/dev/null || true; rm -rf "$root"' EXIT
+trap 'umount "$root/proc" 2>/dev/null || true; rm -rf --one-file-system "$root"' EXIT
 
 say() { echo "packages_test: $*" >&2; }
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
@@ -47,7 +47,8 @@ inside sh -c 'cd /work && billet check disk.toml && billet run disk.toml --quiet
 end=$EPOCHREALTIME
 [[ $(head -c 4 "$root/work/results/disk/von_mises.png" | tail -c 3) == PNG ]]
 ! inside sh -c 'command -v g++ cc' >/dev/null || { say "a compiler came along"; exit 1; }
-say "installed in $(bc <<<"$installed - $start") s; case, picture and report in $(bc <<<"$end - $installed") s"
+awk -v start="$start" -v installed="$installed" -v end="$end" \
+  'BEGIN { printf "packages_test: installed in %.1f s; case, picture and report in %.1f s\n", installed - start, end - installed }' >&2
 say "size on disk: $(du -sm "$root" --exclude=proc | cut -f 1) MB, empty $(du -sm "$empty" | cut -f 1) MB"
 
 # A case that came along, by the program for this processor.

@@ -223,8 +223,8 @@ bool StageLoop::goes_on_with_new_mesh(const Step& step) {
   progress_.unmeshed = meshed ? "" : meshed.error().reason;
   if (!meshed)
     return false;
+  progress_.control.set_next(std::min(progress_.failures, tries_of_a_mesh) * step.length);
   progress_.failures = progress_.refusals = 0;
-  progress_.control.set_next(tries_of_a_mesh * step.length);
   return true;
 }
 
