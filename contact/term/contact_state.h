@@ -15,6 +15,7 @@
 #include "contact/term/contact_work.h"
 #include "contact/term/penalty_factors.h"
 #include "contact/term/tool_activity.h"
+#include "geometry/collision/penetration_bound.h"
 #include "geometry/rigid_surface.h"
 
 #include <cstddef>
@@ -83,12 +84,14 @@ struct TrialContact {
   }
 };
 
-/// What earlier queries of a tool's surface tell of points; shape (n_points) each.
+/// What earlier queries of a tool's surface tell.
 struct SearchCache {
-  std::vector<Vec3> queried_at; ///< where `known_gap` holds, in the tool's frame [mm]
-  std::vector<double> known_gap;
+  std::vector<Vec3> queried_at;            ///< where `known_gap` holds, in the tool's frame,
+                                           ///< shape (n_points) [mm]
+  std::vector<double> known_gap;           ///< shape (n_points) [mm]
+  std::vector<geometry::KnownPiece> clear; ///< of the last certificate (G.59)
 
-  template <class Archive> void fields(Archive& archive) { archive(queried_at, known_gap); }
+  template <class Archive> void fields(Archive& archive) { archive(queried_at, known_gap, clear); }
 };
 
 struct ToolContact {

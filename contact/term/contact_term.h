@@ -96,6 +96,11 @@ public:
   /// (n_dofs) [N], and forgets its history. The penalties' energy goes with it.
   [[nodiscard]] std::vector<double> release(std::size_t tool);
 
+  /// How deep the workpiece lies inside tools at the last assembled trial; remembers what shows it.
+  [[nodiscard]] Penetration certify(const mechanics::Trial& trial, double limit) {
+    return penetration(model_, state_, trial, limit);
+  }
+
   /// Adds a force at a place to what a tool feels in the increment just committed: of what is
   /// neither metal nor tool.
   void bear(std::size_t tool, const Vec3& force, const Vec3& place, const mechanics::Trial& trial);
@@ -103,8 +108,6 @@ public:
   /// Resultants of the last committed trial, one a tool.
   [[nodiscard]] std::span<const ToolLoad> loads() const { return state_.loads; }
   [[nodiscard]] const ContactWork& work() const { return state_.work; }
-  /// Area in contact of the last committed trial [mm^2].
-  [[nodiscard]] double area() const { return state_.area; }
   /// What the points closed on each tool did in the last committed increment, shape (n_tools).
   [[nodiscard]] std::span<const std::vector<ClosedPoint>> closed() const { return state_.closed; }
   /// Time spent in all assemblies [s].

@@ -82,8 +82,11 @@ void look_at_faces(const ContactModel& model,
 
 } // namespace
 
-Penetration penetration(const ContactView& contact, const mechanics::Trial& trial, double limit) {
-  const auto& [model, state] = contact;
+Penetration penetration(const ContactModel& model,
+                        ContactState& state,
+                        const mechanics::Trial& trial,
+                        double limit) {
+  const ContactView contact{model, state};
   const ContactSurface& surface = *model.surface;
   Penetration worst;
   geometry::BoundSearch search;
@@ -102,8 +105,8 @@ Penetration penetration(const ContactView& contact, const mechanics::Trial& tria
     const std::vector<geometry::CandidateFace> faces =
         faces_near(surface, state.tools[t].search, trial.x, pose);
     search.most_queries = queries_a_face * faces.size();
-    const geometry::PenetrationBound found =
-        geometry::bound_penetration(*model.tools[t].surface, faces, search);
+    const geometry::PenetrationBound found = geometry::bound_penetration(
+        *model.tools[t].surface, faces, search, state.tools[t].search.clear);
     look_at_faces(model, t, pose, found, worst);
     search.known_depth = std::max(search.known_depth, found.deepest.depth);
     search.known_relative = std::max(search.known_relative, found.deepest_relative.depth);

@@ -43,8 +43,10 @@ struct Penetration {
 
 /// Penetration at the last assembled trial, over whole faces.
 ///
+/// @param state  what is found clear of tools serves the next call (G.59)
 /// @param limit  that it is compared with: a bound is resolved to a twentieth of it [mm]
-[[nodiscard]] Penetration penetration(const ContactView& contact,
+[[nodiscard]] Penetration penetration(const ContactModel& model,
+                                      ContactState& state,
                                       const mechanics::Trial& trial,
                                       double limit = std::numeric_limits<double>::infinity());
 

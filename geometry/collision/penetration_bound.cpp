@@ -20,30 +20,29 @@ namespace {
 
 constexpr int most_halvings = 60;     // of a face: its width is then that of rounding
 constexpr int halvings_at_rim = 5;    // of what has its centre beyond the rim of an open tool
+constexpr int most_remembered = 5;    // halvings: what is smaller is soon another place
+constexpr double looser = 3.0;        // a bound by balls of the search before may be
 constexpr int most_balls = 5;         // tried for a piece
 constexpr double largest_ball = 1e6;  // radius over that of the piece; more is rounding
 constexpr double small_ball = 30.0;   // likewise, tried first: from afar many facets are near
 constexpr double least_shrink = 0.02; // of a ball that would touch in two places
 constexpr double most_shrink = 0.2;
-constexpr double share_of_tolerance = 0.25; // that the curvature of the ball may take
+constexpr double share_of_room = 0.25; // that the curvature of the ball may take
 constexpr double rounding_of_distance =
     8.0 * std::numeric_limits<double>::epsilon(); // of a distance
 constexpr std::size_t grain = 64;                 // pieces a task should have at least
-
-/// A ball that holds no point of the tool.
-struct ClearBall {
-  Vec3 centre = Vec3::Zero();
-  double radius = -infinity; ///< none
-};
 
 struct Piece {
   Piece(const BezierPatch& of, std::size_t number) : shape(of), face(number) {}
 
   BezierPatch shape;
-  std::size_t face; ///< its place in the list of candidates
+  std::size_t face;        ///< its place in the list of candidates
+  std::uint64_t place = 1; ///< as of KnownPiece
   int halvings = 0;
-  double bound = infinity; ///< no point of the piece is deeper [mm]
-  double sample = 0.0;     ///< depth of its deepest point looked at [mm]
+  bool known_halved = false; ///< in the search before
+  double allowed = 1.0;      ///< excess
+  double bound = infinity;   ///< no point of the piece is deeper [mm]
+  double sample = 0.0;       ///< depth of its deepest point looked at [mm]
   Vec3 sampled_at = Vec3::Zero();
   std::array<ClearBall, 2> clear; ///< those that gave the bound; tried first on both halves
   std::int32_t patch = -1;        ///< hint
@@ -66,13 +65,18 @@ class Search {
 public:
   Search(const RigidSurface& surface,
          std::span<const CandidateFace> faces,
-         const BoundSearch& settings);
+         const BoundSearch& settings,
+         std::span<const KnownPiece> known);
 
   PenetrationBound run();
+  /// What the next search can begin with. (G.59)
+  [[nodiscard]] std::vector<KnownPiece> take_found();
 
 private:
   void look_at_all(std::vector<Piece>& pieces);
   void look(Piece& piece) const;
+  void recall(Piece& piece) const;
+  void remember(const Piece& piece, bool halved);
   void blow_up_ball(Piece& piece, const Projection& at) const;
   Projection look_at_point(Piece& piece, const Vec3& x) const;
   [[nodiscard]] Projection query(Piece& piece, const Vec3& x) const;
@@ -81,6 +85,7 @@ private:
   static void use(Piece& piece, const ClearBall& ball);
   [[nodiscard]] double depth(const Piece& piece) const { return faces_[piece.face].depth; }
   [[nodiscard]] double tolerance(const Piece& piece) const;
+  [[nodiscard]] double room(const Piece& piece, const Projection& at) const;
   [[nodiscard]] double excess(const Piece& piece) const;
   void sample(const Piece& piece);
   void decide(const Piece& piece);
@@ -89,16 +94,23 @@ private:
   const RigidSurface& surface_;
   std::span<const CandidateFace> faces_;
   BoundSearch settings_;
+  std::span<const KnownPiece> known_;
+  std::vector<KnownPiece> found_;
   double deepest_;          ///< sample so far, anywhere [mm]
   double deepest_relative_; ///< likewise [-]
   PenetrationBound result_;
 };
 
+bool before(const KnownPiece& a, const KnownPiece& b) {
+  return std::pair(a.face, a.place) < std::pair(b.face, b.place);
+}
+
 Search::Search(const RigidSurface& surface,
                std::span<const CandidateFace> faces,
-               const BoundSearch& settings)
-    : surface_(surface), faces_(faces), settings_(settings), deepest_(settings.known_depth),
-      deepest_relative_(settings.known_relative) {}
+               const BoundSearch& settings,
+               std::span<const KnownPiece> known)
+    : surface_(surface), faces_(faces), settings_(settings), known_(known),
+      deepest_(settings.known_depth), deepest_relative_(settings.known_relative) {}
 
 Projection Search::query(Piece& piece, const Vec3& x) const {
   Projection at;
@@ -112,6 +124,15 @@ Projection Search::query(Piece& piece, const Vec3& x) const {
 
 double Search::tolerance(const Piece& piece) const {
   return std::max(settings_.tightness * deepest_, settings_.floor * depth(piece));
+}
+
+/// How far the bound of a piece may be above its depth, as deep as a flat tool would have it.
+double Search::room(const Piece& piece, const Projection& at) const {
+  double flat = -infinity;
+  for (const Vec3& point : piece.shape.control())
+    flat = std::max(flat, at.normal.dot(at.foot - point));
+  const double deepest = std::min(deepest_, deepest_relative_ * depth(piece));
+  return tolerance(piece) + std::max(deepest - flat, 0.0);
 }
 
 /// How far a bound is above the deepest samples, as a multiple of what is tolerated. (G.27)
@@ -167,6 +188,27 @@ void Search::use(Piece& piece, const ClearBall& ball) {
   }
 }
 
+/// Bounds the piece by the balls of the search before.
+void Search::recall(Piece& piece) const {
+  KnownPiece asked;
+  asked.face = faces_[piece.face].id;
+  asked.place = piece.place;
+  const auto last = std::lower_bound(known_.begin(), known_.end(), asked, before);
+  if (last == known_.end() || before(asked, *last))
+    return;
+  for (const ClearBall& ball : last->clear)
+    if (ball.radius != -infinity)
+      use(piece, ball);
+  piece.known_halved = last->halved;
+  if (excess(piece) <= looser)
+    piece.allowed = looser;
+}
+
+void Search::remember(const Piece& piece, bool halved) {
+  if (piece.clear[0].radius != -infinity && piece.halvings <= most_remembered)
+    found_.push_back({faces_[piece.face].id, piece.place, halved, piece.clear});
+}
+
 void Search::look(Piece& piece) const {
   if (piece.halvings > 0) { // what bounded the whole bounds the half better
     const std::array<ClearBall, 2> of_whole = std::exchange(piece.clear, {});
@@ -174,7 +216,9 @@ void Search::look(Piece& piece) const {
     for (const ClearBall& ball : of_whole)
       use(piece, ball);
   }
-  if (excess(piece) <= 1.0)
+  if (excess(piece) > 1.0)
+    recall(piece);
+  if (excess(piece) <= piece.allowed || piece.known_halved)
     return;
   const Vec3 x = piece.shape.centre();
   const Projection at = look_at_point(piece, x);
@@ -204,9 +248,8 @@ Projection Search::look_at_point(Piece& piece, const Vec3& x) const {
 /// large to the point of the tool nearest its centre. Each of them gives a bound. (G.26)
 void Search::blow_up_ball(Piece& piece, const Projection& at) const {
   const double half = piece.shape.farthest(piece.shape.centre());
-  const double enough =
-      std::min(half * largest_ball,
-               std::max(half, half * half / (2.0 * share_of_tolerance * tolerance(piece))));
+  const double much = share_of_room * room(piece, at); // for what the ball lacks to a plane
+  const double enough = std::min(half * largest_ball, std::max(half, half * half / (2.0 * much)));
   double radius = std::min(enough, small_ball * half);
   for (int ball = 0; ball < most_balls; ++ball) {
     const Vec3 centre = at.foot + radius * at.normal;
@@ -215,7 +258,7 @@ void Search::blow_up_ball(Piece& piece, const Projection& at) const {
       return;
     use(piece, {centre, nearest.gap});
     // As large as a ball that touches at the foot can be, but for what does not matter.
-    const bool touches = nearest.gap >= radius - share_of_tolerance * tolerance(piece);
+    const bool touches = nearest.gap >= radius - much;
     const Vec3 way = nearest.foot - at.foot;
     const double height = way.dot(at.normal);
     if (excess(piece) <= 1.0)
@@ -229,7 +272,7 @@ void Search::blow_up_ball(Piece& piece, const Projection& at) const {
     // One that touches in two places, made smaller: from the centre of a hollow's curvature all of
     // it is equally far, and a search would have to look at every facet.
     const double touching = 0.5 * way.squaredNorm() / height;
-    const double shrink = 2.0 * touching * share_of_tolerance * tolerance(piece) / (half * half);
+    const double shrink = 2.0 * touching * much / (half * half);
     radius = std::min((1.0 - std::clamp(shrink, least_shrink, most_shrink)) * touching, radius);
   }
 }
@@ -258,7 +301,13 @@ void Search::sample(const Piece& piece) {
   deepest_relative_ = std::max(deepest_relative_, relative);
 }
 
+std::vector<KnownPiece> Search::take_found() {
+  std::sort(found_.begin(), found_.end(), before);
+  return std::move(found_);
+}
+
 void Search::decide(const Piece& piece) {
+  remember(piece, false);
   if (piece.bound == infinity)
     return; // never found: beyond a rim
   result_.bound = std::max(result_.bound, piece.bound);
@@ -274,7 +323,7 @@ std::vector<Piece> Search::take_worst(std::vector<Piece>& pool) {
   std::vector<Piece> rest, worst;
   for (const Piece& piece : pool) {
     const double by = excess(piece);
-    if (by <= 1.0 || piece.halvings >= most_halvings)
+    if (by <= piece.allowed || piece.halvings >= most_halvings)
       decide(piece);
     else
       (by >= 0.5 * most ? worst : rest).push_back(piece);
@@ -299,13 +348,19 @@ PenetrationBound Search::run() {
     }
     std::vector<Piece> halves;
     halves.reserve(2 * worst.size());
-    for (const Piece& piece : worst)
-      for (const BezierPatch& half : piece.shape.halves()) {
-        halves.push_back(piece);
-        halves.back().shape = half;
-        halves.back().sample = 0.0;
-        ++halves.back().halvings;
+    for (const Piece& piece : worst) {
+      remember(piece, true);
+      const std::array<BezierPatch, 2> shapes = piece.shape.halves();
+      for (std::size_t half = 0; half < 2; ++half) {
+        Piece& made = halves.emplace_back(piece);
+        made.shape = shapes[half];
+        made.place = 2 * piece.place + half;
+        made.sample = 0.0;
+        made.known_halved = false;
+        made.allowed = 1.0;
+        ++made.halvings;
       }
+    }
     look_at_all(halves);
     pool.insert(pool.end(), halves.begin(), halves.end());
   }
@@ -320,8 +375,12 @@ PenetrationBound Search::run() {
 
 PenetrationBound bound_penetration(const RigidSurface& surface,
                                    std::span<const CandidateFace> faces,
-                                   const BoundSearch& search) {
-  return Search(surface, faces, search).run();
+                                   const BoundSearch& search,
+                                   std::vector<KnownPiece>& known) {
+  Search bounds(surface, faces, search, known);
+  const PenetrationBound found = bounds.run();
+  known = bounds.take_found();
+  return found;
 }
 
 } // namespace billet::geometry

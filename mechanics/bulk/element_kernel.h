@@ -41,9 +41,9 @@ struct ElementOutput {
 enum class ElementStatus { good, inverted, no_return };
 
 /// The kernel of one kind and analysis, for 1 to `elements_at_once` elements side by side. What one
-/// gets does not depend on the others, but in space for the rounding of decompositions: whoever
-/// wants the same bits takes the same elements together. Nothing is added to the tangent unless all
-/// are good: alone they say which is not.
+/// gets does not depend on the others but for rounding: whoever wants the same bits takes the same
+/// elements together. Nothing is added to the tangent unless all are good: alone they say which is
+/// not.
 using ElementKernel = ElementStatus (*)(const Material&,
                                         std::span<const ElementInput>,
                                         std::span<ElementOutput>);

@@ -217,7 +217,7 @@ MeshLocator::MeshLocator(const Mesh& mesh, std::span<const double> x) : mesh_(&m
   tree_ = geometry::BoxTree(boxes);
 }
 
-MeshLocation MeshLocator::locate(const Vec3& point) const {
+MeshLocation MeshLocator::locate(const Vec3& point, double reach) const {
   return visit_element(mesh_->kind, [&](auto kind) {
     using Shape = typename decltype(kind)::Shape;
     MeshLocation best{.element = std::numeric_limits<Index>::max(),
@@ -236,16 +236,19 @@ MeshLocation MeshLocator::locate(const Vec3& point) const {
     });
     if (std::isfinite(best.distance))
       return best;
-    tree_.walk(point, std::numeric_limits<double>::infinity(), [&](std::int32_t e) {
+    best.distance = reach;
+    tree_.walk(point, reach * reach, [&](std::int32_t e) {
       NearestPlace<Shape> place(*mesh_, x_, e, point);
       place.seek();
       const double distance = std::sqrt(place.distance2);
       const double same = on_face * sizes_[idx(e)];
       if (distance < best.distance - same || (distance <= best.distance + same && e < best.element))
         take(e, place);
-      const double reach = best.distance + same;
-      return reach * reach;
+      const double left = best.distance + same;
+      return left * left;
     });
+    if (best.element == std::numeric_limits<Index>::max())
+      best = {.element = -1, .distance = std::numeric_limits<double>::infinity()};
     return best;
   });
 }

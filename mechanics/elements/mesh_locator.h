@@ -13,6 +13,7 @@
 #include "geometry/triangles/box_tree.h"
 #include "mechanics/mesh/mesh.h"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,10 @@ public:
   /// @pre mesh and x outlive the locator; the mesh has an element
   MeshLocator(const Mesh& mesh, std::span<const double> x);
 
-  [[nodiscard]] MeshLocation locate(const Vec3& point) const;
+  /// @param reach  places that are farther away are not looked for [mm]
+  /// @return the element -1 and an infinite distance where there is none
+  [[nodiscard]] MeshLocation locate(const Vec3& point,
+                                    double reach = std::numeric_limits<double>::infinity()) const;
   /// Places of many points, by several threads. [mm]
   [[nodiscard]] std::vector<MeshLocation> locate(std::span<const Vec3> points) const;
 

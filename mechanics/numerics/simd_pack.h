@@ -116,7 +116,12 @@ public:
   }
 
 private:
-  static constexpr int width = n <= 2 ? 2 : n <= 4 ? 4 : 8;
+#ifdef __AVX512F__
+  static constexpr int most = 8; ///< numbers that a vector of the processor holds
+#else
+  static constexpr int most = 4; // of longer ones the compiler keeps what it can in memory
+#endif
+  static constexpr int width = n <= 2 ? 2 : n <= 4 ? 4 : most;
   static constexpr std::size_t n_parts = static_cast<std::size_t>((n + width - 1) / width);
   static constexpr std::size_t part_of(int i) { return static_cast<std::size_t>(i / width); }
   using Vector [[gnu::vector_size(width * sizeof(double))]] = double;

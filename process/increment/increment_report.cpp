@@ -26,7 +26,7 @@ IncrementReport report(const Run& run, double dt, int cutbacks) {
     r.max_penetration = run.attempt.penetration.bound;
     r.penetration_share = run.attempt.penetration.share;
     r.penetration = run.attempt.penetration;
-    r.contact_area = run.model.contact->area();
+    r.contact_area = run.model.contact->state().area;
   }
   for (const auto& state : run.model.bulk->states())
     r.max_plastic_strain = std::max(r.max_plastic_strain, state.plastic_strain);

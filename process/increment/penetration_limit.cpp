@@ -22,8 +22,8 @@ namespace {
 void certify(Run& run, double dt) {
   const Stopwatch timed(run.clock.times.certificate);
   const mechanics::Trial trial = run.trial(dt);
-  run.attempt.penetration = contact::penetration(
-      *run.model.contact, trial, run.scene.contact.max_penetration.value_or(HUGE_VAL));
+  run.attempt.penetration =
+      run.model.contact->certify(trial, run.scene.contact.max_penetration.value_or(HUGE_VAL));
   run.attempt.narrow_radius = -1.0;
   const DeepTool deepest =
       run.model.narrow->deepest(*run.model.contact, trial, run.attempt.penetration.share);
@@ -41,9 +41,8 @@ void certify(Run& run, double dt) {
   run.attempt.narrow_radius = deepest.radius;
 }
 
-double radius_there(const Run& run) {
-  if (run.attempt.narrow_radius >= 0.0)
-    return run.attempt.narrow_radius;
+/// The tool where the part is deepest in it, in its frame; may not be found.
+geometry::Projection tool_there(const Run& run) {
   const contact::Penetration::Place& deep = run.attempt.penetration.relative;
   const geometry::RigidSurface& surface = *run.tools()[deep.tool].surface;
   const double reach = body_size(run.mesh());
@@ -52,28 +51,66 @@ double radius_there(const Run& run) {
   geometry::Projection foot;
   surface.project({&at, 1}, reach, {&foot, 1});
   if (!foot.found())
-    return 0.0;
+    return foot;
   at = foot.foot;
   surface.project({&at, 1}, reach, {&foot, 1});
-  const double curvature = foot.dnormal_dx.selfadjointView<Eigen::Lower>().operatorNorm();
-  return foot.found() && curvature > 0.0 ? 1.0 / curvature : 0.0;
+  return foot;
 }
 
-double most_unfelt(const Run& run) {
-  const Index face = run.attempt.penetration.relative.face;
-  const double of_depth = deepest_unfelt * run.model.surface->depth(face);
+double radius_there(const Run& run) {
+  if (run.attempt.narrow_radius >= 0.0)
+    return run.attempt.narrow_radius;
+  const geometry::Projection foot = tool_there(run);
+  if (!foot.found())
+    return 0.0;
+  const double curvature = foot.dnormal_dx.selfadjointView<Eigen::Lower>().operatorNorm();
+  return curvature > 0.0 ? 1.0 / curvature : 0.0;
+}
+
+/// How deep the end of a face that stands at an angle to a broad tool may be before the first of
+/// its contact points, which are away from the end, meets the tool; 0 where the tool is not broad.
+/// [mm] (P.41)
+double ahead_of_points(const Run& run, const geometry::Projection& there) {
+  const contact::Penetration::Place& deep = run.attempt.penetration.relative;
+  const contact::ContactSurface& surface = *run.model.surface;
+  const geometry::Pose pose = run.model.contact->pose(deep.tool, run.state.time, run.attempt.x);
+  constexpr double one_way = 0.94; // cosine between its normals before the whole face
+  const Vec3 into_tool = -(pose.rotation * there.normal);
+  double deepest_point = -HUGE_VAL, deepest_end = -HUGE_VAL;
+  const std::size_t points = idx(surface.points());
+  for (std::size_t k = idx(deep.face) * points; k < (idx(deep.face) + 1) * points; ++k) {
+    const Vec3& position = run.model.contact->state().positions[k];
+    const Vec3 at = pose.to_tool(position);
+    geometry::Projection foot;
+    run.tools()[deep.tool].surface->project({&at, 1}, body_size(run.mesh()), {&foot, 1});
+    if (!foot.found() || foot.normal.dot(there.normal) < one_way)
+      return 0.0;
+    deepest_point = std::max(deepest_point, into_tool.dot(position));
+  }
+  for (const Vec3& end : surface.samples(run.attempt.x, deep.face, 1))
+    deepest_end = std::max(deepest_end, into_tool.dot(end));
+  return deepest_end - deepest_point;
+}
+
+/// Whether the deepest place is deeper than where contact points could have met the tool.
+bool is_unfelt(const Run& run) {
+  const contact::Penetration::Place& deep = run.attempt.penetration.relative;
+  if (deep.face < 0 || !(deep.depth > deepest_unfelt * run.model.surface->depth(deep.face)))
+    return false;
   constexpr double narrow = 0.5, between_points = 0.58; // of the face's length
-  const double radius = radius_there(run);
-  if (radius < narrow * run.model.narrow->length(face)) // or flat: it meets them at once
-    return of_depth;
-  const double spacing = between_points * run.model.narrow->length(face);
-  return std::max(of_depth, 0.125 * spacing * spacing / radius);
+  const double length = run.model.narrow->length(deep.face);
+  const double radius = radius_there(run); // 0 if flat, too
+  const double spacing = between_points * length;
+  if (radius >= narrow * length && !(deep.depth > 0.125 * spacing * spacing / radius))
+    return false;
+  const bool is_narrow = run.attempt.narrow_radius >= 0.0;
+  const geometry::Projection there = tool_there(run);
+  return is_narrow || !there.found() || deep.depth > ahead_of_points(run, there);
 }
 
 Outcome<Done> check_unfelt(const Run& run) {
   const contact::Penetration::Place& deep = run.attempt.penetration.relative;
-  if (deep.face < 0 || !(deep.depth > most_unfelt(run)) ||
-      contact::bears_near(*run.model.contact, deep.tool, deep.face))
+  if (!is_unfelt(run) || contact::bears_near(*run.model.contact, deep.tool, deep.face))
     return Done{};
   std::string why = fmt::format(
       "tool '{}' lies {:.3g} deep in the workpiece near ({:.6g}, {:.6g}, {:.6g}), {:.0f} % of the "

@@ -72,11 +72,11 @@ void PartDepth::draw() {
   facets_->tree = geometry::BoxTree(boxes);
 }
 
-PlaceInPart PartDepth::nearest_face(const Vec3& point) {
+PlaceInPart PartDepth::nearest_face(const Vec3& point, double reach) {
   if (!facets_)
     draw();
   const geometry::DisplayMesh& mesh = facets_->drawing.mesh;
-  double nearest2 = std::numeric_limits<double>::infinity();
+  double nearest2 = reach * reach;
   std::int32_t nearest = -1;
   facets_->tree.walk(point, nearest2, [&](std::int32_t facet) {
     const double distance2 = distance2_from_facet(mesh, static_cast<std::size_t>(facet), point);
@@ -92,12 +92,12 @@ PlaceInPart PartDepth::nearest_face(const Vec3& point) {
   return {std::sqrt(nearest2), nearest / a_face};
 }
 
+// Faces are cheaper to ask than elements, and most tools are outside.
 PlaceInPart PartDepth::at(const Vec3& point, double reach) {
-  const double outside = locator_.locate(point).distance;
-  if (outside > std::max(rounding_, reach))
-    return {-outside, -1};
-  PlaceInPart place = nearest_face(point);
-  if (outside > rounding_)
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  const bool outside = locator_.locate(point, rounding_).element < 0;
+  PlaceInPart place = nearest_face(point, outside ? std::max(rounding_, reach) : anywhere);
+  if (outside)
     place.depth = -std::abs(place.depth);
   return place;
 }

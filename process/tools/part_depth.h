@@ -45,8 +45,8 @@ private:
     DrawnWorkpiece drawing;
     geometry::BoxTree tree;
   };
-  /// The candidate face that is nearest to a point, and its distance.
-  [[nodiscard]] PlaceInPart nearest_face(const Vec3& point);
+  /// The candidate face that is nearest to a point, if it is within reach, and its distance.
+  [[nodiscard]] PlaceInPart nearest_face(const Vec3& point, double reach);
   void draw();
 
   const contact::ContactSurface* surface_;

@@ -122,6 +122,38 @@ TEST_F(NarrowTool, InThePlaneAWireHasAForce) {
   }
 }
 
+// Its end is in the wall before a contact point is: small increments came to that, large ones went
+// past it.
+TEST_F(NarrowTool, AFaceMayMeetABroadToolEndFirst) {
+  const Outcome outcome = run(R"(analysis = "plane-strain"
+[workpiece]
+element = "quad4"
+material = "m"
+mesh = { box = [[-4, 0], [0, 1]], cells = [8, 2] }
+[material.m]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 300 }
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[support]]
+where = "set:x-min"
+move = { x = [[0, 0], [1, 0.3]] }
+[[tool]]
+name = "wall"
+surface = { plane = { point = [0.05, 1], normal = [-0.643, -0.766] } }
+[contact]
+surface = "set:y-max"
+[time]
+end = 1
+increments = { first = 0.005, max = 0.005 }
+)");
+  EXPECT_EQ(outcome.status, 8) << outcome.err;
+  EXPECT_TRUE(outcome.says("failed check 'tool-in-part'")) << "the mesh is too coarse for it";
+  EXPECT_EQ(summary()["cutbacks"], 0);
+  EXPECT_GT(history().values("wall.force_x").back(), 100.0);
+}
+
 TEST_F(NarrowTool, LargeToolsAndSharpPunchesRunAsBefore) {
   const Outcome outcome = run(in_space("{ sphere = { centre = [0.13, 0.21, 8], radius = 5 } }"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -230,7 +230,7 @@ double friction_of_a_landing(int increments, double share_in_the_air, Moves move
   for (int i = 0; i < increments; ++i)
     go(forward / increments, -down / increments, 1.0 / increments);
   const double depth = down * (1.0 - share_in_the_air);
-  const double area = bench.term.area();
+  const double area = bench.term.state().area;
   const double pressure = bench.surface.penalty().normal * depth;
   const double exact = 0.5 * mu * pressure * forward * (1.0 - share_in_the_air) * area;
   // What the springs against slip hold is no friction work.
@@ -279,10 +279,10 @@ TEST(ContactWork, OfFrictionGoesOnUntilAPointLeaves) {
   double way = 0.0; // over all points
   for (const Vec3& point : points)
     way += rim - point[0];
-  const double area = bench.term.area() / static_cast<double>(points.size());
+  const double area = bench.term.state().area / static_cast<double>(points.size());
   const double exact = mu * bench.surface.penalty().normal * depth * area * way;
   const double pressed = bench.entered;
-  while (bench.term.area() > 0.0)
+  while (bench.term.state().area > 0.0)
     slide(bench, step, 0.0);
   const double found = bench.term.work().friction;
   std::printf("slid off: friction %.4e, exact %.4e, work of the nodes %.4e N mm\n", found, exact,
@@ -299,7 +299,7 @@ TEST(ContactWork, OfASlideIsThatOfItsLimitHoweverOftenItTurns) {
     ContactBench bench = on_rubbing_floor(geometry::make_plane(Vec3::Zero(), Vec3::UnitY()));
     slide(bench, 0.0, -depth);
     const double limit = mu_of_floor * bench.surface.penalty().normal * depth *
-                         bench.term.area(); // of the shear, summed up
+                         bench.term.state().area; // of the shear, summed up
     double sign = 1.0;
     for (int i = 0; i < 6; ++i) {
       slide(bench, sign * way, 0.0);

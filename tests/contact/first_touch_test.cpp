@@ -184,7 +184,7 @@ TEST(FirstTouch, WearsNothingTwice) {
     const double pressure = point_results(bench.term)[0].pressure;
     go({0.5, 0});
     ASSERT_GT(bench.term.closed()[0].front().slip, 0.0);
-    const double full = bench.tools[0].wear->tool.depth(pressure) * bench.term.area();
+    const double full = bench.tools[0].wear->tool.depth(pressure) * bench.term.state().area;
     const double slid = full * bench.term.closed()[0].front().slip;
     EXPECT_NEAR(wear.map(0)->volume(), slid + (predicted ? 0.0 : 0.25 * full * 1e-6), 1e-9 * slid);
   }

@@ -61,8 +61,9 @@ double largest_difference(const std::vector<PointState>& a, const std::vector<Po
 
 TEST(ElementsSideBySide, give_what_each_gives_alone) {
   for (const ElementCase& element : every_element) {
-    // In space a point's decomposition may take a turn more for another's sake.
-    const double rounding = element.planar() ? 0.0 : 1e-13;
+    // A place in a vector may be rounded unlike another; in space a point's decomposition may take
+    // a turn more for another's sake.
+    constexpr double rounding = 1e-13;
     Group alone(element);
     for (std::size_t k = 0; k < alone.probes.size(); ++k)
       ASSERT_EQ(alone.probes[k]->evaluate(alone.x[k]), ElementStatus::good);

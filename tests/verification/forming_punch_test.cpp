@@ -228,7 +228,7 @@ TEST(RoundPunch, TouchesStraightFacesWithBothTheirPoints) {
   const auto end = [](ElementKind kind, double penalty) {
     const FinishedRun done = run(under_round_punch(kind, penalty));
     EXPECT_EQ(done.status, RunStatus::done);
-    return std::array<double, 2>{done.process->view().contact()->area(),
+    return std::array<double, 2>{done.process->view().contact()->state().area,
                                  done.last().loads[0].force[1]};
   };
   const auto [area, force] = end(ElementKind::quad8, 100.0);
@@ -306,7 +306,7 @@ RoundPunchEnd end_of(Scene scene) {
   const Run& process = *done.process;
   const RoundPunchEnd end{
       oscillation_of(*process.contact(), *process.model.surface, process.positions()),
-      process.contact()->area()};
+      process.contact()->state().area};
   fmt::print(
       "{}, {}: oscillation {:.3f}, area {:.4f}, force {:.1f} N, {} increments, {} iterations\n",
       mechanics::name(kind), form == contact::Form::mixed ? "mixed" : "compatible", end.oscillation,

@@ -41,13 +41,17 @@ void subtract_block(const float* l,
     for (std::size_t v = 0; v < vectors; ++v)
       for (std::size_t q = 0; q < columns; ++q)
         load(c.at(v * front_lanes, q), sum[v][q]);
-  for (std::size_t p = 0; p < depth; ++p)
-    for (std::size_t v = 0; v < vectors; ++v) {
-      FrontVector rows;
-      load(l + p * l_step + v * front_lanes, rows);
-      for (std::size_t q = 0; q < columns; ++q)
-        sum[v][q] -= rows * w[p * columns + q];
+  for (std::size_t p = 0; p < depth; ++p) {
+    FrontVector rows[vectors];
+    for (std::size_t v = 0; v < vectors; ++v)
+      load(l + p * l_step + v * front_lanes, rows[v]);
+    // A factor after the other: all of them and the sums are more than sixteen registers hold.
+    for (std::size_t q = 0; q < columns; ++q) {
+      const float factor = w[p * columns + q];
+      for (std::size_t v = 0; v < vectors; ++v)
+        sum[v][q] -= rows[v] * factor;
     }
+  }
   for (std::size_t v = 0; v < vectors; ++v)
     for (std::size_t q = 0; q < columns; ++q)
       store(sum[v][q], c.at(v * front_lanes, q));

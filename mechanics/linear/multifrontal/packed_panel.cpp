@@ -163,38 +163,77 @@ void pack(const Panel& panel, const float* inverses, const PackedPanel& packed, 
   for_pieces(groups, threads == Threads::all ? 2 : groups, pack_groups);
 }
 
+namespace {
+
+// Most panels are small: what threads need to share one costs as much as the substitution.
+
+void forward_by_one(const PackedPanel& panel, float* x) {
+  const std::size_t step = padded(panel.rows);
+  const DiagonalInverse* diagonal = panel.diagonal;
+  const float* values = panel.below;
+  for (std::size_t first = 0; first < panel.columns; first += front_lanes, ++diagonal) {
+    const std::size_t columns = std::min(front_lanes, panel.columns - first);
+    const std::size_t blocks = (step - first) / front_lanes - 1;
+    combine(diagonal->columns, x + first);
+    visit_columns(columns, [&](auto n) {
+      take_columns<n>(values, blocks, x + first, x + first + front_lanes);
+    });
+    values += blocks * columns * front_lanes;
+  }
+}
+
+void backward_by_one(const PackedPanel& panel, float* x) {
+  const std::size_t step = padded(panel.rows);
+  const DiagonalInverse* diagonal = panel.diagonal + diagonal_triangles(panel.columns);
+  const float* values = panel.below + packed_size(panel.rows, panel.columns);
+  for (std::size_t end = padded(panel.columns); end > 0; end -= front_lanes) {
+    const std::size_t first = end - front_lanes;
+    const std::size_t columns = std::min(front_lanes, panel.columns - first);
+    const std::size_t blocks = (step - end) / front_lanes;
+    values -= blocks * columns * front_lanes;
+    visit_columns(columns, [&](auto n) { take_rows<n>(values, blocks, x + end, x + first); });
+    combine((--diagonal)->rows, x + first);
+  }
+}
+
+} // namespace
+
 void substitute_forward(const PackedPanel& panel, float* x, Threads threads) {
+  if (threads == Threads::one) {
+    forward_by_one(panel, x);
+    return;
+  }
   const std::size_t groups = diagonal_triangles(panel.columns);
   const std::size_t blocks = padded(panel.rows) / front_lanes;
-  const std::size_t step = threads == Threads::all ? together : groups;
-  for (std::size_t g = 0; g < groups; g += step) {
-    const std::size_t end = std::min(g + step, groups);
-    const std::size_t alone = threads == Threads::all ? end : blocks;
+  for (std::size_t g = 0; g < groups; g += together) {
+    const std::size_t end = std::min(g + together, groups);
     for (std::size_t k = g; k < end; ++k) {
       combine(panel.diagonal[k].columns, x + k * front_lanes);
-      take_forward(group(panel, k), k + 1, alone, x);
+      take_forward(group(panel, k), k + 1, end, x);
     }
     constexpr std::size_t rows_at_once = 32; // blocks
-    for_pieces(blocks - alone, rows_at_once, [&](std::size_t from, std::size_t to) {
+    for_pieces(blocks - end, rows_at_once, [&](std::size_t from, std::size_t to) {
       for (std::size_t k = g; k < end; ++k)
-        take_forward(group(panel, k), alone + from, alone + to, x);
+        take_forward(group(panel, k), end + from, end + to, x);
     });
   }
 }
 
 void substitute_backward(const PackedPanel& panel, float* x, Threads threads) {
+  if (threads == Threads::one) {
+    backward_by_one(panel, x);
+    return;
+  }
   const std::size_t groups = diagonal_triangles(panel.columns);
   const std::size_t blocks = padded(panel.rows) / front_lanes;
-  const std::size_t step = threads == Threads::all ? together : groups;
   for (std::size_t end = groups; end > 0;) {
-    const std::size_t g = end > step ? (end - 1) / step * step : 0;
-    const std::size_t alone = threads == Threads::all ? end : blocks;
-    for_pieces(alone < blocks ? end - g : 0, 2, [&](std::size_t from, std::size_t to) {
+    const std::size_t g = end > together ? (end - 1) / together * together : 0;
+    for_pieces(end < blocks ? end - g : 0, 2, [&](std::size_t from, std::size_t to) {
       for (std::size_t k = g + from; k < g + to; ++k)
-        take_backward(group(panel, k), alone, blocks, x);
+        take_backward(group(panel, k), end, blocks, x);
     });
     for (std::size_t k = end; k-- > g;) {
-      take_backward(group(panel, k), k + 1, alone, x);
+      take_backward(group(panel, k), k + 1, end, x);
       combine(panel.diagonal[k].rows, x + k * front_lanes);
     }
     end = g;

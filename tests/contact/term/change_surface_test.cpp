@@ -168,7 +168,7 @@ TEST(ChangeOfSurface, LeavesNoOffsetToPointsThatHaveOpened) {
   for (std::size_t i = 1; i < away.size(); i += 2)
     away[i] += 1e-2;
   on.anew.commit(away, on.anew.time_old + 1.0);
-  EXPECT_EQ(on.anew.term.area(), 0.0);
+  EXPECT_EQ(on.anew.term.state().area, 0.0);
   on.anew.commit(there, on.anew.time_old + 1.0);
   const double own = on.anew.surface.penalty().normal * 5e-5;
   for (const PointResult& result : point_results(on.anew.term))

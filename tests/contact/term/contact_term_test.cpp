@@ -42,12 +42,12 @@ TEST(ContactTerm, GivesNoForceAcrossAGapAndKpTimesDepthBeyondIt) {
                                 {Form::mixed, 100.0, 10.0});
   bench.commit(moved(bench, {0, 1e-9, 0}), 1.0);
   EXPECT_EQ(bench.force().norm(), 0.0);
-  EXPECT_EQ(bench.term.area(), 0.0);
+  EXPECT_EQ(bench.term.state().area, 0.0);
   bench.commit(moved(bench, {0, -2e-9, 0}), 2.0);
   const double exact = bench.surface.penalty().normal * 1e-9 * 2.0;
   constexpr double digits = 1e-6; // 1e-9 has that many beside coordinates of order 1
   EXPECT_NEAR(bench.term.loads()[0].force[1], -exact, digits * exact);
-  EXPECT_NEAR(bench.term.area(), 2.0, rounding);
+  EXPECT_NEAR(bench.term.state().area, 2.0, rounding);
 }
 
 // (N.10)
@@ -262,7 +262,7 @@ TEST(ContactTerm, HandsOverItsForcesWhenAToolIsReleased) {
     EXPECT_FALSE(leaves(bench.term, 0, 3.0)) << "it has left";
     bench.commit(bench.x, 3.0);
     EXPECT_EQ(bench.force().norm(), 0.0);
-    EXPECT_EQ(bench.term.area(), 0.0);
+    EXPECT_EQ(bench.term.state().area, 0.0);
     EXPECT_EQ(bench.term.loads()[0].force, Vec3::Zero());
     for (const PointResult& point : point_results(bench.term)) {
       EXPECT_EQ(point.status, Status::open);

@@ -48,7 +48,7 @@ TEST(Wear, is_the_contact_integral_for_every_element) {
       WearBench on(body, Frictionless{}, form);
       on.move({0, -1e-3, 0});
       const double pressure = point_results(on.bench.term)[0].pressure;
-      const double area = on.bench.term.area();
+      const double area = on.bench.term.state().area;
       const double before = on.volume();
       on.move({0, 0, 0});
       EXPECT_EQ(on.volume(), before) << "nothing has slid";
@@ -113,7 +113,7 @@ TEST(Wear, counts_half_of_the_increments_at_its_ends_only_for_points_that_slide)
     on.move({0.1, -1.1e-2, 0});
     EXPECT_EQ(on.volume(), 0.0) << "not known yet whether it slides";
     const double pressure = point_results(on.bench.term)[0].pressure;
-    const double full = law.tool.depth(pressure * 0.1) * on.bench.term.area();
+    const double full = law.tool.depth(pressure * 0.1) * on.bench.term.state().area;
     on.move({sticks ? 1e-7 : 0.1, 0, 0});
     EXPECT_NEAR(on.volume(), sticks ? 0.0 : 1.25 * full, 1e-9 * full);
     on.move({0.1, 1.1e-2, 0});

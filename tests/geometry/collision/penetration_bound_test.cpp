@@ -84,9 +84,16 @@ double brute(const RigidSurface& surface, const BezierPatch& patch, int n) {
   return deepest;
 }
 
+PenetrationBound bound_afresh(const RigidSurface& surface,
+                              std::span<const CandidateFace> faces,
+                              const BoundSearch& search) {
+  std::vector<KnownPiece> nothing;
+  return bound_penetration(surface, faces, search, nothing);
+}
+
 PenetrationBound bounded(const RigidSurface& surface, const BezierPatch& patch) {
   const std::vector<CandidateFace> faces{{patch, 1.0, 0}};
-  return bound_penetration(surface, faces, {.reach = far, .most_queries = plenty});
+  return bound_afresh(surface, faces, {.reach = far, .most_queries = plenty});
 }
 
 void expect_bound(const std::string& name,
@@ -168,7 +175,7 @@ TEST(PenetrationBound, VanishesWhereTheFaceIsClear) {
   EXPECT_EQ(found.bound, 0.0);
   EXPECT_EQ(found.relative_bound, 0.0);
   EXPECT_EQ(found.deepest.depth, 0.0);
-  EXPECT_EQ(bound_penetration(*make_plane({0, 0, 0}, {0, 1, 0}), {}, {.reach = far}).bound, 0.0);
+  EXPECT_EQ(bound_afresh(*make_plane({0, 0, 0}, {0, 1, 0}), {}, {.reach = far}).bound, 0.0);
 }
 
 TEST(PenetrationBound, HoldsWhenTheQueriesRunOut) {
@@ -180,8 +187,7 @@ TEST(PenetrationBound, HoldsWhenTheQueriesRunOut) {
   double last = 1.0;
   for (const std::size_t most : {1u, 10u, 100u, 1000u, 10000u}) {
     const std::vector<CandidateFace> faces{{dome, 1.0, 0}};
-    const double bound =
-        bound_penetration(*ball, faces, {.reach = far, .most_queries = most}).bound;
+    const double bound = bound_afresh(*ball, faces, {.reach = far, .most_queries = most}).bound;
     std::printf("  %6zu queries: bound %.3e of %.3e\n", most, bound, sampled);
     EXPECT_GE(bound, sampled - rounding);
     EXPECT_LT(bound, last);
@@ -195,7 +201,7 @@ TEST(PenetrationBound, MeasuresEachFaceByItsOwnElement) {
   const auto sunk = [](double by) { return face(true, [by](double, double) { return -by; }); };
   const std::vector<CandidateFace> faces{{sunk(0.02), 1.0, 7}, {sunk(0.01), 0.1, 8}};
   const PenetrationBound found =
-      bound_penetration(*plane, faces, {.reach = far, .most_queries = plenty});
+      bound_afresh(*plane, faces, {.reach = far, .most_queries = plenty});
   EXPECT_EQ(found.deepest.face, 7u);
   EXPECT_EQ(found.deepest_relative.face, 8u);
   EXPECT_NEAR(found.bound, 0.02, 0.01 * 0.02);
@@ -229,6 +235,66 @@ TEST(PenetrationBound, HoldsForTriangles) {
   const SurfacePtr smooth = make_smooth_triangle_surface(mesh, pi / 6.0).surface;
   expect_bound("quad, smoothed, flat", *smooth, face(false, flat), 0.011);
   expect_bound("quad, smoothed, along", *smooth, face(false, along), 0.011);
+}
+
+/// A face that is pressed along a tool, a little way at each of some steps.
+struct Way {
+  std::string name;
+  SurfacePtr tool;
+  Shape shape;
+  Vec3 step; ///< [mm]
+};
+
+BezierPatch moved(const BezierPatch& patch, const Vec3& by) {
+  Pose pose; // of a tool that goes the other way
+  pose.translation = -by;
+  return patch.in_tool(pose);
+}
+
+TEST(PenetrationBound, WhatWasClearServesTheNextSearch) {
+  const Shape bowl = [](double x, double y) { return 0.05 * (x * x + y * y) - 0.05; };
+  const Shape flat = [](double, double) { return -0.02; };
+  const std::vector<Way> ways{
+      {"sphere", make_sphere({0, 0, -40}, 40.0, false), flat, {1e-3, 1e-3, -1e-5}},
+      {"hollow", make_sphere({0, 0, 10}, 10.0, true), bowl, {1e-3, 1e-3, -1e-5}},
+      {"plane", make_plane({0, 0, 0}, {0, 0, 1}), flat, {1e-2, 1e-2, -1e-5}},
+  };
+  constexpr int steps = 10;
+  for (const auto& [name, tool, shape, step] : ways) {
+    std::vector<KnownPiece> known;
+    std::size_t first = 0, later = 0;
+    for (int i = 0; i <= steps; ++i) {
+      const BezierPatch patch = moved(face(false, shape), i * step);
+      const double sampled = brute(*tool, patch, 200);
+      const std::vector<CandidateFace> faces{{patch, 1.0, 3}};
+      // Contact points have been seen before.
+      const BoundSearch search{
+          .reach = far, .most_queries = plenty, .known_depth = sampled, .known_relative = sampled};
+      const PenetrationBound found = bound_penetration(*tool, faces, search, known);
+      EXPECT_GE(found.bound, sampled - rounding) << name << ", step " << i;
+      EXPECT_LE(found.bound, 1.031 * sampled) << name << ", step " << i;
+      EXPECT_FALSE(known.empty());
+      (i == 0 ? first : later) += found.queries;
+    }
+    std::printf("%-8s %zu queries, then %.1f a step\n", name.c_str(), first,
+                static_cast<double>(later) / steps);
+    EXPECT_LT(later, steps * first / 2) << name;
+  }
+}
+
+TEST(PenetrationBound, HoldsWithWhatWasKnownOfAnotherFace) {
+  const SurfacePtr bore = make_cylinder({0, 0, 10}, {1, 0.3, 0}, 10.0, true);
+  const Shape flat = [](double, double) { return -1e-3; };
+  const Shape tilted = [](double x, double y) { return 0.02 * x - 0.03 * y - 1e-3; };
+  std::vector<KnownPiece> known;
+  const std::vector<CandidateFace> before{{face(false, flat), 1.0, 0}};
+  const std::vector<CandidateFace> after{{face(false, tilted), 1.0, 0}};
+  const BoundSearch search{.reach = far, .most_queries = plenty};
+  static_cast<void>(bound_penetration(*bore, before, search, known));
+  const double sampled = brute(*bore, face(false, tilted), 400);
+  const double bound = bound_penetration(*bore, after, search, known).bound;
+  EXPECT_GE(bound, sampled - rounding);
+  EXPECT_LE(bound, 1.011 * sampled + 1.1e-6);
 }
 
 } // namespace
