@@ -65,8 +65,7 @@ void read_materials(TableReader& root, Case& content) {
 
 /// A new mesh would keep what the mode that mixed faces hold softly has made of the boundary.
 ContactForm default_form(const Case& content) {
-  return content.remesh && content.analysis != Analysis::solid ? ContactForm::compatible
-                                                               : ContactForm::mixed;
+  return content.remesh ? ContactForm::compatible : ContactForm::mixed;
 }
 
 Case read_root(TableReader& root) {
