@@ -378,7 +378,7 @@ PenetrationBound bound_penetration(const RigidSurface& surface,
                                    const BoundSearch& search,
                                    std::vector<KnownPiece>& known) {
   Search bounds(surface, faces, search, known);
-  const PenetrationBound found = bounds.run();
+  PenetrationBound found = bounds.run();
   known = bounds.take_found();
   return found;
 }
