@@ -6,7 +6,6 @@
 #include "mechanics/equilibrium/force_term.h"
 
 #include <cstddef>
-#include <limits>
 
 namespace billet::contact {
 
@@ -48,6 +47,6 @@ struct Penetration {
 [[nodiscard]] Penetration penetration(const ContactModel& model,
                                       ContactState& state,
                                       const mechanics::Trial& trial,
-                                      double limit = std::numeric_limits<double>::infinity());
+                                      double limit);
 
 } // namespace billet::contact

@@ -21,7 +21,7 @@ namespace {
 constexpr int most_halvings = 60;     // of a face: its width is then that of rounding
 constexpr int halvings_at_rim = 5;    // of what has its centre beyond the rim of an open tool
 constexpr int most_remembered = 5;    // halvings: what is smaller is soon another place
-constexpr double looser = 3.0;        // a bound by balls of the search before may be
+constexpr double looser = 3.0;        // excess that balls of the search before may leave
 constexpr int most_balls = 5;         // tried for a piece
 constexpr double largest_ball = 1e6;  // radius over that of the piece; more is rounding
 constexpr double small_ball = 30.0;   // likewise, tried first: from afar many facets are near

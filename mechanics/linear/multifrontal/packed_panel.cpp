@@ -145,26 +145,6 @@ void take_backward(const Group& group, std::size_t begin, std::size_t end, float
 
 constexpr std::size_t together = 16; ///< groups between which threads wait for each other
 
-} // namespace
-
-void pack(const Panel& panel, const float* inverses, const PackedPanel& packed, Threads threads) {
-  const std::size_t step = padded(panel.rows);
-  const auto pack_groups = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t g = begin; g < end; ++g) {
-      const auto [first, columns, values] = group(packed, g);
-      invert_triangle(panel, first, inverses, packed.diagonal[g]);
-      float* to = packed.below + (values - packed.below);
-      for (std::size_t i = first + front_lanes; i < step; i += front_lanes)
-        for (std::size_t j = first; j < first + columns; ++j, to += front_lanes)
-          std::copy_n(panel.values + j * step + i, front_lanes, to);
-    }
-  };
-  const std::size_t groups = diagonal_triangles(panel.columns);
-  for_pieces(groups, threads == Threads::all ? 2 : groups, pack_groups);
-}
-
-namespace {
-
 // Most panels are small: what threads need to share one costs as much as the substitution.
 
 void forward_by_one(const PackedPanel& panel, float* x) {
@@ -197,6 +177,22 @@ void backward_by_one(const PackedPanel& panel, float* x) {
 }
 
 } // namespace
+
+void pack(const Panel& panel, const float* inverses, const PackedPanel& packed, Threads threads) {
+  const std::size_t step = padded(panel.rows);
+  const auto pack_groups = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      const auto [first, columns, values] = group(packed, g);
+      invert_triangle(panel, first, inverses, packed.diagonal[g]);
+      float* to = packed.below + (values - packed.below);
+      for (std::size_t i = first + front_lanes; i < step; i += front_lanes)
+        for (std::size_t j = first; j < first + columns; ++j, to += front_lanes)
+          std::copy_n(panel.values + j * step + i, front_lanes, to);
+    }
+  };
+  const std::size_t groups = diagonal_triangles(panel.columns);
+  for_pieces(groups, threads == Threads::all ? 2 : groups, pack_groups);
+}
 
 void substitute_forward(const PackedPanel& panel, float* x, Threads threads) {
   if (threads == Threads::one) {

@@ -97,8 +97,8 @@ ContactBench bench_with(const BodyKind& body, geometry::SurfacePtr surface) {
 }
 
 TEST(ContactCertificate, IsAboveAHundredfoldSamplesOfDistortedFacesAndTight) {
-  constexpr double tight =
-      0.04; // three hundredths where balls are known, the samples miss the rest
+  // A hundredth is asked of the search, three of balls that are known, the samples miss the rest.
+  constexpr double tight_at_first = 0.02, tight = 0.04;
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> by(-0.04, 0.04);
   for (const BodyKind& body : body_kinds())
@@ -117,13 +117,14 @@ TEST(ContactCertificate, IsAboveAHundredfoldSamplesOfDistortedFacesAndTight) {
         EXPECT_GE(found.bound, found.sampled);
         EXPECT_GE(found.sampled, found.at_points);
         EXPECT_GE(found.share * 1.2, found.bound); // elements 1 high, distorted
-        loosest = std::max(loosest, found.bound / std::max(sampled, found.sampled) - 1.0);
+        const double loose = found.bound / std::max(sampled, found.sampled) - 1.0;
+        EXPECT_LT(loose, shape == 0 ? tight_at_first : tight) << body.name() << ", " << tool.name;
+        loosest = std::max(loosest, loose);
         deepest = std::max(deepest, sampled);
       }
       std::printf("%-20s %-9s deepest %.4f, bound at most %.2f %% above\n", body.name().c_str(),
                   tool.name.c_str(), deepest, 100.0 * loosest);
       EXPECT_GT(deepest, 0.01) << body.name() << ", " << tool.name;
-      EXPECT_LT(loosest, tight) << body.name() << ", " << tool.name;
     }
 }
 
