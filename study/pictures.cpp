@@ -129,7 +129,7 @@ std::optional<Picture> pareto(const Study& study, const Trade& trade, const fs::
   std::vector<std::pair<double, double>> all, front;
   constexpr double percent = 100.0;
   const auto point = [&](const Setting& setting) {
-    return std::pair(setting.cost, std::log10(percent * setting.error));
+    return std::pair(setting.cost, percent * setting.error);
   };
   for (const Setting& setting : trade.settings)
     if (!setting.is_reference && std::isfinite(setting.error) && setting.error > 0.0)
@@ -139,11 +139,10 @@ std::optional<Picture> pareto(const Study& study, const Trade& trade, const fs::
       front.push_back(point(trade.settings[s]));
   if (all.empty())
     return std::nullopt;
-  return Picture{{"--curve", "--tight", series(folder / "front.csv", front, "front"), "--points",
-                  series(folder / "settings.csv", all, "settings"), "--x-label",
-                  fmt::format("cost [{}]", unit_of(study.trade->cost)), "--y-label",
-                  "log10 of the error in %", "--title", study.title, "-o",
-                  (folder.parent_path() / "trade.png").string()}};
+  return Picture{{"--curve", "--log-x", "--log-y", series(folder / "front.csv", front, "front"),
+                  "--points", series(folder / "settings.csv", all, "settings"), "--x-label",
+                  fmt::format("cost [{}]", unit_of(study.trade->cost)), "--y-label", "error [%]",
+                  "--title", study.title, "-o", (folder.parent_path() / "trade.png").string()}};
 }
 
 } // namespace

@@ -7,7 +7,32 @@
 
 namespace billet::render {
 
+namespace {
+
+constexpr double rounding = 1e-9;
+
+/// Between two values, ends included: 1, 2 and 5 times powers of ten, or every step-th power.
+std::vector<double> logarithmic_ticks(double low, double high, double step) {
+  std::vector<double> ticks;
+  for (double decade = std::floor(std::log10(low) + rounding);; decade += std::max(step, 1.0))
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double tick = factor * std::pow(10.0, decade);
+      if (tick > high * (1.0 + rounding))
+        return ticks;
+      if (tick >= low * (1.0 - rounding) && (step < 1.0 || factor == 1.0))
+        ticks.push_back(tick);
+    }
+}
+
+} // namespace
+
+double Axis::share(double value) const {
+  return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
 std::vector<double> Axis::ticks() const {
+  if (logarithmic)
+    return logarithmic_ticks(low, high, step);
   std::vector<double> ticks;
   const double first = std::round(low / step), last = std::round(high / step);
   for (double i = first; i <= last; i += 1.0)
@@ -16,6 +41,8 @@ std::vector<double> Axis::ticks() const {
 }
 
 std::string Axis::label(double tick) const {
+  if (logarithmic)
+    return fmt::format("{:.6g}", tick);
   constexpr double small = 1e-4, large = 1e6;
   if (step < small || std::max(std::abs(low), std::abs(high)) >= large)
     return fmt::format("{:.6g}", tick);
@@ -42,13 +69,34 @@ Axis axis_of(double low, double high, int most_steps) {
   const double power = std::pow(10.0, std::floor(std::log10((high - low) / most_steps)));
   for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
     const double step = factor * power;
-    constexpr double rounding = 1e-9;
     const double first = std::floor(low / step + rounding),
                  last = std::ceil(high / step - rounding);
     if (last - first <= most_steps || factor == 10.0)
       return {first * step, last * step, step};
   }
   return {};
+}
+
+Axis logarithmic_axis(double least, double most, int most_steps) {
+  constexpr double third = 1.0 / 3.0, few = 2.0;
+  const double low = std::floor(std::log10(least) + rounding);
+  const double high = std::ceil(std::log10(most) - rounding);
+  if (high - low > few) {
+    const double step = std::ceil((high - low) / most_steps);
+    return {std::pow(10.0, low), std::pow(10.0, high), step, true};
+  }
+  // The ticks next to the values; one value: those on either side of it.
+  const bool one = least == most;
+  double below = std::pow(10.0, low - 1.0), above = std::pow(10.0, high + 1.0);
+  for (const double tick : logarithmic_ticks(below, above, third)) {
+    if (one ? tick < least * (1.0 - rounding) : tick <= least * (1.0 + rounding))
+      below = tick;
+    if (one ? tick > most * (1.0 + rounding) : tick >= most * (1.0 - rounding)) {
+      above = tick;
+      break;
+    }
+  }
+  return {below, above, third, true};
 }
 
 } // namespace billet::render

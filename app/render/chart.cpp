@@ -5,6 +5,7 @@
 #include "app/render/curve.h"
 #include "app/render/history_curves.h"
 #include "app/render/load_stroke.h"
+#include "geometry/base/error.h"
 
 #include <fmt/format.h>
 
@@ -57,9 +58,14 @@ Layout layout_of(const Chart& chart, const std::array<int, 2>& size) {
   layout.font = std::clamp(std::min(size[0], size[1]) / lines, smallest, largest);
   const double font = layout.font;
   const std::array<Vec2, 2> range = range_of(chart.curves);
-  const auto axis = chart.tight ? axis_of : axis_through_zero;
-  layout.y = axis(range[0].y(), range[1].y(), std::clamp(size[1] / 90, 2, 12));
-  layout.x = axis(range[0].x(), range[1].x(), std::clamp(size[0] / 100, 2, 12));
+  const auto axis = [&](int way, int most_steps) {
+    const auto make = chart.logarithmic.at(static_cast<std::size_t>(way)) ? logarithmic_axis
+                      : chart.tight                                       ? axis_of
+                                                                          : axis_through_zero;
+    return make(range[0][way], range[1][way], most_steps);
+  };
+  layout.y = axis(1, std::clamp(size[1] / 90, 2, 12));
+  layout.x = axis(0, std::clamp(size[0] / 100, 2, 12));
   double widest = 0.0;
   for (const double tick : layout.y.ticks())
     widest = std::max(widest, Canvas::text_length(layout.y.label(tick), layout.font));
@@ -92,9 +98,9 @@ void draw_axes(Canvas& canvas, const Layout& on, const Chart& chart) {
     canvas.text(on.y.label(tick), foot + 1.7 * left,
                 {.size = on.font, .along = Hold::high, .across = Hold::middle});
   }
-  if (on.y.low <= 0.0 && on.y.high >= 0.0)
+  if (!on.y.logarithmic && on.y.low <= 0.0 && on.y.high >= 0.0)
     straight(on.at({on.x.low, 0.0}), on.at({on.x.high, 0.0}), 1.0, grey);
-  if (on.x.low <= 0.0 && on.x.high >= 0.0)
+  if (!on.x.logarithmic && on.x.low <= 0.0 && on.x.high >= 0.0)
     straight(on.at({0.0, on.y.low}), on.at({0.0, on.y.high}), 1.0, grey);
   straight(on.low, {on.high.x(), on.low.y()}, 1.0, black);
   straight(on.low, {on.low.x(), on.high.y()}, 1.0, black);
@@ -155,6 +161,19 @@ void draw_legend(Canvas& canvas, const Layout& on, const std::vector<Curve>& cur
   }
 }
 
+/// Logarithmic axes have no place for values at or below zero; curves of nothing else go.
+void leave_out_what_has_no_logarithm(Chart& chart) {
+  const auto has_none = [&](const Vec2& value) {
+    return (chart.logarithmic[0] && value.x() <= 0.0) || (chart.logarithmic[1] && value.y() <= 0.0);
+  };
+  for (Curve& curve : chart.curves)
+    std::erase_if(curve.values, has_none);
+  std::erase_if(chart.curves, [](const Curve& curve) { return curve.values.empty(); });
+  if (chart.curves.empty())
+    throw Error(Fault::usage, "", "no value is above zero: a logarithmic axis cannot show them",
+                "leave out --log-x or --log-y, or turn the sign: -COLUMN");
+}
+
 /// The curves asked for and their axes.
 Chart chart_of(const Options& options) {
   const ChartOptions& asked = options.chart;
@@ -170,6 +189,8 @@ Chart chart_of(const Options& options) {
   for (const Series& series : asked.series)
     chart.curves.push_back(read_curve(series));
   chart.tight = asked.tight;
+  chart.logarithmic = asked.logarithmic;
+  leave_out_what_has_no_logarithm(chart);
   if (!options.title.empty())
     chart.title = options.title;
   if (!asked.x_label.empty())
@@ -190,7 +211,11 @@ std::string in_words(const Chart& chart) {
                     text.empty() ? "" : "\n", curve.label, curve.values.size(), top.y(), top.x(),
                     last.y(), last.x());
   }
-  return text + fmt::format("\naxes: {} over {}", chart.y_label, chart.x_label);
+  const auto scale = [&](std::size_t way) {
+    return chart.logarithmic.at(way) ? " (logarithmic)" : "";
+  };
+  return text +
+         fmt::format("\naxes: {}{} over {}{}", chart.y_label, scale(1), chart.x_label, scale(0));
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "geometry/base/vector.h"
 #include "io/text/csv_table.h"
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -23,7 +24,8 @@ struct Curve {
 struct Chart {
   std::vector<Curve> curves;
   std::string title, x_label, y_label;
-  bool tight = false; ///< axes need not hold zero
+  bool tight = false;                ///< axes need not hold zero
+  std::array<bool, 2> logarithmic{}; ///< x, y
 };
 
 /// The points of a series; rows that lack a number are left out.

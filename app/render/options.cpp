@@ -83,6 +83,8 @@ const std::map<std::string, Switch>& switches() {
        }},
       {"--revolve", [](Options& o) { o.scene.revolve = 270.0; }},
       {"--tight", [](Options& o) { o.chart.tight = true; }},
+      {"--log-x", [](Options& o) { o.chart.logarithmic[0] = true; }},
+      {"--log-y", [](Options& o) { o.chart.logarithmic[1] = true; }},
   };
   return table;
 }

@@ -113,7 +113,8 @@ struct ChartOptions {
   std::vector<Series> series;   ///< columns of any tables
   std::vector<Columns> columns; ///< of the results' history.csv; neither: forces over strokes
   std::string x_label, y_label;
-  bool tight = false; ///< axes need not hold zero
+  bool tight = false;                ///< axes need not hold zero
+  std::array<bool, 2> logarithmic{}; ///< x, y
 };
 
 /// What to draw.

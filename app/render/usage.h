@@ -64,6 +64,7 @@ curves
   --points SERIES             the same, as markers
   --x-label TEXT, --y-label TEXT
   --tight                     axes as long as the curves (from zero)
+  --log-x, --log-y            logarithmic axes; values at or below zero are left out
 
 all
   -o, --output FILE           the picture, or a folder (in the results, FIELD.png, FIELD.gif,

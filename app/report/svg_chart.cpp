@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace billet::report {
@@ -23,14 +22,12 @@ constexpr std::array<const char*, 6> colours{"var(--c1)", "var(--c2)", "var(--c3
 
 struct Axes {
   render::Axis x, y;
-  bool logarithmic;
 
   [[nodiscard]] double to_x(double value) const {
     return left + x.share(value) * (picture_width - left - right);
   }
   [[nodiscard]] double to_y(double value) const {
-    const double shown = logarithmic ? std::log10(value) : value;
-    return picture_height - bottom - y.share(shown) * (picture_height - top - bottom);
+    return picture_height - bottom - y.share(value) * (picture_height - top - bottom);
   }
 };
 
@@ -40,14 +37,12 @@ Axes axes_of(const NamedChart& named) {
   Vec2 most = -least;
   for (const render::Curve& curve : named.chart.curves)
     for (const Vec2& value : curve.values) {
-      const Vec2 shown(value[0], named.logarithmic ? std::log10(value[1]) : value[1]);
-      least = least.cwiseMin(shown);
-      most = most.cwiseMax(shown);
+      least = least.cwiseMin(value);
+      most = most.cwiseMax(value);
     }
+  const auto upwards = named.logarithmic ? render::logarithmic_axis : render::axis_through_zero;
   return {render::axis_through_zero(least[0], most[0], most_steps),
-          named.logarithmic ? render::axis_of(std::floor(least[1]), std::ceil(most[1]), most_steps)
-                            : render::axis_through_zero(least[1], most[1], most_steps),
-          named.logarithmic};
+          upwards(least[1], most[1], most_steps)};
 }
 
 std::string grid(const Axes& axes) {
@@ -58,12 +53,10 @@ std::string grid(const Axes& axes) {
                        axes.to_x(tick), top, picture_height - bottom,
                        picture_height - bottom + 16.0, axes.x.label(tick));
   for (const double tick : axes.y.ticks()) {
-    const double y = picture_height - bottom - axes.y.share(tick) * (picture_height - top - bottom);
-    const std::string label =
-        axes.logarithmic ? fmt::format("{:.0e}", std::pow(10.0, tick)) : axes.y.label(tick);
+    const double y = axes.to_y(tick);
     svg += fmt::format("<line class=\"grid\" x1=\"{1}\" x2=\"{2}\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/>"
                        "<text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
-                       y, left, picture_width - right, left - 6.0, y + 4.0, label);
+                       y, left, picture_width - right, left - 6.0, y + 4.0, axes.y.label(tick));
   }
   return svg;
 }

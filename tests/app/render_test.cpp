@@ -90,6 +90,19 @@ TEST_F(Render, draws_columns_of_tables_without_a_display) {
   EXPECT_TRUE(unknown.says("no column \"punch.force\"")) << unknown.err;
 }
 
+TEST_F(Render, draws_logarithmic_axes_of_values_above_zero) {
+  write_text(folder_.path() / "errors.csv", "cost,error\n1,10\n20,1\n300,0.02\n400,0\n");
+  const Outcome outcome =
+      without_display({"--curve", "errors.csv:cost:error", "--log-x", "--log-y", "-o", "a.png"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(outcome.prints("3 points, at most 10 at 1, at last 0.02 at 300")) << outcome.out;
+  EXPECT_TRUE(outcome.prints("axes: error (logarithmic) over cost (logarithmic)")) << outcome.out;
+  write_text(folder_.path() / "below.csv", "x,y\n1,-1\n2,0\n");
+  const Outcome nothing = without_display({"--curve", "below.csv:x:y", "--log-y", "-o", "b.png"});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_TRUE(nothing.says("no value is above zero")) << nothing.err;
+}
+
 TEST_F(Render, draws_forces_over_time_where_no_tool_travels) {
   const Outcome still = run_case(
       "still", edited(upsetting, {{"motion   = { velocity = [0, -1] }\n", ""}}) +
