@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,6 +82,38 @@ at_places(const Chart& chart,
   return grid;
 }
 
+/// Second derivatives of the natural cubic spline at its points.
+Eigen::VectorXd natural_spline(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<Eigen::Index>(x.size());
+  const Eigen::Map<const Eigen::VectorXd> at(x.data(), n), values(y.data(), n);
+  const Eigen::VectorXd h = at.tail(n - 1) - at.head(n - 1);
+  const Eigen::VectorXd secants = (values.tail(n - 1) - values.head(n - 1)).cwiseQuotient(h);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index i = 1; i + 1 < n; ++i) {
+    matrix.row(i).segment(i - 1, 3) << h[i - 1] / 6.0, (h[i - 1] + h[i]) / 3.0, h[i] / 6.0;
+    right[i] = secants[i] - secants[i - 1];
+  }
+  return matrix.partialPivLu().solve(right);
+}
+
+/// What the curve between the points may be off: half as much again as a natural spline and the
+/// monotone cubic are apart in the middle of the spaces next to each point.
+std::vector<double> errors_of_spacing(const std::vector<double>& x, const std::vector<double>& y) {
+  const Eigen::VectorXd second = natural_spline(x, y);
+  constexpr double safety = 1.5;
+  std::vector<double> errors(x.size());
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double h = x[i + 1] - x[i];
+    const auto at = static_cast<Eigen::Index>(i);
+    const double spline = 0.5 * (y[i] + y[i + 1]) - h * h / 16.0 * (second[at] + second[at + 1]);
+    const double apart = safety * std::abs(spline - monotone_cubic(x, y, x[i] + 0.5 * h));
+    errors[i] = std::max(errors[i], apart);
+    errors[i + 1] = apart;
+  }
+  return errors;
+}
+
 bool reaches_all(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(),
                      [](double value) { return std::isfinite(value); });
@@ -133,6 +166,7 @@ ChartModel::ChartModel(const Chart& chart, const ChartedLaw& law, std::span<cons
         fmt::format("law '{}': too few runs of the chart reach all places that were measured",
                     law.name),
         "leave the farthest out, or chart parameters whose runs get there");
+  add_errors_of_spacing();
 }
 
 void ChartModel::leave_out_unreached() {
@@ -148,6 +182,29 @@ void ChartModel::leave_out_unreached() {
     errors_.erase(errors_.begin() + at);
     for (Grid& change : changes_)
       change.erase(change.begin() + at);
+  }
+}
+
+void ChartModel::add_errors_of_spacing() {
+  std::size_t stride = values_.size();
+  for (const std::vector<double>& grid : grids_) {
+    stride /= grid.size();
+    if (grid.size() < 3)
+      continue;
+    for (std::size_t point = 0; point < values_.size(); ++point) {
+      if (point / stride % grid.size() != 0)
+        continue; // not the first of its line
+      for (std::size_t place = 0; place < quantities_.size(); ++place) {
+        std::vector<double> line;
+        for (std::size_t i = 0; i < grid.size(); ++i)
+          line.push_back(values_[point + i * stride][place]);
+        const std::vector<double> of_spacing = errors_of_spacing(grid, line);
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+          double& error = errors_[point + i * stride][place];
+          error = std::hypot(error, of_spacing[i]);
+        }
+      }
+    }
   }
 }
 
@@ -183,7 +240,8 @@ Eigen::MatrixXd ChartModel::covariance(std::span<const double> parameters) const
   constexpr double half_width_of_95 = 1.96; // in standard deviations
   const Eigen::VectorXd e = between(errors_, parameters) / half_width_of_95;
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) // the mesh errs in one direction all along a quantity
+    for (Eigen::Index j = 0; j < n;
+         ++j) // mesh and spacing err in one direction all along a quantity
       if (quantities_[static_cast<std::size_t>(i)] == quantities_[static_cast<std::size_t>(j)])
         sum(i, j) += e[i] * e[j];
   return sum;

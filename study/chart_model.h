@@ -36,18 +36,21 @@ public:
 
   /// Values at the places. @param parameters  within the chart
   [[nodiscard]] Eigen::VectorXd values(std::span<const double> parameters) const;
-  /// Covariance of the model's errors at the places.
+  /// Covariance of the model's errors at the places: of the mesh, of what is uncertain, and of the
+  /// spacing of the parameters that were run.
   [[nodiscard]] Eigen::MatrixXd covariance(std::span<const double> parameters) const;
 
 private:
   /// A figure at every point of the grid, shape (n_points, n_places).
   using Grid = std::vector<std::vector<double>>;
   void leave_out_unreached();
+  /// What may lie between the parameters that were run, told by how far two curves are apart.
+  void add_errors_of_spacing();
   [[nodiscard]] Eigen::VectorXd between(const Grid& grid, std::span<const double> parameters) const;
 
   std::vector<std::vector<double>> grids_; ///< values of each parameter that were run
-  Grid values_, errors_;
-  std::vector<Grid> changes_; ///< by what is uncertain
+  Grid values_, errors_;                   ///< of the model, half the width of an interval of 95 %
+  std::vector<Grid> changes_;              ///< by what is uncertain
   std::vector<double> left_out_;
   std::vector<std::size_t> quantities_; ///< of the places
 };

@@ -98,6 +98,34 @@ TEST(Identify, CountsWhatTheModelAndTheFlowCurveLeave) {
   EXPECT_NEAR(width(), std::sqrt(3.0) * before, 0.04 * before);
 }
 
+/// Where a chart has few values of its parameter, its curve between them is off by more than what
+/// was measured.
+TEST(Identify, CountsWhatTheSpacingOfTheChartLeaves) {
+  Chart chart{"", "x", {0.2, 0.4, 0.6}, {}, {}};
+  ChartedLaw law{"law", {{"m", {"m"}, {0.0, 0.1, 0.2, 0.35, 0.5, 0.8}}}, {{"q0", {}, {}, {}}}};
+  const auto curved = [](double m, double x) { return x * std::tanh(4.0 * m); };
+  for (const double m : law.parameters[0].values) {
+    std::vector<double>& along = law.quantities[0].values.emplace_back();
+    for (const double x : chart.stations)
+      along.push_back(curved(m, x));
+    law.quantities[0].model_error.emplace_back(chart.stations.size(), 0.0);
+  }
+  chart.laws = {law};
+  constexpr double tiny = 1e-5;
+  int held = 0, tests = 0;
+  for (double truth = 0.03; truth < 0.6; truth += 0.01) {
+    std::vector<Measured> data;
+    for (const double x : chart.stations)
+      data.push_back({0, x, curved(truth, x), tiny});
+    const Found m = identify(chart, data).laws[0].parameters[0];
+    held += m.low <= truth && truth <= m.high ? 1 : 0;
+    ++tests;
+    EXPECT_LT(m.high - m.low, 0.2) << truth;
+  }
+  std::printf("the interval holds the truth in %d of %d\n", held, tests);
+  EXPECT_GE(held, 0.95 * tests);
+}
+
 TEST(Identify, OfValuesWithoutUncertaintiesTakesThemFromTheScatter) {
   Chart chart = two_laws();
   chart.laws.pop_back();
