@@ -69,9 +69,9 @@ Outcome<SolveReport> LinearSolver::solve_by_multigrid(const SparseMatrix& matrix
   (*multigrid)->set_positions(options.positions);
   if (!factorize(**multigrid, "multigrid", matrix))
     return Failure{"multigrid cannot be set up"};
-  constexpr int most = 300; // the first do little where contact is stiff
+  constexpr Patience patience{300}; // the first do little where contact is stiff
   const double enough = std::max(options.tolerance, exact);
-  const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
+  const GmresReport report = iterate(matrix, rhs, x, enough, patience, {});
   if (!report.converged) {
     last_ = nullptr;
     return Failure{"no convergence (multigrid)"};

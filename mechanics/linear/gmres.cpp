@@ -53,11 +53,10 @@ void divide(std::vector<double>& values, double by) {
   for_all(values.size(), [&](std::size_t i) { values[i] /= by; });
 }
 
-/// Whether a residual that has come down to `residual` in k steps will not reach the tolerance in
-/// `most`, should it go on like that.
-bool too_slow(double residual, double tolerance, int k, int most) {
-  constexpr int first_look = 3;
-  return k >= first_look && k * std::log(tolerance) < most * std::log(residual);
+/// Whether a residual that has come down to `residual` in k steps will not reach the tolerance.
+bool too_slow(double residual, double tolerance, int k, const Patience& patience) {
+  return k >= patience.first_look &&
+         k * std::log(tolerance) < patience.gain * patience.most * std::log(residual);
 }
 
 } // namespace
@@ -110,8 +109,9 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
                          std::span<const double> rhs,
                          std::span<double> x,
                          double tolerance,
-                         int most,
+                         const Patience& patience,
                          std::span<const std::vector<double>> known) {
+  const int most = patience.most;
   const std::size_t n = rhs.size();
   basis_.resize(idx(most) + 1);
   multiply(weights, rhs, basis_[0]);
@@ -145,7 +145,7 @@ GmresReport Gmres::solve(const SparseMatrix& matrix,
     report.iterations = k + 1;
     report.residual = reduce(k) / scale;
     report.converged = report.residual <= tolerance;
-    if (report.converged || too_slow(report.residual, tolerance, k + 1, most))
+    if (report.converged || too_slow(report.residual, tolerance, k + 1, patience))
       break;
     divide(basis_[idx(k) + 1], length);
   }

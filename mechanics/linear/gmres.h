@@ -23,18 +23,24 @@ struct GmresReport {
   double residual = 1.0; ///< relative [-]
 };
 
+/// How long an iteration is kept up.
+struct Patience {
+  int most = 0;       ///< iterations
+  int first_look = 3; ///< iterations before it may be given up
+  double gain = 1.0;  ///< factor by which its residual may yet fall faster than so far [-]
+};
+
 /// The iteration, with the memory it works in.
 class Gmres {
 public:
   /// Solves matrix * x = rhs from zero.
   ///
-  /// Gives up as soon as the way the residual shrinks says that `most` iterations will not do.
+  /// Gives up as soon as the way the residual shrinks says that the most iterations will not do.
   ///
   /// @param preconditioner  holds a factorization of a matrix like this one
   /// @param weights         > 0: of each unknown's residual in the norm that is made small
   /// @param x               out: the solution; undefined unless the report says `converged`
   /// @param tolerance       relative residual to reach [-], > 0, in that norm
-  /// @param most            iterations
   /// @param known           directions to begin with, in place of preconditioned residuals
   [[nodiscard]] GmresReport solve(const SparseMatrix& matrix,
                                   Factorization& preconditioner,
@@ -42,7 +48,7 @@ public:
                                   std::span<const double> rhs,
                                   std::span<double> x,
                                   double tolerance,
-                                  int most,
+                                  const Patience& patience,
                                   std::span<const std::vector<double>> known = {});
 
 private:

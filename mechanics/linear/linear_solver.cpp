@@ -47,8 +47,9 @@ constexpr int exponent_bias = 1023;
 /// How a system is solved that needs no factorization of its own.
 constexpr std::string_view with_earlier = "gmres";
 
-/// Iterations with a neighbour of the matrix: more cost more than an LU does.
-constexpr int max_iterations = 24;
+/// With a neighbour of the matrix. Every point that slips makes a direction in which the two
+/// differ; once these are known the residual falls fast. More iterations cost more than an LU does.
+constexpr Patience with_neighbour{48, 24, 3.0};
 
 /// Relative corrections of a solution in single precision: each iteration lessens what is wrong in
 /// it by that factor. Beyond a fair one many are asked for. (N.11)
@@ -86,9 +87,9 @@ GmresReport Factorization::iterate(Gmres& gmres,
                                    std::span<const double> rhs,
                                    std::span<double> x,
                                    double tolerance,
-                                   int most,
+                                   const Patience& patience,
                                    std::span<const std::vector<double>> known) {
-  return gmres.solve(matrix, *this, weights, rhs, x, tolerance, most, known);
+  return gmres.solve(matrix, *this, weights, rhs, x, tolerance, patience, known);
 }
 
 SolverWork SolverWork::after(const SolverWork& earlier) const {
@@ -292,11 +293,12 @@ GmresReport LinearSolver::iterate(const SparseMatrix& matrix,
                                   std::span<const double> rhs,
                                   std::span<double> x,
                                   double tolerance,
-                                  int most,
+                                  const Patience& patience,
                                   Known known) {
   const Stopwatch watch(work_.substitution);
   const double enough = std::max(weigh(matrix) * tolerance, exact);
-  const GmresReport report = last_->iterate(gmres_, matrix, weights_, rhs, x, enough, most, known);
+  const GmresReport report =
+      last_->iterate(gmres_, matrix, weights_, rhs, x, enough, patience, known);
   work_.substitutions += report.solves;
   return report;
 }
@@ -332,7 +334,7 @@ Outcome<SolveReport> LinearSolver::solve_system(const SparseMatrix& matrix,
   const int most = may_reuse && last_ != nullptr ? max_solves(last_->cost()) : 0;
   if (most > 0 && !reuse_.wants_new()) {
     const double enough = tolerance_for(options.tolerance, correction_, false);
-    const GmresReport report = iterate(matrix, rhs, x, enough, most, {});
+    const GmresReport report = iterate(matrix, rhs, x, enough, {most}, {});
     if (report.converged) {
       reuse_.take(report.solves);
       return SolveReport{with_earlier, report.residual};
@@ -350,7 +352,7 @@ Outcome<SolveReport> LinearSolver::solve_again(const SparseMatrix& matrix,
     return back_substitute(*last_, "again", matrix, rhs, x);
   if (factor_of_ == FactorOf::symmetrized) {
     const GmresReport report =
-        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), max_iterations, {});
+        iterate(matrix, rhs, x, tolerance_for(tolerance, correction_, false), with_neighbour, {});
     if (report.converged)
       return SolveReport{"again", report.residual};
   }
@@ -409,7 +411,7 @@ Outcome<SolveReport> LinearSolver::solve_with_neighbour(std::string_view method,
                                                         Known known) {
   const bool small = max_solves(last_->cost()) == 0;
   const double enough = tolerance_for(options.tolerance, correction_, small);
-  const GmresReport report = iterate(matrix, rhs, x, enough, max_iterations, known);
+  const GmresReport report = iterate(matrix, rhs, x, enough, with_neighbour, known);
   if (!report.converged) {
     last_ = nullptr;
     return Failure{"no convergence (" + std::string(method) + ")"};

@@ -97,7 +97,7 @@ public:
                                             std::span<const double> rhs,
                                             std::span<double> x,
                                             double tolerance,
-                                            int most,
+                                            const Patience& patience,
                                             std::span<const std::vector<double>> known);
 };
 
@@ -254,7 +254,7 @@ private:
                                     std::span<const double> rhs,
                                     std::span<double> x,
                                     double tolerance,
-                                    int most,
+                                    const Patience& patience,
                                     Known known);
   /// Whether multigrid is asked for, or cheaper than factorizations and there.
   [[nodiscard]] bool takes_multigrid();

@@ -18,6 +18,21 @@ double mean_pressure(std::span<const contact::ClosedPoint> points) {
   return area > 0.0 ? force / area : 0.0;
 }
 
+/// The largest of the tools. On a new mesh without equilibrium no point has borne anything yet:
+/// then of the last increment before it [MPa].
+double largest_tool_pressure(const Run& run) {
+  double largest = 0.0;
+  for (const std::vector<contact::ClosedPoint>& points : run.contact()->closed())
+    largest = std::max(largest, mean_pressure(points));
+  const std::vector<RemeshReport>& meshes = run.state.record.remeshings;
+  if (largest > 0.0 || meshes.empty() || meshes.back().balanced)
+    return largest;
+  for (std::size_t t = 0; t < run.tools().size(); ++t)
+    largest = std::max(
+        largest, run.state.record.window.tool(t)[contact::WindowQuantity::pressure].last_mean);
+  return largest;
+}
+
 } // namespace
 
 bool Squeeze::is_full() const {
@@ -47,8 +62,7 @@ Squeeze squeeze_of(const Run& run, double volume) {
             bulk.material().flow,
             {bulk.states()[k].plastic_strain, run.state.plastic_rate[k], bulk.temperature(k)});
   if (run.contact() != nullptr)
-    for (const std::vector<contact::ClosedPoint>& points : run.contact()->closed())
-      squeeze.tool_pressure = std::max(squeeze.tool_pressure, mean_pressure(points));
+    squeeze.tool_pressure = largest_tool_pressure(run);
   return squeeze;
 }
 

@@ -91,10 +91,10 @@ GmresReport DistributedSolver::iterate(Gmres&,
                                        std::span<const double> rhs,
                                        std::span<double> x,
                                        double tolerance,
-                                       int most,
+                                       const Patience& patience,
                                        std::span<const std::vector<double>>) {
   send(matrix);
-  return solve_sent(weights, rhs, x, tolerance, most);
+  return solve_sent(weights, rhs, x, tolerance, patience.most);
 }
 
 void DistributedSolver::solve(std::span<double> rhs) {

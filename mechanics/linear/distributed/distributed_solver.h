@@ -40,7 +40,7 @@ public:
                                     std::span<const double> rhs,
                                     std::span<double> x,
                                     double tolerance,
-                                    int most,
+                                    const Patience& patience,
                                     std::span<const std::vector<double>> known) override;
 
 private:
