@@ -35,16 +35,28 @@ struct DeckElement {
 
 using DeckSets = std::map<std::string, std::vector<DeckNumber>>; ///< by name in capitals
 
+/// *PLASTIC, HARDENING=JOHNSON COOK, with *RATE DEPENDENT, TYPE=JOHNSON COOK.
+struct DeckJohnsonCook {
+  double A = 0.0, B = 0.0, n = 0.0, m = 0.0;
+  std::optional<std::array<double, 2>> temperatures; ///< of full strength, of melting
+  std::optional<std::array<double, 2>> rate;         ///< C, the rate of reference
+  std::string place;
+};
+
 struct DeckMaterial {
   std::string name;
   std::optional<std::array<double, 2>> elastic;   ///< young, poisson
   std::vector<std::pair<double, double>> plastic; ///< strain, stress
+  std::optional<DeckJohnsonCook> johnson_cook;    ///< in place of the table
   std::optional<double> density;
+
+  [[nodiscard]] bool is_plastic() const { return !plastic.empty() || johnson_cook.has_value(); }
 };
 
 struct DeckAmplitude {
-  std::vector<std::pair<double, double>> points;
-  bool total_time = false;
+  std::vector<std::pair<double, double>> points; ///< time, factor; at least one, times increase
+  bool total_time = false;                       ///< times of the run, not of a step
+  bool absolute = false; ///< factors are the values themselves, whatever a line that names it says
 };
 
 /// A displacement, or a force, of a node or a set.
@@ -71,6 +83,10 @@ struct DeckPressure {
 struct DeckGravity {
   double value = 0.0;
   Vec3 direction = Vec3::Zero();
+  std::string elements; ///< a set or a number; empty: all
+  std::string amplitude;
+  std::size_t step = 0; ///< the one that begins it, from 1; 0: none
+  std::string place;
 };
 
 /// "START", "LINE", "CIRCL" or "PARAB" with its numbers.
@@ -90,8 +106,8 @@ struct DeckSurface {
 
 struct DeckRigidBody {
   std::string nodes, elements, surface; ///< names of sets and of an analytical surface
-  DeckNumber reference = 0;
-  DeckNumber rotation = 0; ///< node whose displacement is the rotation; 0: none
+  DeckNumber reference = 0;             ///< node that it moves with; 0: none
+  DeckNumber rotation = 0;              ///< node whose displacement is the rotation; 0: none
   std::string place;
 };
 
@@ -102,7 +118,8 @@ struct DeckInteraction {
 };
 
 struct DeckPair {
-  std::string interaction, slave, master;
+  std::string interaction, slave, master; ///< in capitals
+  std::string place;
 };
 
 struct DeckStep {
@@ -116,6 +133,7 @@ struct DeckStep {
   std::vector<DeckPressure> pressures;
 };
 
+/// What `read_deck` makes: the nodes of all elements are there, and those that a rigid body names.
 struct Deck {
   std::string title;
   std::map<DeckNumber, Vec3> nodes;

@@ -54,6 +54,8 @@ std::string DeckKeyword::value(const char* parameter) const {
   return found == parameters.end() ? std::string() : found->second;
 }
 
+std::string DeckKeyword::word(const char* parameter) const { return word_of(value(parameter)); }
+
 std::string DeckKeyword::field(std::size_t line, std::size_t i) const {
   return line < data.size() && i < data[line].size() ? data[line][i] : std::string();
 }
@@ -66,6 +68,14 @@ std::optional<double> DeckKeyword::number(std::size_t line, std::size_t i) const
   if (!parse_real(text, value))
     throw Error(Fault::geometry, places[line],
                 fmt::format("\"{}\" is not a number", text.substr(0, 30)));
+  return value;
+}
+
+std::int64_t DeckKeyword::whole(std::size_t line, std::size_t i) const {
+  std::int64_t value = 0;
+  if (!parse_integer(field(line, i), value))
+    throw Error(Fault::geometry, places[line],
+                fmt::format("\"{}\" is not a whole number", field(line, i).substr(0, 30)));
   return value;
 }
 
@@ -94,9 +104,12 @@ DeckKeyword DeckLines::keyword_of_line() {
   for (const std::string& part : fields_of_line(text)) {
     const std::size_t equals = part.find('=');
     const std::string key = word_of(std::string_view(part).substr(0, equals));
-    if (keyword.name.empty())
+    if (keyword.name.empty()) {
+      constexpr std::size_t longest = 60; // to be shown in a message
       keyword.name = key;
-    else if (!key.empty())
+      keyword.written =
+          std::string(trimmed(std::string_view(part).substr(0, equals))).substr(0, longest);
+    } else if (!key.empty())
       keyword.parameters[key] =
           equals == std::string::npos
               ? ""

@@ -3,12 +3,18 @@
 #include "geometry/base/error.h"
 #include "io/deck/deck.h"
 #include "io/deck/deck_lines.h"
+#include "io/deck/deck_names.h"
+#include "io/deck/read_amplitude.h"
+#include "io/deck/read_loads.h"
+#include "io/deck/read_materials.h"
 #include "io/mesh/scanner.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <map>
 #include <set>
 
 namespace billet::io {
@@ -22,14 +28,6 @@ constexpr std::array without_effect{
     "CONTACTFILE",   "CONTACTPRINT", "CONTACTOUTPUT", "ENERGYOUTPUT",    "ENDSTEP",
     "TIMEPOINTS",    "CONTROLS",     "MONITOR",       "FILEFORMAT",      "FILEOUTPUT",
     "SECTIONPRINT",  "NOANALYSIS",   "INCLUDE",       "SURFACEBEHAVIOR", "SECTIONCONTROLS"};
-
-DeckNumber whole(const DeckKeyword& keyword, std::size_t line, std::size_t i) {
-  std::int64_t value = 0;
-  if (!parse_integer(keyword.field(line, i), value))
-    throw Error(Fault::geometry, keyword.places[line],
-                fmt::format("\"{}\" is not a whole number", keyword.field(line, i).substr(0, 30)));
-  return value;
-}
 
 bool is_whole(const std::string& text) {
   std::int64_t value = 0;
@@ -50,17 +48,9 @@ public:
         Handler{"ELEMENT", &DeckReader::elements},
         Handler{"NSET", &DeckReader::set},
         Handler{"ELSET", &DeckReader::set},
-        Handler{"MATERIAL", &DeckReader::material},
-        Handler{"ELASTIC", &DeckReader::elastic},
-        Handler{"PLASTIC", &DeckReader::plastic},
-        Handler{"DENSITY", &DeckReader::density},
         Handler{"SOLIDSECTION", &DeckReader::section},
         Handler{"SHELLSECTION", &DeckReader::section},
         Handler{"AMPLITUDE", &DeckReader::amplitude},
-        Handler{"BOUNDARY", &DeckReader::boundary},
-        Handler{"CLOAD", &DeckReader::forces},
-        Handler{"DLOAD", &DeckReader::pressures},
-        Handler{"DSLOAD", &DeckReader::pressures},
         Handler{"SURFACE", &DeckReader::surface},
         Handler{"RIGIDSURFACE", &DeckReader::surface},
         Handler{"RIGIDBODY", &DeckReader::rigid_body},
@@ -74,6 +64,8 @@ public:
     };
     if (keyword.name == "HEADING" && deck_.title.empty() && !keyword.data.empty())
       deck_.title = fmt::format("{}", fmt::join(keyword.data.front(), ", "));
+    if (materials_.take(keyword) || loads_.take(keyword))
+      return;
     for (const Handler& handler : handlers)
       if (keyword.name == handler.name)
         return (this->*handler.read)(keyword);
@@ -82,21 +74,49 @@ public:
       remark(keyword, "not understood, and left out");
   }
 
-private:
-  void remark(const DeckKeyword& keyword, const std::string& what) {
-    deck_.remarks.push_back({keyword.place, fmt::format("*{}: {}", keyword.name, what)});
+  /// Looks for what lines name, when all are read.
+  void finish() {
+    require_nodes(deck_, awaited_);
+    require_reference_nodes();
+    note_missing(deck_, references_.all());
+    note_missing_members(deck_, DeckThing::nodes, places_of_node_sets_);
+    note_missing_members(deck_, DeckThing::elements, places_of_element_sets_);
+    for (const Section& section : sections_)
+      for (const DeckNumber element : deck_.elements_of(section.elements))
+        deck_.material_of[element] = in_capitals(section.material);
+    loads_.finish();
   }
 
-  [[nodiscard]] DeckStep& now() { return deck_.steps.empty() ? deck_.initial : deck_.steps.back(); }
+private:
+  struct Section {
+    std::string elements, material;
+  };
 
-  std::vector<DeckNumber>& named(DeckSets& sets, const std::string& name) {
-    deck_.names.try_emplace(in_capitals(name), name);
-    return sets[in_capitals(name)];
+  /// A node that a rigid body names, by number or as a set.
+  struct ReferenceNode {
+    std::size_t body; ///< in deck_.rigid_bodies
+    bool rotation;
+    std::string name, keyword, place;
+  };
+
+  void remark(const DeckKeyword& keyword, const std::string& what) { note(deck_, keyword, what); }
+
+  /// A set, which a keyword makes or adds to.
+  std::vector<DeckNumber>& named(DeckSets& sets, const DeckKeyword& keyword) {
+    const bool of_nodes = &sets == &deck_.node_sets;
+    const std::string name = keyword.value(of_nodes ? "NSET" : "ELSET"), key = in_capitals(name);
+    if (name.empty())
+      throw Error(Fault::geometry, keyword.place,
+                  fmt::format("*{}: the set has no name", keyword.written),
+                  of_nodes ? "write NSET=name" : "write ELSET=name");
+    deck_.names.try_emplace(key, name);
+    (of_nodes ? places_of_node_sets_ : places_of_element_sets_).try_emplace(key, keyword.place);
+    return sets[key];
   }
 
   void refuse_parts(const DeckKeyword& keyword) {
     throw Error(Fault::geometry, keyword.place,
-                fmt::format("*{}: decks with parts and instances are not read", keyword.name),
+                fmt::format("*{}: decks with parts and instances are not read", keyword.written),
                 "write the deck flat; in Abaqus/CAE: Model, Edit Attributes, do not use parts and "
                 "assemblies in input files");
   }
@@ -111,10 +131,10 @@ private:
       Vec3 point = Vec3::Zero();
       for (std::size_t i = 0; i < 3; ++i)
         point[static_cast<Eigen::Index>(i)] = keyword.number(line, i + 1).value_or(0.0);
-      const DeckNumber number = whole(keyword, line, 0);
+      const DeckNumber number = keyword.whole(line, 0);
       deck_.nodes[number] = point;
       if (keyword.has("NSET"))
-        named(deck_.node_sets, keyword.value("NSET")).push_back(number);
+        named(deck_.node_sets, keyword).push_back(number);
     }
   }
 
@@ -125,23 +145,35 @@ private:
     std::vector<DeckNumber> numbers;
     for (std::size_t line = 0; line < keyword.data.size(); ++line) {
       for (std::size_t i = 0; i < keyword.data[line].size(); ++i)
-        numbers.push_back(whole(keyword, line, i));
+        numbers.push_back(keyword.whole(line, i));
       if (n_nodes != 0 && numbers.size() < n_nodes + 1)
         continue;
       if (n_nodes != 0 && numbers.size() > n_nodes + 1)
         throw Error(Fault::geometry, keyword.places[line],
                     fmt::format("element {} has more than the {} nodes of {}", numbers.front(),
                                 n_nodes, type));
-      const DeckNumber number = numbers.front();
-      deck_.elements[number] = {type, {numbers.begin() + 1, numbers.end()}};
-      if (keyword.has("ELSET"))
-        named(deck_.element_sets, keyword.value("ELSET")).push_back(number);
+      if (numbers.empty())
+        continue;
+      add_element(keyword, line, {type, {numbers.begin() + 1, numbers.end()}}, numbers.front());
       numbers.clear();
     }
     if (!numbers.empty())
       throw Error(
           Fault::geometry, keyword.places.back(),
           fmt::format("the last element has only {} of {} nodes", numbers.size() - 1, n_nodes));
+  }
+
+  void add_element(const DeckKeyword& keyword,
+                   std::size_t line,
+                   DeckElement element,
+                   DeckNumber number) {
+    const bool may_lack = element.type.starts_with("D"); // of networks: 0 where there is no node
+    for (const DeckNumber node : element.nodes)
+      if (!deck_.nodes.contains(node) && !(may_lack && node == 0))
+        awaited_.push_back({number, node, keyword.places[line]});
+    deck_.elements[number] = std::move(element);
+    if (keyword.has("ELSET"))
+      named(deck_.element_sets, keyword).push_back(number);
   }
 
   /// The number at the end of the letters; 0: not known, an element takes one line.
@@ -158,9 +190,10 @@ private:
 
   void set(const DeckKeyword& keyword) {
     const bool of_nodes = keyword.name == "NSET";
-    const std::string name = keyword.value(of_nodes ? "NSET" : "ELSET");
     DeckSets& sets = of_nodes ? deck_.node_sets : deck_.element_sets;
     std::vector<DeckNumber> members;
+    if (of_nodes && keyword.has("ELSET"))
+      nodes_of_elements(keyword, members);
     for (std::size_t line = 0; line < keyword.data.size(); ++line) {
       if (keyword.has("GENERATE")) {
         generate(keyword, line, members);
@@ -168,7 +201,7 @@ private:
       }
       for (std::size_t i = 0; i < keyword.data[line].size(); ++i) {
         if (is_whole(keyword.field(line, i))) {
-          members.push_back(whole(keyword, line, i));
+          members.push_back(keyword.whole(line, i));
           continue;
         }
         const auto other = sets.find(in_capitals(keyword.field(line, i)));
@@ -179,13 +212,27 @@ private:
         members.insert(members.end(), other->second.begin(), other->second.end());
       }
     }
-    std::vector<DeckNumber>& own = named(sets, name);
+    std::vector<DeckNumber>& own = named(sets, keyword);
     own.insert(own.end(), members.begin(), members.end());
   }
 
+  /// *NSET, ELSET=...: every node of the elements once.
+  void nodes_of_elements(const DeckKeyword& keyword, std::vector<DeckNumber>& members) {
+    const auto elements = deck_.element_sets.find(in_capitals(keyword.value("ELSET")));
+    if (elements == deck_.element_sets.end())
+      throw Error(Fault::geometry, keyword.place,
+                  fmt::format("*{}: ELSET={} is no set given before", keyword.written,
+                              keyword.value("ELSET").substr(0, 80)));
+    std::set<DeckNumber> nodes;
+    for (const DeckNumber number : elements->second)
+      if (const auto element = deck_.elements.find(number); element != deck_.elements.end())
+        nodes.insert(element->second.nodes.begin(), element->second.nodes.end());
+    members.insert(members.end(), nodes.begin(), nodes.end());
+  }
+
   void generate(const DeckKeyword& keyword, std::size_t line, std::vector<DeckNumber>& members) {
-    const DeckNumber first = whole(keyword, line, 0), last = whole(keyword, line, 1);
-    const DeckNumber step = keyword.field(line, 2).empty() ? 1 : whole(keyword, line, 2);
+    const DeckNumber first = keyword.whole(line, 0), last = keyword.whole(line, 1);
+    const DeckNumber step = keyword.field(line, 2).empty() ? 1 : keyword.whole(line, 2);
     constexpr DeckNumber most = 50'000'000;
     if (step < 1 || last < first || (last - first) / step > most)
       throw Error(Fault::geometry, keyword.places[line], "a set that cannot be: first, last, step");
@@ -193,162 +240,24 @@ private:
       members.push_back(number);
   }
 
-  // --- materials ---------------------------------------------------------------------------------
-
-  void material(const DeckKeyword& keyword) {
-    material_ = in_capitals(keyword.value("NAME"));
-    deck_.materials[material_].name = keyword.value("NAME");
-  }
-
-  void elastic(const DeckKeyword& keyword) {
-    const std::string type = in_capitals(keyword.value("TYPE"));
-    if (!type.empty() && type != "ISO" && type != "ISOTROPIC")
-      return remark(keyword,
-                    fmt::format("TYPE={} is not available: elasticity is isotropic", type));
-    const auto young = keyword.number(0, 0), poisson = keyword.number(0, 1);
-    if (!young)
-      return remark(keyword, "without a modulus");
-    deck_.materials[material_].elastic = {*young, poisson.value_or(0.0)};
-    if (keyword.data.size() > 1)
-      remark(keyword, fmt::format("the values of the first temperature are taken, {} more are left "
-                                  "out",
-                                  keyword.data.size() - 1));
-  }
-
-  void plastic(const DeckKeyword& keyword) {
-    const std::string hardening = in_capitals(keyword.value("HARDENING"));
-    if (!hardening.empty() && hardening != "ISOTROPIC")
-      remark(keyword, fmt::format("HARDENING={} is taken as isotropic", hardening));
-    DeckMaterial& material = deck_.materials[material_];
-    const std::string temperature = keyword.field(0, 2);
-    std::size_t others = 0;
-    for (std::size_t line = 0; line < keyword.data.size(); ++line) {
-      if (keyword.field(line, 2) != temperature) {
-        ++others;
-        continue;
-      }
-      const double strain = keyword.number(line, 1).value_or(0.0);
-      const double stress = keyword.number(line, 0).value_or(0.0);
-      if (material.plastic.empty() || strain > material.plastic.back().first)
-        material.plastic.emplace_back(strain, stress);
-    }
-    if (others > 0)
-      remark(keyword,
-             fmt::format("the curve of temperature {} is taken, {} rows of others are left "
-                         "out",
-                         temperature.empty() ? "0" : temperature, others));
-  }
-
-  void density(const DeckKeyword& keyword) {
-    deck_.materials[material_].density = keyword.number(0, 0);
-  }
+  // --- sections and amplitudes -------------------------------------------------------------------
 
   void section(const DeckKeyword& keyword) {
-    for (const DeckNumber element : deck_.elements_of(keyword.value("ELSET")))
-      deck_.material_of[element] = in_capitals(keyword.value("MATERIAL"));
+    references_.add(DeckThing::elements, keyword.value("ELSET"), keyword);
+    references_.add(DeckThing::material, keyword.value("MATERIAL"), keyword);
+    sections_.push_back({keyword.value("ELSET"), keyword.value("MATERIAL")});
     if (const auto thickness = keyword.number(0, 0); thickness && keyword.name == "SOLIDSECTION")
       deck_.thickness = *thickness;
   }
 
-  // --- loads -------------------------------------------------------------------------------------
-
-  void amplitude(const DeckKeyword& keyword) {
-    DeckAmplitude& amplitude = deck_.amplitudes[in_capitals(keyword.value("NAME"))];
-    amplitude.total_time = in_capitals(keyword.value("TIME")).starts_with("TOTAL");
-    std::vector<double> numbers;
-    for (std::size_t line = 0; line < keyword.data.size(); ++line)
-      for (std::size_t i = 0; i < keyword.data[line].size(); ++i)
-        if (const auto number = keyword.number(line, i))
-          numbers.push_back(*number);
-    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-      amplitude.points.emplace_back(numbers[i], numbers[i + 1]);
-    if (const std::string kind = in_capitals(keyword.value("DEFINITION"));
-        !kind.empty() && kind != "TABULAR")
-      remark(keyword, fmt::format("DEFINITION={} is taken as a table", kind));
-  }
-
-  /// Names for several components at once.
-  static bool named_support(const std::string& word, DeckCondition& condition) {
-    constexpr std::array<std::pair<const char*, int>, 3> planes{
-        {{"XSYMM", 1}, {"YSYMM", 2}, {"ZSYMM", 3}}};
-    for (const auto& [name, component] : planes)
-      if (word == name)
-        condition.first = condition.last = component;
-    if (word == "ENCASTRE" || word == "PINNED")
-      condition.last = 3;
-    return word.ends_with("SYMM") || word == "ENCASTRE" || word == "PINNED";
-  }
-
-  void boundary(const DeckKeyword& keyword) {
-    if (in_capitals(keyword.value("OP")) == "NEW") {
-      now().replaces_boundary = true;
-      now().boundary.clear();
-    }
-    const std::string type = in_capitals(keyword.value("TYPE"));
-    if (type == "ACCELERATION" || keyword.has("FIXED") || keyword.has("SUBMODEL"))
-      return remark(keyword, "this form is not understood, and left out");
-    for (std::size_t line = 0; line < keyword.data.size(); ++line) {
-      DeckCondition condition{
-          keyword.field(line, 0), 1, 1, 0.0, keyword.value("AMPLITUDE"), type == "VELOCITY",
-          keyword.places[line]};
-      if (!named_support(in_capitals(keyword.field(line, 1)), condition)) {
-        condition.first = static_cast<int>(whole(keyword, line, 1));
-        condition.last = keyword.field(line, 2).empty() ? condition.first
-                                                        : static_cast<int>(whole(keyword, line, 2));
-        condition.value = keyword.number(line, 3).value_or(0.0);
-      }
-      if (condition.first > 6)
-        deck_.remarks.push_back({condition.place, "*BOUNDARY: no displacement or rotation (degree "
-                                                  "of freedom above 6), left out"});
-      else
-        now().boundary.push_back(condition);
-    }
-  }
-
-  void forces(const DeckKeyword& keyword) {
-    if (in_capitals(keyword.value("OP")) == "NEW")
-      now().replaces_forces = true;
-    for (std::size_t line = 0; line < keyword.data.size(); ++line) {
-      const int component = static_cast<int>(whole(keyword, line, 1));
-      now().forces.push_back({keyword.field(line, 0), component, component,
-                              keyword.number(line, 2).value_or(0.0), keyword.value("AMPLITUDE"),
-                              false, keyword.places[line]});
-    }
-  }
-
-  void pressures(const DeckKeyword& keyword) {
-    if (in_capitals(keyword.value("OP")) == "NEW")
-      now().replaces_pressures = true;
-    for (std::size_t line = 0; line < keyword.data.size(); ++line) {
-      const std::string label = in_capitals(keyword.field(line, 1));
-      const double value = keyword.number(line, 2).value_or(0.0);
-      DeckPressure pressure{"", "", "", value, keyword.value("AMPLITUDE"), keyword.places[line]};
-      if (label == "GRAV") {
-        deck_.gravity = DeckGravity{value,
-                                    {keyword.number(line, 3).value_or(0.0),
-                                     keyword.number(line, 4).value_or(0.0),
-                                     keyword.number(line, 5).value_or(0.0)}};
-      } else if (keyword.name == "DSLOAD" && label == "P") {
-        pressure.surface = keyword.field(line, 0);
-        now().pressures.push_back(pressure);
-      } else if (keyword.name == "DLOAD" && label.size() == 2 && label[0] == 'P') {
-        pressure.elements = keyword.field(line, 0);
-        pressure.face = "S" + label.substr(1);
-        now().pressures.push_back(pressure);
-      } else {
-        deck_.remarks.push_back(
-            {keyword.places[line],
-             fmt::format("*{}: a load {} is not understood, and left out", keyword.name, label)});
-      }
-    }
-  }
+  void amplitude(const DeckKeyword& keyword) { read_amplitude(deck_, keyword); }
 
   // --- contact -----------------------------------------------------------------------------------
 
   void surface(const DeckKeyword& keyword) {
     const std::string name = keyword.value("NAME");
     DeckSurface& surface = deck_.surfaces[in_capitals(name)];
-    surface = DeckSurface{name, in_capitals(keyword.value("TYPE")), {}, {}, {}, keyword.place};
+    surface = DeckSurface{name, keyword.word("TYPE"), {}, {}, {}, keyword.place};
     if (surface.type.empty())
       surface.type = "ELEMENT";
     const bool is_analytical = surface.type != "ELEMENT" && surface.type != "NODE";
@@ -356,6 +265,8 @@ private:
       remark(keyword, "the fillet radius is left out: corners of the profile stay sharp");
     for (std::size_t line = 0; line < keyword.data.size(); ++line) {
       if (!is_analytical) {
+        references_.add(surface.type == "NODE" ? DeckThing::nodes : DeckThing::elements, keyword,
+                        line, 0);
         surface.members.emplace_back(keyword.field(line, 0), in_capitals(keyword.field(line, 1)));
         continue;
       }
@@ -376,15 +287,8 @@ private:
   void rigid_body_of_surface(const std::string& name, const DeckKeyword& keyword) {
     DeckRigidBody body;
     body.surface = name;
-    body.reference = reference_node(keyword, "REFNODE");
     body.place = keyword.place;
-    deck_.rigid_bodies.push_back(body);
-  }
-
-  /// A node by its number, or the one of a set.
-  DeckNumber reference_node(const DeckKeyword& keyword, const char* parameter) {
-    const std::vector<DeckNumber> nodes = deck_.nodes_of(keyword.value(parameter));
-    return nodes.empty() ? 0 : nodes.front();
+    add_rigid_body(body, keyword);
   }
 
   void rigid_body(const DeckKeyword& keyword) {
@@ -392,10 +296,38 @@ private:
     body.nodes = keyword.value("NSET");
     body.elements = keyword.value("ELSET");
     body.surface = keyword.value("ANALYTICALSURFACE");
-    body.reference = reference_node(keyword, "REFNODE");
-    body.rotation = reference_node(keyword, "ROTNODE");
     body.place = keyword.place;
+    if (!body.nodes.empty())
+      references_.add(DeckThing::nodes, body.nodes, keyword);
+    if (!body.elements.empty())
+      references_.add(DeckThing::elements, body.elements, keyword);
+    if (!body.surface.empty())
+      references_.add(DeckThing::surface, body.surface, keyword);
+    if (keyword.has("PINNSET") || keyword.has("TIENSET"))
+      remark(keyword, "PIN NSET and TIE NSET are not understood, and left out");
+    add_rigid_body(body, keyword);
+  }
+
+  void add_rigid_body(const DeckRigidBody& body, const DeckKeyword& keyword) {
     deck_.rigid_bodies.push_back(body);
+    for (const bool rotation : {false, true})
+      if (const std::string name = keyword.value(rotation ? "ROTNODE" : "REFNODE"); !name.empty())
+        reference_nodes_.push_back(
+            {deck_.rigid_bodies.size() - 1, rotation, name, keyword.written, keyword.place});
+  }
+
+  /// A rigid body names its nodes by number, or as a set of which it takes the first.
+  void require_reference_nodes() {
+    for (const ReferenceNode& one : reference_nodes_) {
+      const std::vector<DeckNumber> nodes = deck_.nodes_of(one.name);
+      if (nodes.empty() || !deck_.nodes.contains(nodes.front()))
+        throw Error(Fault::geometry, one.place,
+                    fmt::format("*{}: {} NODE={} is not there", one.keyword,
+                                one.rotation ? "ROT" : "REF", one.name.substr(0, 80)),
+                    "name a node, or a set of one node");
+      DeckRigidBody& body = deck_.rigid_bodies[one.body];
+      (one.rotation ? body.rotation : body.reference) = nodes.front();
+    }
   }
 
   void interaction(const DeckKeyword& keyword) {
@@ -404,30 +336,47 @@ private:
   }
 
   void friction(const DeckKeyword& keyword) {
+    if (!deck_.interactions.contains(interaction_))
+      return remark(keyword, "before the first *SURFACE INTERACTION, left out");
+    if (!deck_.steps.empty())
+      return remark(keyword, "a friction that changes in a step is not understood, and left out");
     DeckInteraction& interaction = deck_.interactions[interaction_];
     interaction.rough = keyword.has("ROUGH");
     interaction.mu = keyword.number(0, 0).value_or(0.0);
+    if (!interaction.rough && (keyword.has("USER") || !keyword.number(0, 0)))
+      remark(keyword, "without a coefficient: contact is without friction");
     double most = 0.0;
     if (parse_real(keyword.value("TAUMAX"), most) && most > 0.0)
       interaction.largest_shear = most;
-    if (keyword.data.size() > 1)
+    else if (keyword.has("TAUMAX"))
+      remark(keyword, fmt::format("TAUMAX={} is not a positive number, left out",
+                                  keyword.value("TAUMAX").substr(0, 30)));
+    if (keyword.has("EXPONENTIALDECAY"))
+      remark(keyword, fmt::format("EXPONENTIAL DECAY is not available: the static coefficient {:g} "
+                                  "is taken for all speeds of sliding",
+                                  interaction.mu));
+    else if (keyword.data.size() > 1 || keyword.has("ANISOTROPIC"))
       remark(keyword, "the first coefficient is taken, the others are left out");
   }
 
   void pair(const DeckKeyword& keyword) {
-    for (std::size_t line = 0; line < keyword.data.size(); ++line)
+    references_.add(DeckThing::interaction, keyword.value("INTERACTION"), keyword);
+    for (std::size_t line = 0; line < keyword.data.size(); ++line) {
+      for (const std::size_t i : {0U, 1U})
+        if (i == 0 || !keyword.field(line, i).empty()) // contact of a surface with itself
+          references_.add(DeckThing::surface, keyword, line, i);
       deck_.pairs.push_back({in_capitals(keyword.value("INTERACTION")),
                              in_capitals(keyword.field(line, 0)),
-                             in_capitals(keyword.field(line, 1))});
+                             in_capitals(keyword.field(line, 1)), keyword.places[line]});
+    }
   }
 
   // --- steps -------------------------------------------------------------------------------------
 
   void step(const DeckKeyword& keyword) {
     DeckStep step;
-    const std::string large = in_capitals(keyword.value("NLGEOM"));
-    step.large_strain = keyword.has("NLGEOM") && large != "NO";
-    step.steps_at_once = in_capitals(keyword.value("AMPLITUDE")) == "STEP";
+    step.large_strain = keyword.has("NLGEOM") && keyword.word("NLGEOM") != "NO";
+    step.steps_at_once = keyword.word("AMPLITUDE") == "STEP";
     deck_.steps.push_back(step);
     if (!step.large_strain && deck_.steps.size() == 1)
       remark(keyword, "without NLGEOM: strains are finite here all the same");
@@ -446,8 +395,14 @@ private:
   }
 
   Deck& deck_;
-  std::string material_;
-  std::string interaction_;
+  DeckReferences references_;
+  DeckMaterials materials_{deck_};
+  DeckLoads loads_{deck_, references_};
+  std::string interaction_; ///< that *FRICTION belongs to
+  std::vector<DeckElementNode> awaited_;
+  std::vector<Section> sections_;
+  std::vector<ReferenceNode> reference_nodes_;
+  std::map<std::string, std::string> places_of_node_sets_, places_of_element_sets_;
 };
 
 std::vector<DeckNumber> members_of(const DeckSets& sets, const std::string& target) {
@@ -478,6 +433,7 @@ Deck read_deck(const std::filesystem::path& file, const IncludeBounds& bounds) {
   if (deck.nodes.empty() || deck.elements.empty())
     throw Error(Fault::geometry, file.string(), "the deck has no nodes or no elements",
                 "is it an input file of CalculiX or Abaqus?");
+  reader.finish();
   return deck;
 }
 

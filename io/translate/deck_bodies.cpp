@@ -1,13 +1,18 @@
 #include "io/translate/deck_bodies.h"
 
+#include "geometry/base/error.h"
 #include "geometry/triangles/disjoint_sets.h"
 #include "mechanics/mesh/mesh_edges.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <map>
 
 namespace billet::io {
@@ -82,7 +87,10 @@ bool is_facet_type(const std::string& type) {
 const ElementShape* shape_of(const DeckElement& element) {
   const std::size_t n = element.nodes.size();
   if (element.type.starts_with("C3D"))
-    return n == 8 || n == 20 ? &hexahedron() : n == 6 || n == 15 ? &wedge() : &tetrahedron();
+    return n == 8 || n == 20 || n == 27 ? &hexahedron()
+           : n == 6 || n == 15          ? &wedge()
+           : n == 4 || n == 10          ? &tetrahedron()
+                                        : nullptr;
   if (starts_with_any(element.type, {"R2D2", "RAX2"}))
     return &line();
   const std::size_t corners = n == 3 || n == 6 ? 3 : 4;
@@ -94,7 +102,7 @@ const ElementShape* shape_of(const DeckElement& element) {
 Vec3 centre_of(const Deck& deck, const std::vector<DeckNumber>& nodes, std::size_t n) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < n; ++i)
-    sum += deck.nodes.at(nodes[i]);
+    sum += deck_point(deck, nodes[i]);
   return sum / static_cast<double>(n);
 }
 
@@ -109,12 +117,12 @@ void reverse_face(DeckFace& face) {
 bool looks_inward(const Deck& deck, const DeckElement& element, const DeckFace& face) {
   const ElementShape& shape = *shape_of(element);
   const Vec3 inside = centre_of(deck, element.nodes, shape.corners);
-  const Vec3 a = deck.nodes.at(face.corners[0]), b = deck.nodes.at(face.corners[1]);
+  const Vec3 a = deck_point(deck, face.corners[0]), b = deck_point(deck, face.corners[1]);
   if (face.corners.size() == 2) { // the body on the left
     const Vec3 along = b - a, to = inside - a;
     return along.x() * to.y() - along.y() * to.x() < 0.0;
   }
-  const Vec3 c = deck.nodes.at(face.corners[2]);
+  const Vec3 c = deck_point(deck, face.corners[2]);
   return (b - a).cross(c - a).dot(inside - a) > 0.0;
 }
 
@@ -154,16 +162,16 @@ bool clean(DeckFace& face) {
 /// One node for all that lie on each other: meshes of parts that were joined without merging.
 std::map<DeckNumber, DeckNumber> merged_nodes(const Deck& deck, const DeckBody& body) {
   constexpr double same = 1e-7; // of the body's size
-  Vec3 low = deck.nodes.at(*body.nodes.begin()), high = low;
+  Vec3 low = deck_point(deck, *body.nodes.begin()), high = low;
   for (const DeckNumber node : body.nodes) {
-    low = low.cwiseMin(deck.nodes.at(node));
-    high = high.cwiseMax(deck.nodes.at(node));
+    low = low.cwiseMin(deck_point(deck, node));
+    high = high.cwiseMax(deck_point(deck, node));
   }
-  const double step = same * (high - low).maxCoeff();
+  const double step = std::max(same * (high - low).maxCoeff(), std::numeric_limits<double>::min());
   std::map<std::array<std::int64_t, 3>, DeckNumber> by_place;
   std::map<DeckNumber, DeckNumber> merged;
   for (const DeckNumber node : body.nodes) {
-    const Vec3 at = (deck.nodes.at(node) - low) / step;
+    const Vec3 at = (deck_point(deck, node) - low) / step;
     const std::array<std::int64_t, 3> place{std::llround(at[0]), std::llround(at[1]),
                                             std::llround(at[2])};
     merged[node] = by_place.try_emplace(place, node).first->second;
@@ -185,9 +193,28 @@ std::string name_of_body(const Deck& deck, const DeckBody& body, std::size_t num
     if (members.size() >= body.elements.size() && members.size() < smallest &&
         holds_all(members, body.elements)) {
       smallest = members.size();
-      best = deck.names.at(key);
+      const auto written = deck.names.find(key);
+      best = written == deck.names.end() ? key : written->second;
     }
   return smallest == body.elements.size() ? best : "body-" + std::to_string(number + 1);
+}
+
+/// @throws Error (Fault::geometry) for an element with fewer nodes than corners, or without its
+/// nodes
+void require_corners(const Deck& deck) {
+  for (const auto& [number, element] : deck.elements) {
+    const ElementShape* const shape = shape_of(element);
+    if (shape == nullptr)
+      continue;
+    if (element.nodes.size() < shape->corners)
+      throw Error(Fault::geometry, "",
+                  fmt::format("element {} of type {} has {} nodes, its corners are {}", number,
+                              element.type, element.nodes.size(), shape->corners));
+    for (const DeckNumber node : element.nodes)
+      if (!deck.nodes.contains(node))
+        throw Error(Fault::geometry, "",
+                    fmt::format("element {} names node {}, which is not there", number, node));
+  }
 }
 
 const DeckRigidBody* rigid_body_of(const Deck& deck, const DeckBody& body) {
@@ -203,23 +230,32 @@ const DeckRigidBody* rigid_body_of(const Deck& deck, const DeckBody& body) {
 
 } // namespace
 
+const Vec3& deck_point(const Deck& deck, DeckNumber node) {
+  const auto found = deck.nodes.find(node);
+  if (found == deck.nodes.end())
+    throw Error(Fault::geometry, "", fmt::format("node {} is not there", node));
+  return found->second;
+}
+
+bool has_faces(const DeckElement& element) { return shape_of(element) != nullptr; }
+
 bool is_plane_type(const std::string& type) {
   return starts_with_any(type, {"CPE", "CPS", "CAX", "R2D2", "RAX2"});
 }
 
 std::vector<DeckBody> deck_bodies(const Deck& deck) {
+  require_corners(deck);
   std::map<DeckNumber, std::int32_t> places;
   for (const auto& [number, point] : deck.nodes)
     places.emplace(number, static_cast<std::int32_t>(places.size()));
   geometry::DisjointSets groups(places.size());
   for (const auto& [number, element] : deck.elements)
-    if (shape_of(element) != nullptr)
+    if (has_faces(element))
       for (const DeckNumber node : element.nodes)
-        if (places.contains(node))
-          groups.join(places.at(node), places.at(element.nodes.front()));
+        groups.join(places.at(node), places.at(element.nodes.front()));
   std::map<std::int32_t, DeckBody> by_group;
   for (const auto& [number, element] : deck.elements)
-    if (shape_of(element) != nullptr && places.contains(element.nodes.front())) {
+    if (has_faces(element)) {
       DeckBody& body = by_group[groups.root(places.at(element.nodes.front()))];
       body.elements.push_back(number);
       body.nodes.insert(element.nodes.begin(), element.nodes.end());

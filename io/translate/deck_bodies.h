@@ -28,10 +28,18 @@ struct DeckFace {
   std::vector<DeckNumber> middles; ///< none, or one after each corner (of an edge: one)
 };
 
+/// Where a node lies.
+/// @throws Error (Fault::geometry) if the deck has no such node
+[[nodiscard]] const Vec3& deck_point(const Deck& deck, DeckNumber node);
+
+/// Whether an element is part of a body; springs, masses, beams and such are not.
+[[nodiscard]] bool has_faces(const DeckElement& element);
+
 /// Whether elements of a type have nodes in the plane only.
 [[nodiscard]] bool is_plane_type(const std::string& type);
 
 /// A body of each group of elements that hang together. Springs, masses and such are none.
+/// @throws Error (Fault::geometry) for an element without its nodes
 [[nodiscard]] std::vector<DeckBody> deck_bodies(const Deck& deck);
 
 /// The faces of an element that a label names: "S3"; empty: all. Shells and rigid facets have one.

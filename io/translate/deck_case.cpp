@@ -38,7 +38,7 @@ const DeckMaterial* material_of(const Deck& deck, const DeckBody& body) {
 /// How much a body looks like the workpiece: plastic first, then the softer, then the larger.
 std::array<double, 3> rank_of(const Deck& deck, const DeckBody& body) {
   const DeckMaterial* const material = material_of(deck, body);
-  const bool plastic = material != nullptr && !material->plastic.empty();
+  const bool plastic = material != nullptr && material->is_plastic();
   const double young =
       material != nullptr && material->elastic ? (*material->elastic)[0] : HUGE_VAL;
   return {plastic ? 1.0 : 0.0, -young, static_cast<double>(body.elements.size())};
@@ -49,6 +49,8 @@ public:
   CaseMaker(Deck& deck, const DeckUnits& units)
       : deck_(deck), units_(units), bodies_(deck_bodies(deck)) {
     choose_workpiece();
+    note_elements_left_out();
+    note_other_materials();
     motions_ = prescribed_motions(deck_);
     forces_ = concentrated_forces(deck_);
   }
@@ -58,6 +60,7 @@ public:
         head() + material_text() + supports_text() + loads_text() + tools_text() + time_text();
     const std::string mesh = mesh_text(); // knows by now which sets are asked for
     note_unused_forces();
+    note_unused_motions();
     DeckCase result;
     result.files.push_back({"case.toml", remarks_text(name) + text});
     result.files.push_back({"part.inp", mesh});
@@ -100,22 +103,53 @@ private:
       remark(fmt::format("forces of the case are per unit of thickness, the deck's of {:g}",
                          *deck_.thickness));
     for (const DeckNumber node : part().nodes)
-      around_.points.push_back(deck_.nodes.at(node));
+      around_.points.push_back(deck_point(deck_, node));
     around_.in_space = in_space_;
     around_.unit = units_.length;
+  }
+
+  /// Beams, springs, masses and what else is not part of a body.
+  void note_elements_left_out() {
+    std::map<std::string, std::pair<std::size_t, DeckNumber>> by_type;
+    for (const auto& [number, element] : deck_.elements)
+      if (!has_faces(element))
+        ++by_type.try_emplace(element.type, 0, number).first->second.first;
+    for (const auto& [type, found] : by_type)
+      remark(fmt::format("*ELEMENT, TYPE={}: left out, {} elements from number {}", type,
+                         found.first, found.second));
+  }
+
+  void note_other_materials() {
+    const auto is_other = [&](DeckNumber element) {
+      const auto found = deck_.material_of.find(element);
+      return found == deck_.material_of.end() || found->second != part().material;
+    };
+    const auto n = std::count_if(part().elements.begin(), part().elements.end(), is_other);
+    if (n > 0 && !part().material.empty())
+      remark(
+          fmt::format("{} elements of the workpiece are of another material, or of none: all are "
+                      "of {}",
+                      n, part().material));
   }
 
   [[nodiscard]] const DeckBody& part() const { return bodies_[workpiece_]; }
   [[nodiscard]] int dimension() const { return in_space_ ? 3 : 2; }
 
   [[nodiscard]] std::string head() const {
-    return fmt::format("title = {}\nunits = \"{}\"\nanalysis = \"{}\"\n\n[workpiece]\nelement = "
+    return fmt::format("title = {}\nunits = \"{}\"\nanalysis = \"{}\"\n{}\n[workpiece]\nelement = "
                        "\"{}\"\nmaterial = \"workpiece\"\nmesh = {{ file = \"part.inp\" }}\n\n",
                        toml_text(std::string_view(deck_.title)), units_.system,
                        in_space_       ? "3d"
                        : axisymmetric_ ? "axisymmetric"
                                        : "plane-strain",
-                       element_);
+                       temperature_text(), element_);
+  }
+
+  [[nodiscard]] std::string temperature_text() const {
+    const DeckMaterial* const material = material_of(deck_, part());
+    if (material == nullptr || !material->johnson_cook || !material->johnson_cook->temperatures)
+      return "";
+    return fmt::format("temperature = {:.10g}\n", (*material->johnson_cook->temperatures)[0]);
   }
 
   std::string material_text() {
@@ -128,13 +162,38 @@ private:
         fmt::format("[material.workpiece] # {}\nelastic = {{ young = {:.10g}, "
                     "poisson = {:.10g} }}\n",
                     plain_name(material->name), (*material->elastic)[0], (*material->elastic)[1]);
-    if (material->plastic.size() == 1)
+    if (material->johnson_cook)
+      text += johnson_cook_text(*material->johnson_cook);
+    else if (material->plastic.size() == 1)
       text += fmt::format("flow = {{ law = \"perfect\", yield = {:.10g} }}\n",
                           material->plastic.front().second);
     else if (!material->plastic.empty())
       text +=
           fmt::format("flow = {{ law = \"table\", points = {} }}\n", toml_text(material->plastic));
     return text + "\n";
+  }
+
+  /// Without temperatures the law is Ludwik's.
+  std::string johnson_cook_text(const DeckJohnsonCook& law) {
+    if (!law.temperatures) {
+      if (law.rate)
+        remark("the Johnson-Cook law has no temperatures: its dependence on the rate is left out",
+               law.place);
+      return fmt::format(
+          "flow = {{ law = \"ludwik\", yield = {:.10g}, K = {:.10g}, n = {:.10g} }}\n", law.A,
+          law.B, law.n);
+    }
+    const auto& [room, melting] = *law.temperatures;
+    const auto [C, rate0] = law.rate.value_or(std::array{0.0, 1.0});
+    remark(fmt::format("the workpiece has the temperature {:g}, at which the Johnson-Cook law has "
+                       "its full strength: set `temperature` if the deck begins at another",
+                       room),
+           law.place);
+    return fmt::format(
+        "flow = {{ law = \"johnson-cook\", A = {:.10g}, B = {:.10g}, n = {:.10g}, C = "
+        "{:.10g}, rate0 = {:.10g}, m = {:.10g}, T_room = {:.10g}, T_melt = {:.10g} "
+        "}}\n",
+        law.A, law.B, law.n, C, rate0, law.m, room, melting);
   }
 
   // --- supports and loads ------------------------------------------------------------------------
@@ -210,7 +269,7 @@ private:
     if (nodes.empty() || nodes.size() == part().nodes.size())
       return "";
     const DeckMotion motion = motion_of_node(deck_, motions_, rigid.reference);
-    remark(fmt::format("*RIGIDBODY: nodes of the workpiece in {} move as the reference node does, "
+    remark(fmt::format("*RIGID BODY: nodes of the workpiece in {} move as the reference node does, "
                        "without turning; components that nothing prescribes there are free",
                        rigid.nodes),
            rigid.place);
@@ -248,14 +307,61 @@ private:
       text += fmt::format("[[load]] # {}\nwhere = \"set:{}\"\npressure = {}\n\n",
                           one.pressure.place, set, toml_text(one.history));
     }
+    return text + gravity_text();
+  }
+
+  std::string gravity_text() {
+    if (!deck_.gravity)
+      return "";
+    const DeckGravity& gravity = *deck_.gravity;
     const DeckMaterial* const material = material_of(deck_, part());
-    if (deck_.gravity && material != nullptr && material->density) {
-      const Vec3 force =
-          *material->density * deck_.gravity->value * deck_.gravity->direction.normalized();
-      text += fmt::format("[[load]] # gravity\nwhere = \"all\"\nbody_force = {}\n\n",
-                          vector_text(force, in_space_));
+    if (material == nullptr || !material->density) {
+      remark("GRAV: the workpiece has no *DENSITY, left out", gravity.place);
+      return "";
     }
-    return text;
+    if (gravity.direction.isZero()) {
+      remark("GRAV: without a direction, left out", gravity.place);
+      return "";
+    }
+    note_gravity(gravity);
+    const Vec3 force = *material->density * gravity.value * gravity.direction.normalized();
+    return fmt::format("[[load]] # gravity\nwhere = \"all\"\nbody_force = {}\n\n",
+                       vector_text(force, in_space_));
+  }
+
+  /// What of gravity is otherwise in a case.
+  void note_gravity(const DeckGravity& gravity) {
+    if (!gravity.amplitude.empty() || gravity.step > 1)
+      remark("GRAV: it acts in full from the begin of the run to its end", gravity.place);
+    if (gravity.elements.empty())
+      return;
+    std::vector<DeckNumber> elements = deck_.elements_of(gravity.elements);
+    std::sort(elements.begin(), elements.end());
+    if (!std::includes(elements.begin(), elements.end(), part().elements.begin(),
+                       part().elements.end()))
+      remark(fmt::format("GRAV on {}: it acts on the whole workpiece", gravity.elements),
+             gravity.place);
+  }
+
+  /// Whether what is prescribed of a node can move anything: the workpiece or a tool.
+  [[nodiscard]] bool moves_something(DeckNumber node) const {
+    return std::any_of(bodies_.begin(), bodies_.end(),
+                       [&](const DeckBody& body) { return body.nodes.contains(node); }) ||
+           std::any_of(deck_.rigid_bodies.begin(), deck_.rigid_bodies.end(),
+                       [&](const DeckRigidBody& rigid) {
+                         return rigid.reference == node || rigid.rotation == node;
+                       });
+  }
+
+  void note_unused_motions() {
+    for (const auto& [target, motion] : motions_) {
+      std::vector<DeckNumber> nodes = deck_.nodes_of(target);
+      std::erase_if(nodes, [&](DeckNumber node) { return !deck_.nodes.contains(node); });
+      if (!nodes.empty() && std::none_of(nodes.begin(), nodes.end(),
+                                         [&](DeckNumber node) { return moves_something(node); }))
+        remark(fmt::format("*BOUNDARY on {}: its nodes belong to no body, left out", target),
+               motion.place);
+    }
   }
 
   void note_unused_forces() {
@@ -315,7 +421,7 @@ private:
     const DeckMaterial* const material = material_of(deck_, body);
     if (body.rigid == nullptr)
       remark(fmt::format("the body {} becomes a rigid tool{}", body.name,
-                         material != nullptr && !material->plastic.empty()
+                         material != nullptr && material->is_plastic()
                              ? ": it is plastic in the deck, its own deformation is lost"
                              : ": in the deck it is elastic"));
     return tool_text(name, surface_of_body(deck_, body, name, around_), motion_of(body), *pair,
@@ -324,12 +430,23 @@ private:
 
   std::string profile_tool(const DeckRigidBody& rigid, const DeckSurface& surface) {
     const std::string name = tool_name(surface.name);
-    DeckInteraction pair;
-    for (const DeckPair& one : deck_.pairs)
-      if (one.master == in_capitals(surface.name) || one.slave == in_capitals(surface.name))
-        pair = deck_.interactions[one.interaction];
+    const auto pair =
+        std::find_if(deck_.pairs.begin(), deck_.pairs.end(), [&](const DeckPair& one) {
+          return one.master == in_capitals(surface.name) || one.slave == in_capitals(surface.name);
+        });
+    if (pair == deck_.pairs.end())
+      remark(fmt::format("the surface {} is in no contact pair: it is a tool without friction",
+                         surface.name),
+             surface.place);
     return tool_text(name, surface_of_profile(surface, name, around_),
-                     motion_of_node(deck_, motions_, rigid.reference), pair, &rigid);
+                     motion_of_node(deck_, motions_, rigid.reference),
+                     pair == deck_.pairs.end() ? DeckInteraction{} : interaction_of(*pair), &rigid);
+  }
+
+  /// One that is not there is without friction, and said already.
+  [[nodiscard]] DeckInteraction interaction_of(const DeckPair& pair) const {
+    const auto found = deck_.interactions.find(pair.interaction);
+    return found == deck_.interactions.end() ? DeckInteraction{} : found->second;
   }
 
   std::string tool_name(const std::string& wish) {
@@ -367,10 +484,8 @@ private:
   [[nodiscard]] std::optional<DeckInteraction> interaction_with(const DeckBody& body) const {
     for (const DeckPair& pair : deck_.pairs)
       if ((touches(pair.slave, body) && touches(pair.master, part())) ||
-          (touches(pair.master, body) && touches(pair.slave, part()))) {
-        const auto found = deck_.interactions.find(pair.interaction);
-        return found == deck_.interactions.end() ? DeckInteraction{} : found->second;
-      }
+          (touches(pair.master, body) && touches(pair.slave, part())))
+        return interaction_of(pair);
     return std::nullopt;
   }
 
@@ -442,8 +557,10 @@ private:
       const std::vector<DeckNumber> nodes = deck_.nodes_of(target);
       if (nodes.size() != 1 || nodes.front() != rigid->reference)
         continue;
-      used_forces_.insert(target);
       const auto& [component, history] = *force.components.begin();
+      if (component > dimension())
+        continue;
+      used_forces_.insert(target);
       if (force.components.size() > 1)
         remark(fmt::format("tool {}: the force along {} is taken, the others are left out", tool,
                            "xyz"[component - 1]),
@@ -468,15 +585,23 @@ private:
            motion_of_node(deck_, motions_, rigid.rotation).components)
         if (component <= 3 && !is_zero(history))
           angles[component] = history;
+    if (!in_space_ && std::erase_if(angles, [](const auto& one) { return one.first != 3; }) > 0)
+      remark(fmt::format("tool {}: in the plane it turns about z only, other axes are left out",
+                         tool));
     if (angles.empty())
       return "";
+    if (rigid.reference == 0) {
+      remark(fmt::format("tool {}: it turns, but has no REF NODE to turn about: left out", tool),
+             rigid.place);
+      return "";
+    }
     if (angles.size() > 1)
       remark(fmt::format("tool {}: it turns about one axis only, the others are left out", tool));
     const auto& [axis, history] = *angles.begin();
     Vec3 direction = Vec3::Zero();
     direction[axis - 1] = 1.0;
     return fmt::format("rotation = {{ point = {}{}, speed = {} }}",
-                       vector_text(deck_.nodes.at(rigid.reference), in_space_),
+                       vector_text(deck_point(deck_, rigid.reference), in_space_),
                        in_space_ ? ", axis = " + vector_text(direction, true) : "",
                        speed_text(history));
   }
@@ -515,7 +640,7 @@ private:
   std::string mesh_text() {
     std::string text = "*NODE\n";
     for (const DeckNumber node : part().nodes) {
-      const Vec3& p = deck_.nodes.at(node);
+      const Vec3& p = deck_point(deck_, node);
       text += fmt::format("{}, {:.17g}, {:.17g}, {:.17g}\n", node, p[0], p[1], p[2]);
     }
     text += fmt::format("*ELEMENT, TYPE={}\n", deck_.elements.at(part().elements.front()).type);

@@ -1,4 +1,10 @@
 // What a deck prescribes, as functions of the time of the whole run.
+//
+// A value without an amplitude is reached evenly over its step, one with an amplitude goes along it
+// between the ends of the step, and stays there; an amplitude over the time of the run (TIME=TOTAL
+// TIME) and a velocity go on until a later step prescribes the same again. Where an amplitude does
+// not begin where the step before ended, the deck jumps: a remark says so, and the jump is drawn
+// over a thousandth of the step.
 
 #pragma once
 
@@ -27,7 +33,7 @@ struct DeckMotion {
 /// Displacements by target, in capitals. Supports that a step releases are kept; a remark says so.
 [[nodiscard]] std::map<std::string, DeckMotion> prescribed_motions(Deck& deck);
 
-/// Concentrated forces by target, in capitals.
+/// Concentrated forces by target, in capitals. Those that a step takes back (OP=NEW) end at 0.
 [[nodiscard]] std::map<std::string, DeckMotion> concentrated_forces(Deck& deck);
 
 /// A pressure as it acts in a step, and after it.

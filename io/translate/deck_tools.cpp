@@ -2,6 +2,7 @@
 
 #include "geometry/base/box.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ std::string stl_text(const std::string& name, const std::vector<Facet>& facets) 
 /// Triangles of a face, by its middle nodes where it has them.
 void add_facets(const Deck& deck, const DeckFace& face, std::vector<Facet>& facets) {
   const auto at = [&](const std::vector<DeckNumber>& nodes, std::size_t i) -> const Vec3& {
-    return deck.nodes.at(nodes[i % nodes.size()]);
+    return deck_point(deck, nodes[i % nodes.size()]);
   };
   const std::size_t n = face.corners.size();
   if (face.middles.size() != n) {
@@ -109,7 +110,7 @@ DeckToolSurface plane_chain(const Deck& deck,
   bool closed = false;
   std::vector<Vec3> points;
   for (const DeckNumber node : chain_of(edges, closed))
-    points.push_back(deck.nodes.at(node));
+    points.push_back(deck_point(deck, node));
   if (!closed && is_workpiece_left(points, around))
     std::reverse(points.begin(), points.end());
   const std::string file = name + ".toml";
