@@ -121,7 +121,9 @@ template <class Shape> struct Wanted {
   std::array<Vec3, Full<Shape>::points> normals; ///< of the tool, in space [-]
   std::array<double, Full<Shape>::points> areas; ///< [mm^2]
   std::array<double, Full<Shape>::points> rest;  ///< [mm]
-  bool is_clear = true;                          ///< all places are outside the tool
+  /// The rest of place x normal and of the normals, in the tool's frame.
+  std::array<std::array<Vec3, 2>, Full<Shape>::points> levers;
+  bool is_clear = true; ///< all places are outside the tool
 };
 
 /// @param deepest  what they may press on [mm]
@@ -150,8 +152,14 @@ std::optional<Wanted<Shape>> wanted(mechanics::Analysis analysis,
   for (std::size_t q = 0; q < n_places; ++q) {
     const Projection& foot = feet[n_points + q];
     double rest = foot.gap;
-    for (std::size_t m = 0; m < n_points; ++m)
-      rest -= rest_of<Shape>().points(static_cast<int>(q), static_cast<int>(m)) * feet[m].gap;
+    Vec3 lever = foot.foot.cross(foot.normal), normal = foot.normal;
+    for (std::size_t m = 0; m < n_points; ++m) {
+      const double share = rest_of<Shape>().points(static_cast<int>(q), static_cast<int>(m));
+      rest -= share * feet[m].gap;
+      lever -= share * feet[m].foot.cross(feet[m].normal);
+      normal -= share * feet[m].normal;
+    }
+    result.levers[q] = {lever, normal};
     result.rest[q] = std::max({rest, foot.gap, -deepest});
     result.is_clear = result.is_clear && foot.gap > 0.0;
     result.normals[q] = at.pose.rotation * foot.normal;
@@ -198,7 +206,8 @@ void FaceStabilization::set(const ContactSurface& surface,
           }
           lowest = std::min(lowest, rest);
           springs_.push_back({f, place, face->normals[q], stiffness * face->areas[q], rest,
-                              along<Shape>(place, face->normals[q], local)});
+                              along<Shape>(place, face->normals[q], local), face->levers[q][0],
+                              face->levers[q][1]});
         }
         if (!pressure && lowest > -negligible) // they are gone with their pressure
           springs_.resize(springs_.size() - face->rest.size());
@@ -277,22 +286,28 @@ Vec3 FaceStabilization::moment(const ContactSurface& surface, std::span<const do
   return moment;
 }
 
-void FaceStabilization::add_moment_row(const ContactSurface& surface,
+Vec3 FaceStabilization::moment_about(const Turning& turning,
+                                     const ContactSurface& surface,
+                                     std::span<const double> x) const {
+  Vec3 moment = Vec3::Zero();
+  for_each(surface, x, [&](auto, const Spring& spring, const auto&, double rest) {
+    moment -= spring.stiffness * rest * (turning.rotation * spring.lever(turning.point));
+  });
+  return moment;
+}
+
+void FaceStabilization::add_moment_row(const Turning& turning,
+                                       const ContactSurface& surface,
                                        std::span<const double> x,
                                        const Vec3& axis,
                                        std::span<double> row) const {
-  for_each(surface, x, [&](auto shape, const Spring& spring, const auto& weights, double rest) {
+  for_each(surface, x, [&](auto shape, const Spring& spring, const auto& weights, double) {
     constexpr int dim = decltype(shape)::dim + 1;
     const auto nodes = surface.scatter().nodes(spring.face);
-    const Vec3 turned = spring.normal.cross(axis); // axis . (arm x normal) = arm . turned
-    double lever = 0.0;
+    const double lever = axis.dot(turning.rotation * spring.lever(turning.point));
     for (std::size_t a = 0; a < nodes.size(); ++a)
       for (int d = 0; d < dim; ++d)
-        lever += weights[a] * x[idx(nodes[a] * dim + d)] * turned[d];
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      for (int d = 0; d < dim; ++d)
-        row[idx(nodes[a] * dim + d)] -=
-            spring.stiffness * weights[a] * (lever * spring.normal[d] + rest * turned[d]);
+        row[idx(nodes[a] * dim + d)] -= spring.stiffness * weights[a] * lever * spring.normal[d];
   });
 }
 

@@ -12,6 +12,8 @@
 #include "geometry/motion.h"
 #include "geometry/rigid_surface.h"
 
+#include <Eigen/Geometry>
+
 #include <span>
 #include <vector>
 
@@ -51,8 +53,19 @@ public:
   void add_forces(const ContactSurface& surface, std::span<double> forces) const;
   /// Moment of the springs' forces on the workpiece [N mm]; their resultant is zero.
   [[nodiscard]] Vec3 moment(const ContactSurface& surface, std::span<const double> x) const;
-  /// Adds the derivative of that moment about an axis, shape (n_dofs) [N].
-  void add_moment_row(const ContactSurface& surface,
+  /// About what a tool turns about: the springs turn it as its gaps to the faces do, a body of
+  /// revolution not at all about its own axis.
+  struct Turning {
+    const Mat3& rotation; ///< of the tool
+    const Vec3& point;    ///< in its own frame [mm]
+  };
+  /// What the springs turn a tool with, with the sign of `moment` [N mm].
+  [[nodiscard]] Vec3 moment_about(const Turning& turning,
+                                  const ContactSurface& surface,
+                                  std::span<const double> x) const;
+  /// Adds the derivative of that moment about an axis through the point, shape (n_dofs) [N].
+  void add_moment_row(const Turning& turning,
+                      const ContactSurface& surface,
                       std::span<const double> x,
                       const Vec3& axis,
                       std::span<double> row) const;
@@ -70,9 +83,14 @@ private:
     double stiffness; ///< [N/mm]
     double rest;      ///< of the gap when it was set, or the gap if that is more [mm]
     double along;     ///< what the nodes' positions along the normal made of it then [mm]
+    /// The rest of place x normal over the face, and of the normals, in the tool's frame.
+    Vec3 levers, normals;
+
+    /// About a point of the tool [mm].
+    [[nodiscard]] Vec3 lever(const Vec3& point) const { return levers - point.cross(normals); }
 
     template <class Archive> void fields(Archive& archive) {
-      archive(face, place, normal, stiffness, rest, along);
+      archive(face, place, normal, stiffness, rest, along, levers, normals);
     }
   };
 

@@ -34,6 +34,8 @@ public:
 private:
   /// Of the tool or the workpiece in points that touch or touched, in the increment [mm].
   [[nodiscard]] double longest_way() const;
+  /// On the workpiece, about the tool's reference point [N mm].
+  [[nodiscard]] Vec3 moment_of_springs() const;
   void commit_point(std::size_t k);
   void add_work_of_tool(std::size_t k, const Vec3& force);
   void add_friction(std::size_t k, const Vec3& position, const ShearBalance& shear);
@@ -105,7 +107,14 @@ void ToolCommit::points() {
   for (std::size_t k = 0; k < tried_.traction.size(); ++k)
     commit_point(k);
   if (!meridian_)
-    state_.loads[index_].torque -= committed_.stabilization.moment(*model_.surface, trial_.x);
+    state_.loads[index_].torque -= moment_of_springs();
+}
+
+Vec3 ToolCommit::moment_of_springs() const {
+  const FaceStabilization& springs = committed_.stabilization;
+  return tool_.motion.axis().isZero()
+             ? springs.moment(*model_.surface, trial_.x)
+             : springs.moment_about({pose_.rotation, tool_.reference}, *model_.surface, trial_.x);
 }
 
 void ToolCommit::commit_point(std::size_t k) {

@@ -16,9 +16,12 @@ namespace billet::contact {
 
 namespace {
 
-/// Gaps below this share of the parent element are rounding of coordinates, of all of them when a
-/// tool is brought to touch.
-constexpr double rounding_of_touch = 1e-9;
+/// Gaps below this are rounding of coordinates, of all of them when a tool is brought to touch: a
+/// share of the parent element, or of the coordinates in the tool's frame where these are large.
+double rounding_of_touch(double depth, const Vec3& position) {
+  constexpr double of_depth = 1e-9, of_coordinates = 2e-12;
+  return std::max(of_depth * depth, of_coordinates * position.cwiseAbs().maxCoeff());
+}
 
 /// Nothing of a tool touches in the trial.
 void part(TrialContact& trial) {
@@ -72,7 +75,7 @@ void ContactTerm::start(std::size_t tool, std::span<const double> x, double time
     const geometry::Projection& foot = contact.trial.foot[k];
     history.position = contact.trial.position[k];
     // What lies on the tool sticks from the start; rounding must not decide.
-    if (acts(tool, time) && foot.gap <= rounding_of_touch * model_.depth_at(k))
+    if (acts(tool, time) && foot.gap <= rounding_of_touch(model_.depth_at(k), history.position))
       history.normal = foot.normal;
   }
 }

@@ -175,9 +175,11 @@ void add_drive_borders(const ContactView& contact,
       const std::size_t tool = model.drives[j].tool;
       const FaceStabilization& springs = contact.state.tools[tool].committed.stabilization;
       const Vec3 spin = model.tools[tool].motion.torque->axis / model.scale.length;
+      const geometry::Pose pose = model.pose(tool, trial.time, trial.x);
+      const FaceStabilization::Turning turning{pose.rotation, model.tools[tool].reference};
       system.residual[idx(model.pattern->n_dofs()) + j] +=
-          spin.dot(springs.moment(surface, trial.x));
-      springs.add_moment_row(surface, trial.x, spin, system.borders[j].row);
+          spin.dot(springs.moment_about(turning, surface, trial.x));
+      springs.add_moment_row(turning, surface, trial.x, spin, system.borders[j].row);
     }
 }
 

@@ -410,5 +410,37 @@ TEST_F(HardStarts, APressureThatIsThereAtOnceWidensARing) {
   EXPECT_NEAR(at_once, widened("[[0, 0], [0.01, 36]]"), 5e-3 * at_once);
 }
 
+/// The gap that touch leaves is rounding of coordinates, of large ones in the tool's frame too.
+TEST_F(HardStarts, a_tool_far_from_its_origin_is_brought_to_touch) {
+  const Outcome outcome = run(R"(title = "Far away"
+analysis = "3d"
+
+[workpiece]
+element = "hex8"
+material = "metal"
+mesh = { box = [[-5, -4, 0], [5, 4, 6]], cells = [5, 4, 3] }
+place = { translate = [0, 0, 7000] }
+
+[material.metal]
+elastic = { young = 210000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 500 }
+
+[[support]]
+where = "set:z-min"
+fix = ["x", "y", "z"]
+
+[[tool]]
+name = "punch"
+surface = { sphere = { centre = [0.3, 0.2, 7014], radius = 3 } }
+motion = { force = { direction = [0, 0, -1], value = [[0, 0], [1, 10000]] } }
+touch = true
+
+[time]
+end = 1
+)");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NEAR(history().value(history().rows.size() - 1, "punch.force_z"), 10000.0, 1.0);
+}
+
 } // namespace
 } // namespace billet::test::hard_starts_test
