@@ -103,8 +103,8 @@ double doubled_area(const Chords& all, std::size_t from, std::size_t to, const V
 
 class Finder {
 public:
-  Finder(const SideLoop& loop, std::span<const char> stays, double near)
-      : loop_(loop), chords_(loop), stays_(stays), near_(near) {
+  Finder(const SideLoop& loop, std::span<const char> stays, double near, double deepest)
+      : loop_(loop), chords_(loop), stays_(stays), near_(near), deepest_(deepest) {
     const std::size_t n = chords_.points.size();
     area_ = doubled_area(chords_, 0, n - 1, chords_.points.front());
   }
@@ -170,8 +170,9 @@ private:
                 : ClosedFold{place(j, m->second), place(i, m->first), at, total - way};
     const double area = forward ? doubled_area(chords_, i, j, at) : doubled_area(chords_, j, i, at);
     const bool crosses = crossing(chords_, i, j).has_value();
-    if (fold.way > most_way * total || std::abs(area) > most_area * std::abs(area_) ||
-        (!crosses && area > 0.0) || holds_what_stays(fold))
+    if (fold.way > most_way * total || fold.depth() > deepest_ ||
+        std::abs(area) > most_area * std::abs(area_) || (!crosses && area > 0.0) ||
+        holds_what_stays(fold))
       return std::nullopt;
     return fold;
   }
@@ -197,14 +198,15 @@ private:
   Chords chords_;
   std::span<const char> stays_;
   double near_;
+  double deepest_;
   double area_ = 0.0;
 };
 
 } // namespace
 
 std::optional<ClosedFold>
-closed_fold(const SideLoop& loop, std::span<const char> stays, double near) {
-  return Finder(loop, stays, near).longest();
+closed_fold(const SideLoop& loop, std::span<const char> stays, double near, double deepest) {
+  return Finder(loop, stays, near, deepest).longest();
 }
 
 WeldedLoop without_fold(const SideLoop& loop, const ClosedFold& fold, double rest) {

@@ -10,6 +10,7 @@
 
 #include "geometry/mesh2d/domain_remesher.h"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -33,8 +34,11 @@ struct ClosedFold {
 /// @param stays  sides that no fold may hold, shape (n_sides): supports, say
 /// @param near   lips meet that are no farther than this from each other, if what lies between is
 ///               outside and deeper than twice that; 0: they have to cross [mm]
-[[nodiscard]] std::optional<ClosedFold>
-closed_fold(const SideLoop& loop, std::span<const char> stays, double near);
+/// @param deepest  that it may be [mm]
+[[nodiscard]] std::optional<ClosedFold> closed_fold(const SideLoop& loop,
+                                                    std::span<const char> stays,
+                                                    double near,
+                                                    double deepest = HUGE_VAL);
 
 /// A loop without a fold, and where it comes from.
 struct WeldedLoop {

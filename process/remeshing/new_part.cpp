@@ -162,26 +162,40 @@ std::optional<NewPart> new_plane_part_with_walls(const Run& run,
   if (!touches_itself(run))
     return std::nullopt;
   const double shortest = usual_sizes(run).min;
-  for (const double share : {0.03, 0.1, 0.3}) {
-    PartBoundary boundary =
-        part_boundary(run.part(), positions_with_parted_walls(run, share * shortest),
-                      touching_tools(run), run.scene.remesh->keep);
-    std::vector<Lap> roots;
-    // Nearer to each other than the walls that have been parted.
-    for (const geometry::ClosedFold& fold : weld_folds(boundary, 0.5 * share * shortest, shortest))
-      roots.push_back({lap(fold).place, fold.depth(), true});
-    if (std::any_of(roots.begin(), roots.end(),
-                    [&](const Lap& root) { return root.depth > deepest_root * shortest; }))
-      continue;
-    try {
-      NewPart part = new_plane_part_within(run, boundary, at);
-      part.laps = std::move(roots);
-      return part;
-    } catch (const Error& error) {
-      if (error.fault() != Fault::geometry)
-        throw;
+  const double deepest = deepest_root * shortest;
+  // Roots whose walls do not cross, but turn more often than sides of a new mesh can follow. Where
+  // folds may be welded the whole of it is.
+  const std::vector<double> nears =
+      run.scene.remesh->weld ? std::vector{0.0} : std::vector{0.0, 0.3, 1.0};
+  for (const double near : nears)
+    for (const double share : {0.03, 0.1, 0.3}) {
+      PartBoundary boundary =
+          part_boundary(run.part(), positions_with_parted_walls(run, share * shortest),
+                        touching_tools(run), run.scene.remesh->keep);
+      std::vector<Lap> roots;
+      const auto note = [&](const geometry::ClosedFold& fold) {
+        roots.push_back({lap(fold).place, fold.depth(), true});
+      };
+      // Nearer to each other than the walls that have been parted.
+      for (const geometry::ClosedFold& fold :
+           weld_folds(boundary, 0.5 * share * shortest, shortest))
+        note(fold);
+      if (std::any_of(roots.begin(), roots.end(),
+                      [&](const Lap& root) { return root.depth > deepest; }))
+        continue;
+      if (near > 0.0)
+        for (const geometry::ClosedFold& fold :
+             weld_roots(boundary, near * shortest, shortest, deepest))
+          note(fold);
+      try {
+        NewPart part = new_plane_part_within(run, boundary, at);
+        part.laps = std::move(roots);
+        return part;
+      } catch (const Error& error) {
+        if (error.fault() != Fault::geometry)
+          throw;
+      }
     }
-  }
   return std::nullopt;
 }
 

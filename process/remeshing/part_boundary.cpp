@@ -219,44 +219,74 @@ PartBoundary part_boundary(const Part& part,
   return Chains(part, x, touching).boundary(kept);
 }
 
+namespace {
+
+/// Cuts a fold off a loop.
+void cut_off(PartBoundary& boundary, std::size_t l, const geometry::ClosedFold& fold, double rest) {
+  SideLoop& loop = boundary.loops[l];
+  geometry::WeldedLoop welded = geometry::without_fold(loop, fold, rest);
+  std::vector<std::int32_t> now(loop.part.size(), -1); // new number of each side
+  std::vector<Index> corners;
+  std::vector<unsigned char> fixed;
+  for (std::size_t i = 0; i < welded.sides.size(); ++i) {
+    now[idx(welded.sides[i])] = static_cast<std::int32_t>(i);
+    const std::int32_t old = welded.corners[i];
+    corners.push_back(old < 0 ? -1 : boundary.corners[l][idx(old)]);
+    fixed.push_back(old < 0 ? 0 : boundary.fixed[l][idx(old)]);
+  }
+  for (auto side = boundary.sides.begin(); side != boundary.sides.end();) {
+    SideNumber& number = side->second;
+    if (number.loop == static_cast<std::int32_t>(l))
+      number.side = now[idx(number.side)];
+    side = number.side < 0 ? boundary.sides.erase(side) : std::next(side);
+  }
+  loop = std::move(welded.loop);
+  boundary.corners[l] = std::move(corners);
+  boundary.fixed[l] = std::move(fixed);
+}
+
+/// Sides that no weld may take.
+std::vector<char> supported_sides(const PartBoundary& boundary, const SideLoop& loop) {
+  std::vector<char> stays(loop.part.size());
+  std::transform(loop.part.begin(), loop.part.end(), stays.begin(), [&](std::int32_t part) {
+    const std::vector<char>& supports = boundary.attachments[idx(part)].supports;
+    return static_cast<char>(
+        std::any_of(supports.begin(), supports.end(), [](char flag) { return flag != 0; }));
+  });
+  return stays;
+}
+
+} // namespace
+
+std::vector<geometry::ClosedFold>
+weld_roots(PartBoundary& boundary, double near, double rest, double deepest) {
+  std::vector<geometry::ClosedFold> folds;
+  const auto is_new = [&](const geometry::ClosedFold& fold) {
+    return std::none_of(folds.begin(), folds.end(), [&](const geometry::ClosedFold& known) {
+      return (known.at - fold.at).norm() <= 2.0 * deepest; // the crease goes on there
+    });
+  };
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l)
+    while (auto fold = geometry::closed_fold(
+               boundary.loops[l], supported_sides(boundary, boundary.loops[l]), near, deepest)) {
+      if (!is_new(*fold))
+        break;
+      fold->from.loop = fold->to.loop = static_cast<std::int32_t>(l);
+      folds.push_back(*fold);
+      cut_off(boundary, l, *fold, rest);
+    }
+  return folds;
+}
+
 std::vector<geometry::ClosedFold> weld_folds(PartBoundary& boundary, double near, double rest) {
   std::vector<geometry::ClosedFold> folds;
-  for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
-    SideLoop& loop = boundary.loops[l];
-    const auto supported = [&](std::int32_t part) {
-      const std::vector<char>& supports = boundary.attachments[idx(part)].supports;
-      return static_cast<char>(
-          std::any_of(supports.begin(), supports.end(), [](char flag) { return flag != 0; }));
-    };
-    while (true) {
-      std::vector<char> stays(loop.part.size());
-      std::transform(loop.part.begin(), loop.part.end(), stays.begin(), supported);
-      const auto fold = geometry::closed_fold(loop, stays, near);
-      if (!fold)
-        break;
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l)
+    while (auto fold = geometry::closed_fold(boundary.loops[l],
+                                             supported_sides(boundary, boundary.loops[l]), near)) {
+      fold->from.loop = fold->to.loop = static_cast<std::int32_t>(l);
       folds.push_back(*fold);
-      folds.back().from.loop = folds.back().to.loop = static_cast<std::int32_t>(l);
-      geometry::WeldedLoop welded = geometry::without_fold(loop, *fold, rest);
-      std::vector<std::int32_t> now(loop.part.size(), -1); // new number of each side
-      std::vector<Index> corners;
-      std::vector<unsigned char> fixed;
-      for (std::size_t i = 0; i < welded.sides.size(); ++i) {
-        now[idx(welded.sides[i])] = static_cast<std::int32_t>(i);
-        const std::int32_t old = welded.corners[i];
-        corners.push_back(old < 0 ? -1 : boundary.corners[l][idx(old)]);
-        fixed.push_back(old < 0 ? 0 : boundary.fixed[l][idx(old)]);
-      }
-      for (auto side = boundary.sides.begin(); side != boundary.sides.end();) {
-        SideNumber& number = side->second;
-        if (number.loop == static_cast<std::int32_t>(l))
-          number.side = now[idx(number.side)];
-        side = number.side < 0 ? boundary.sides.erase(side) : std::next(side);
-      }
-      loop = std::move(welded.loop);
-      boundary.corners[l] = std::move(corners);
-      boundary.fixed[l] = std::move(fixed);
+      cut_off(boundary, l, *fold, rest);
     }
-  }
   return folds;
 }
 

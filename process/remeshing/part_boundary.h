@@ -56,6 +56,13 @@ struct PartBoundary {
 /// @return      what was cut off
 std::vector<geometry::ClosedFold> weld_folds(PartBoundary& boundary, double near, double rest);
 
+/// The same for the roots of creases alone, which end there: a crease goes on as it was from a weld
+/// on.
+///
+/// @param deepest  that a root is [mm]
+std::vector<geometry::ClosedFold>
+weld_roots(PartBoundary& boundary, double near, double rest, double deepest);
+
 /// Components that a support prescribes in a place of the boundary: 1 for x, 2 for y, or both.
 [[nodiscard]] unsigned char fixed_components(const Part& part,
                                              const PartBoundary& boundary,

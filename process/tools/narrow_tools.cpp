@@ -54,6 +54,14 @@ longest_chord(const contact::ContactSurface& surface, std::span<const double> x,
   return longest;
 }
 
+/// Whether a tool as a whole has no room for a ball, in two directions at least: behind an open
+/// surface there is nothing to tell it by.
+bool is_slender(const Box& tool, double width) {
+  Vec3 sides = tool.high - tool.low;
+  std::sort(sides.begin(), sides.end());
+  return sides[1] < 2.0 * slender_room * width;
+}
+
 /// Whether a tool is slender behind places of its surface: there is no room for a ball.
 std::vector<char>
 slender_behind(const geometry::RigidSurface& tool, const std::vector<Vec3>& places, double width) {
@@ -103,10 +111,11 @@ std::vector<NarrowTools::Part> NarrowTools::parts_of(const geometry::RigidSurfac
       sharp.push_back(ball.centre);
   }
   const std::vector<char> slender = slender_behind(tool, sharp, width_);
+  const bool as_a_whole = is_slender(tool.bounds(), width_);
   std::size_t next = 0;
   for (Part& part : parts)
     if (part.ball.radius == 0.0)
-      part.slender = slender[next++] != 0;
+      part.slender = slender[next++] != 0 || as_a_whole;
   return parts;
 }
 

@@ -91,6 +91,30 @@ TEST_F(NarrowTool, InSpaceEndsTheRunWhereItLiesInThePartUnfelt) {
   }
 }
 
+/// An open sheet has nothing behind it that says how wide it is.
+TEST_F(NarrowTool, AnOpenSheetSmallerThanAFaceIsNotPassedOver) {
+  write_text(folder_.path() / "sheet.stl", R"(solid sheet
+facet normal 0 0 -1
+outer loop
+vertex -0.1 -0.1 3.2
+vertex 0.1 0.1 3.2
+vertex 0.1 -0.1 3.2
+endloop
+endfacet
+facet normal 0 0 -1
+outer loop
+vertex -0.1 -0.1 3.2
+vertex -0.1 0.1 3.2
+vertex 0.1 0.1 3.2
+endloop
+endfacet
+endsolid sheet
+)");
+  const Outcome outcome = run(in_space(R"({ stl = "sheet.stl", unit = "mm" })"));
+  EXPECT_EQ(outcome.status, 5) << outcome.err;
+  EXPECT_TRUE(outcome.says("lies")) << outcome.err;
+}
+
 TEST_F(NarrowTool, IsMetInFixedIncrementsThatWouldCarryItThrough) {
   const Outcome outcome =
       run(in_space("{ sphere = { centre = [0.13, 0.21, 3.01], radius = 0.01 } }",
