@@ -8,9 +8,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "study/identify.h"
 
 namespace billet::app {
+
+namespace {
+
+/// Stations that no run of a law reaches have no curve: never silent.
+void warn_of_empty(const study::Chart& chart) {
+  for (const study::ChartedLaw& law : chart.laws)
+    for (const study::ChartedQuantity& quantity : law.quantities) {
+      const auto is_known = [](const std::vector<double>& curve) {
+        return std::any_of(curve.begin(), curve.end(), [](double y) { return std::isfinite(y); });
+      };
+      if (std::none_of(quantity.values.begin(), quantity.values.end(), is_known))
+        fmt::print(stderr,
+                   "warning: [chart-empty] law '{}': no run gives {} at any of the values of {}\n",
+                   law.name, quantity.name, chart.x);
+    }
+}
+
+} // namespace
 
 int make_chart(const Arguments& arguments) {
   study::ChartFile file = study::read_chart_file(arguments.file, arguments.overrides);
@@ -26,10 +47,13 @@ int make_chart(const Arguments& arguments) {
   if (!chart)
     fmt::print("the chart has runs left to be made\n");
   else
+    warn_of_empty(*chart);
+  if (chart)
     for (const std::vector<std::string>& words : study::chart_pictures(*chart, folder))
       draw_curves(words, how.say);
   fmt::print("results: {}\n", folder.string());
-  return stop_signal() != 0 ? 128 + stop_signal() : 0;
+  constexpr int runs_are_left = 1;
+  return stop_signal() != 0 ? 128 + stop_signal() : chart ? 0 : runs_are_left;
 }
 
 int identify_parameters(const Arguments& arguments) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <span>
 
@@ -139,7 +140,8 @@ int positive_number(const std::string& text, std::string_view option) {
 double tolerance(const std::string& text, std::string_view option) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0))
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0) ||
+      !std::isfinite(value))
     throw Error(Fault::usage, "", fmt::format("{} needs a number >= 0, not '{}'", option, text));
   return value;
 }
@@ -326,7 +328,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
       throw Error(Fault::usage, "", fmt::format("{} needs a value", option.name));
     }
   }
-  if (arguments.resume && arguments.from)
+  if (command.name == "run" && arguments.resume && arguments.from)
     throw Error(Fault::usage, "", "--resume and --from exclude each other",
                 "--resume goes on in the folder of the results, --from in another one");
   if (arguments.file.empty() && !takes_names)
@@ -341,7 +343,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
 const std::vector<ExitStatus>& exit_statuses() {
   static const std::vector<ExitStatus> all{
       {"0", "done"},
-      {"1", "billet diff: the two differ"},
+      {"1", "billet diff: the two differ; billet study, chart: runs are left to be made"},
       {"2", "usage"},
       {"3", "bad case file"},
       {"4", "bad geometry or mesh"},

@@ -114,6 +114,9 @@ int show_info(const Arguments& arguments) {
   const bool is_step = suffix == ".step" || suffix == ".stp";
   if (is_step && arguments.unit)
     throw Error(Fault::usage, "", "--unit is for STL files: a STEP file knows its unit");
+  if (arguments.unit && !is_step)
+    throw Error(Fault::usage, "",
+                fmt::format("--unit is for STL files, {} is none", path.filename().string()));
   if (is_step)
     return info_facets(io::read_step(path), 1.0, "mm");
   return info_mesh(path, arguments.allow_outside);

@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "study/local_engine.h"
+#include "study/runs.h"
 
 namespace billet::app {
 
@@ -38,8 +39,12 @@ void draw_curves(const std::vector<std::string>& arguments,
   study::run_jobs(
       {{command, "/dev/null"}}, 1, [] { return false; },
       [&](std::size_t /*job*/, int ended) { status = ended; });
-  if (status != 0)
-    say(fmt::format("a picture could not be drawn (status {})", status));
+  if (status == 0)
+    return;
+  std::string line;
+  for (const std::string& word : command)
+    line += " " + study::quoted(word);
+  say(fmt::format("a picture could not be drawn (status {}); this tells why:{}", status, line));
 }
 
 int render_results(const Arguments& arguments) {

@@ -124,9 +124,10 @@ std::optional<io::FoundCheckpoint> wanted_checkpoint(const Arguments& arguments,
     return io::latest_checkpoint(folder);
   if (!arguments.from)
     return std::nullopt;
-  const std::size_t at = arguments.from->rfind('@');
-  const std::filesystem::path results = arguments.from->substr(0, at);
   std::error_code error;
+  const bool is_folder = std::filesystem::is_directory(*arguments.from, error); // whatever its name
+  const std::size_t at = is_folder ? std::string::npos : arguments.from->rfind('@');
+  const std::filesystem::path results = arguments.from->substr(0, at);
   if (std::filesystem::equivalent(results, folder, error))
     throw Error(
         Fault::usage, "",

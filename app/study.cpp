@@ -31,6 +31,9 @@ study::Conduct conduct_of(const Arguments& arguments, const std::filesystem::pat
 
 namespace {
 
+/// The status of a study whose runs have not all been made: a queue has them, or one was killed.
+constexpr int rows_are_left = 1;
+
 /// Why rows failed, each reason once, with the number of its rows: never silent.
 void print_reasons(const std::vector<study::OutcomeRow>& rows) {
   std::map<std::string, int> reasons;
@@ -70,7 +73,7 @@ int conduct_study(const Arguments& arguments) {
     for (const study::Picture& picture : study::pictures_of(study, result, folder))
       draw_curves(picture.arguments, how.say);
   fmt::print("results: {}\n", folder.string());
-  return stop_signal() != 0 ? 128 + stop_signal() : 0;
+  return stop_signal() != 0 ? 128 + stop_signal() : result.n_left > 0 ? rows_are_left : 0;
 }
 
 } // namespace billet::app

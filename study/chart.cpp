@@ -68,9 +68,13 @@ ChartRow row_of(const ChartFile& file,
   }
   if (!file.refinement.empty())
     add(file.refinement[refinement].label, file.refinement[refinement].set);
-  if (uncertain) {
-    const Uncertain& which = file.uncertain[*uncertain];
-    add(which.name, {{which.key, io::toml_text(which.value + which.standard)}});
+  for (std::size_t u = 0; u < file.uncertain.size(); ++u) {
+    const Uncertain& which = file.uncertain[u];
+    const bool changed = uncertain == u;
+    const Assignment set{which.key, io::toml_text(which.value + (changed ? which.standard : 0.0))};
+    row.row.assignments.push_back(set);
+    if (changed)
+      row.row.labels.push_back(which.name);
   }
   return row;
 }
@@ -93,15 +97,19 @@ std::vector<ChartRow> rows_of_chart(const ChartFile& file) {
 std::vector<double> curve_of(const ChartFile& file, const PlannedRun& run, const Reading& y) {
   std::vector<double> values(file.stations.size(), not_there);
   const std::filesystem::path results = run.folder / "results";
-  if (!run.refused.empty() || !std::filesystem::exists(results / "summary.json"))
+  // A run that ended early is good as far as it got; the results of a failed check are not.
+  const std::optional<EndedRun> end = ended(run);
+  const bool failed_check = end && end->status == static_cast<int>(Fault::failed_check);
+  if (!run.refused.empty() || failed_check || !std::filesystem::exists(results / "summary.json"))
     return values;
   const Results read(results);
   const std::vector<double> xs = read.values(file.x.of), ys = read.values(y.of);
+  const double onwards = !xs.empty() && xs.back() < xs.front() ? -1.0 : 1.0;
   for (std::size_t s = 0; s < values.size(); ++s) {
     const double at = file.stations[s], half = 0.5 * y.average;
     if (!(y.average > 0.0))
       values[s] = curve_at(xs, ys, at).value_or(not_there);
-    else if (curve_at(xs, ys, at + half))
+    else if (curve_at(xs, ys, at + onwards * half)) // the run goes through the window
       values[s] = mean_between(xs, ys, at - half, at + half);
   }
   return values;

@@ -153,10 +153,6 @@ ChartModel::ChartModel(const Chart& chart, const ChartedLaw& law, std::span<cons
   for (std::size_t u = 0; u < chart.uncertain.size(); ++u)
     changes_.push_back(at_places(
         chart, data, [&](std::size_t q) -> const Grid& { return quantity(q).change[u]; }));
-  for (Grid* const grid : {&errors_})
-    for (std::vector<double>& row : *grid)
-      for (double& value : row)
-        value = std::isfinite(value) ? value : 0.0; // one level failed: nothing is known of it
   leave_out_unreached();
   constexpr std::size_t least = 2;
   const bool whole = std::all_of(values_.begin(), values_.end(), reaches_all);
@@ -166,6 +162,10 @@ ChartModel::ChartModel(const Chart& chart, const ChartedLaw& law, std::span<cons
         fmt::format("law '{}': too few runs of the chart reach all places that were measured",
                     law.name),
         "leave the farthest out, or chart parameters whose runs get there");
+  static_cast<void>(fill_unknown(errors_)); // where one level failed
+  for (std::size_t u = 0; u < changes_.size(); ++u)
+    if (!fill_unknown(changes_[u]))
+      partly_known_.push_back(u);
   add_errors_of_spacing();
 }
 
@@ -230,21 +230,48 @@ Eigen::VectorXd ChartModel::values(std::span<const double> parameters) const {
   return between(values_, parameters);
 }
 
-Eigen::MatrixXd ChartModel::covariance(std::span<const double> parameters) const {
+Eigen::MatrixXd ChartModel::error_factors(std::span<const double> parameters) const {
   const auto n = static_cast<Eigen::Index>(quantities_.size());
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
-  for (const Grid& change : changes_) {
-    const Eigen::VectorXd g = between(change, parameters);
-    sum += g * g.transpose();
-  }
+  const std::size_t n_quantities =
+      quantities_.empty() ? 0 : 1 + *std::max_element(quantities_.begin(), quantities_.end());
+  const auto n_changes = static_cast<Eigen::Index>(changes_.size());
+  Eigen::MatrixXd factors =
+      Eigen::MatrixXd::Zero(n, n_changes + static_cast<Eigen::Index>(n_quantities));
+  for (Eigen::Index u = 0; u < n_changes; ++u)
+    factors.col(u) = between(changes_[static_cast<std::size_t>(u)], parameters);
   constexpr double half_width_of_95 = 1.96; // in standard deviations
   const Eigen::VectorXd e = between(errors_, parameters) / half_width_of_95;
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n;
-         ++j) // mesh and spacing err in one direction all along a quantity
-      if (quantities_[static_cast<std::size_t>(i)] == quantities_[static_cast<std::size_t>(j)])
-        sum(i, j) += e[i] * e[j];
-  return sum;
+  for (Eigen::Index i = 0; i < n; ++i) // mesh and spacing err in one direction along a quantity
+    factors(i, n_changes + static_cast<Eigen::Index>(quantities_[static_cast<std::size_t>(i)])) =
+        e[i];
+  return factors;
+}
+
+std::array<double, 2> ChartModel::span(std::size_t place) const {
+  std::array<double, 2> ends{values_.front()[place], values_.front()[place]};
+  for (const std::vector<double>& at : values_)
+    ends = {std::min(ends[0], at[place]), std::max(ends[1], at[place])};
+  return ends;
+}
+
+bool ChartModel::fill_unknown(Grid& grid) const {
+  bool all_known = true;
+  const Grid known = grid;
+  const auto n = static_cast<std::ptrdiff_t>(grid.size());
+  for (std::size_t place = 0; place < quantities_.size(); ++place)
+    for (std::ptrdiff_t point = 0; point < n; ++point) {
+      double& figure = grid[static_cast<std::size_t>(point)][place];
+      if (std::isfinite(figure))
+        continue;
+      all_known = false;
+      figure = 0.0;
+      for (std::ptrdiff_t away = n - 1; away > 0; --away) // the nearest is the last
+        for (const std::ptrdiff_t other : {point + away, point - away})
+          if (other >= 0 && other < n &&
+              std::isfinite(known[static_cast<std::size_t>(other)][place]))
+            figure = known[static_cast<std::size_t>(other)][place];
+    }
+  return all_known;
 }
 
 } // namespace billet::study

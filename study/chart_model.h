@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -36,14 +37,21 @@ public:
 
   /// Values at the places. @param parameters  within the chart
   [[nodiscard]] Eigen::VectorXd values(std::span<const double> parameters) const;
-  /// Covariance of the model's errors at the places: of the mesh, of what is uncertain, and of the
-  /// spacing of the parameters that were run.
-  [[nodiscard]] Eigen::MatrixXd covariance(std::span<const double> parameters) const;
+  /// F of the covariance F F^T of the model's errors at the places: of the mesh, of what is
+  /// uncertain, and of the spacing of the parameters that were run. Shape (n_places, n).
+  [[nodiscard]] Eigen::MatrixXd error_factors(std::span<const double> parameters) const;
+  /// The smallest and the largest value at a place, over all parameters that were run.
+  [[nodiscard]] std::array<double, 2> span(std::size_t place) const;
+  /// Those of what is uncertain whose change is not known for all parameters.
+  [[nodiscard]] const std::vector<std::size_t>& partly_known() const { return partly_known_; }
 
 private:
   /// A figure at every point of the grid, shape (n_points, n_places).
   using Grid = std::vector<std::vector<double>>;
   void leave_out_unreached();
+  /// Takes the nearest that is known of a figure where it is not known itself; zero: none is.
+  /// @return whether all were known
+  bool fill_unknown(Grid& grid) const;
   /// What may lie between the parameters that were run, told by how far two curves are apart.
   void add_errors_of_spacing();
   [[nodiscard]] Eigen::VectorXd between(const Grid& grid, std::span<const double> parameters) const;
@@ -52,6 +60,7 @@ private:
   Grid values_, errors_;                   ///< of the model, half the width of an interval of 95 %
   std::vector<Grid> changes_;              ///< by what is uncertain
   std::vector<double> left_out_;
+  std::vector<std::size_t> partly_known_;
   std::vector<std::size_t> quantities_; ///< of the places
 };
 

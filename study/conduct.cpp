@@ -29,6 +29,12 @@ struct Pending {
   std::size_t row;
 };
 
+/// Whether results are there that quantities can be read off.
+bool has_results(const PlannedRun& run) {
+  return fs::exists(run.folder / "results" / "summary.json") &&
+         fs::exists(run.folder / "results" / "history.csv");
+}
+
 std::vector<Pending> pending_of(const std::vector<PlannedRun>& runs, bool again) {
   std::set<std::string> seen;
   std::vector<Pending> pending;
@@ -37,7 +43,7 @@ std::vector<Pending> pending_of(const std::vector<PlannedRun>& runs, bool again)
     if (!run.refused.empty() || !seen.insert(run.identity).second)
       continue;
     const std::optional<EndedRun> end = ended(run);
-    if (!end || (again && end->status != 0))
+    if (!end || (again && (end->status != 0 || !has_results(run))))
       pending.push_back({&run, r});
   }
   return pending;

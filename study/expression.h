@@ -21,6 +21,10 @@ public:
   /// Names that occur, as positions in `known`, each once.
   [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
 
+  /// What is wrong with a text whatever names there will be; empty: nothing. Words with blanks
+  /// between them are taken for one name.
+  [[nodiscard]] static std::string mistake_in(const std::string& text);
+
   /// @param values  of the names that occur, shape (used().size())
   [[nodiscard]] double operator()(std::span<const double> values) const;
 

@@ -43,11 +43,17 @@ public:
 
   [[nodiscard]] Misfit operator()(std::span<const double> parameters) const {
     const Eigen::VectorXd left = measured_ - model_.values(parameters);
-    Eigen::MatrixXd covariance = model_.covariance(parameters);
-    covariance.diagonal() += variances_;
-    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-    const double chi_squared = left.dot(factor.solve(left));
-    const double log_determinant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+    // (D + F F^T)^-1 and its determinant by the few columns of F. (Woodbury)
+    const Eigen::MatrixXd factors = model_.error_factors(parameters);
+    const Eigen::MatrixXd scaled = variances_.cwiseInverse().asDiagonal() * factors;
+    const Eigen::Index n = factors.cols();
+    const Eigen::LLT<Eigen::MatrixXd> shared(Eigen::MatrixXd::Identity(n, n) +
+                                             factors.transpose() * scaled);
+    const Eigen::VectorXd taken = scaled.transpose() * left;
+    const double chi_squared =
+        left.cwiseQuotient(variances_).dot(left) - taken.dot(shared.solve(taken));
+    const double log_determinant =
+        variances_.array().log().sum() + 2.0 * shared.matrixLLT().diagonal().array().log().sum();
     return {chi_squared + log_determinant, chi_squared};
   }
 
@@ -256,15 +262,46 @@ void warn_of_law(const Chart& chart,
     into.warnings.push_back(std::move(text));
   }
   constexpr double hardly = 0.01;
-  if (law.p < hardly)
+  if (law.p && *law.p < hardly)
     into.warnings.push_back(fmt::format("law '{}' does not fit: what is left would be as large by "
                                         "chance once in {:.0f} times",
-                                        law.name, 1.0 / std::max(law.p, 1e-12)));
+                                        law.name, 1.0 / std::max(*law.p, 1e-12)));
   for (const Found& found : law.parameters)
     if (found.from_end || found.to_end)
       into.warnings.push_back(fmt::format(
           "law '{}': the interval of {} goes to the {} of the chart, {:.4g}", law.name, found.name,
           found.to_end ? "end" : "beginning", found.to_end ? found.high : found.low));
+}
+
+/// What the chart cannot say: measurements that none of its curves comes near, errors that nobody
+/// knows.
+void warn_of_chart(const Chart& chart,
+                   const ChartModel& model,
+                   std::span<const Measured> data,
+                   const ChartedLaw& law,
+                   Identification& into) {
+  constexpr double near = 2.0; // standard uncertainties
+  for (std::size_t d = 0; d < data.size(); ++d) {
+    const auto [low, high] = model.span(d);
+    const double slack = near * data[d].standard;
+    if (data[d].value < low - slack || data[d].value > high + slack)
+      into.warnings.push_back(fmt::format(
+          "law '{}': {} = {:.6g} at {} = {:.6g} lies outside of all curves of the chart, which go "
+          "from {:.6g} to {:.6g} there: its interval means nothing",
+          law.name, law.quantities[data[d].quantity].name, data[d].value, chart.x, data[d].x, low,
+          high));
+  }
+  for (const std::size_t u : model.partly_known())
+    into.warnings.push_back(fmt::format(
+        "law '{}': what {} changes is not known for all parameters, for runs failed or stopped "
+        "short; where it is not known the nearest is taken, and nothing where none is",
+        law.name, chart.uncertain[u]));
+  for (const Parameter& parameter : law.parameters)
+    if (parameter.values.size() - model.left_out().size() < 3)
+      into.warnings.push_back(fmt::format("law '{}': with two values of {} what lies between them "
+                                          "is taken for a straight line, and "
+                                          "its error does not count: chart three or more",
+                                          law.name, parameter.name));
 }
 
 /// Standard uncertainty that a quantity is measured with, the middle of all; 0: nobody knows.
@@ -333,7 +370,7 @@ void compare(const Chart& chart, std::span<const Measured> data, Identification&
   constexpr double does_not_fit = 0.05;
   for (std::size_t law = 0; law < found.laws.size(); ++law) {
     const double behind = found.laws[law].deviance - found.laws[found.best].deviance;
-    const bool apart = behind > much && found.laws[law].p < does_not_fit;
+    const bool apart = behind > much && found.laws[law].p.value_or(1.0) < does_not_fit;
     found.comparisons.push_back(law == found.best ? Comparison::preferred
                                 : apart           ? Comparison::told_apart
                                                   : Comparison::undecided);
@@ -356,6 +393,7 @@ Identification identify(const Chart& chart, const std::vector<Measured>& data) {
       found.warnings.push_back(fmt::format(
           "law '{}': {} = {:.4g} is left out, its run did not reach all that was measured",
           law.name, law.parameters.front().name, fmt::join(model.left_out(), ", ")));
+    warn_of_chart(chart, model, data, law, found);
     warn_of_law(chart, model, data, found.laws.back(), found);
   }
   for (std::size_t law = 1; law < found.laws.size(); ++law)

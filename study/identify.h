@@ -46,7 +46,9 @@ struct FittedLaw {
   double deviance = 0.0;    ///< -2 ln of the likelihood [-]
   double chi_squared = 0.0; ///< of what is left [-]
   int degrees = 0;          ///< of freedom
-  double p = 1.0; ///< of as much being left by chance; 1 where uncertainties are not known [-]
+  /// Of as much being left by chance [-]; none where uncertainties are not known, or nothing is
+  /// left to tell by.
+  std::optional<double> p;
 };
 
 /// Whether the data prefer a law to another one.

@@ -53,18 +53,27 @@ std::vector<Columns> columns_of(const io::CsvTable& table, const Chart& chart) {
   return columns;
 }
 
-void refuse_unknown_columns(const io::CsvTable& table,
-                            const Chart& chart,
-                            const std::string& file,
-                            std::vector<Complaint>& complaints) {
+void check_columns(const io::CsvTable& table,
+                   const Chart& chart,
+                   const std::string& file,
+                   std::vector<Complaint>& complaints) {
   std::vector<std::string> known{chart.x};
   for (const ChartedQuantity& quantity : chart.laws.front().quantities)
     for (const char* ending : {"", "_standard", "_uncertainty"})
       known.push_back(quantity.name + ending);
-  for (const std::string& column : table.columns)
+  for (const std::string& column : table.columns) {
     if (std::find(known.begin(), known.end(), column) == known.end())
       complaints.push_back({file, fmt::format("the chart knows no column '{}'", column),
                             io::suggestion(column, known)});
+    if (std::count(table.columns.begin(), table.columns.end(), column) > 1)
+      complaints.push_back({file, fmt::format("there is more than one column '{}'", column), {}});
+  }
+  for (const Columns& each : columns_of(table, chart))
+    if (each.standard && each.uncertainty)
+      complaints.push_back({file,
+                            fmt::format("'{0}_standard' and '{0}_uncertainty' say the same",
+                                        table.columns[each.value]),
+                            "leave one of them out"});
 }
 
 } // namespace
@@ -72,7 +81,7 @@ void refuse_unknown_columns(const io::CsvTable& table,
 std::vector<Measured> read_measurements(const std::filesystem::path& file, const Chart& chart) {
   const io::CsvTable table = io::read_csv(file);
   std::vector<Complaint> complaints;
-  refuse_unknown_columns(table, chart, file.string(), complaints);
+  check_columns(table, chart, file.string(), complaints);
   const std::optional<std::size_t> x = table.find(chart.x);
   const std::vector<Columns> columns = columns_of(table, chart);
   if (!x)
@@ -97,7 +106,7 @@ std::vector<Measured> read_measurements(const std::filesystem::path& file, const
         continue; // not measured there
       const bool has_uncertainty = each.standard || each.uncertainty;
       if (!std::isfinite(places[r]) || !std::isfinite(values[r]) ||
-          (has_uncertainty && !(standards[r] > 0.0)))
+          (has_uncertainty && !(standards[r] > 0.0 && std::isfinite(standards[r]))))
         complaints.push_back({file.string(),
                               fmt::format("row {}: {}, {} and its uncertainty must be numbers, the "
                                           "uncertainty above 0",
@@ -123,8 +132,9 @@ std::string in_words(const Identification& found) {
     const FittedLaw& each = found.laws[law];
     for (const Found& parameter : each.parameters)
       text += fmt::format("{}: {}\n", each.name, interval_in_words(parameter));
-    text += fmt::format("{}: chi squared {:.3g} of {} degrees of freedom, p = {:.2g}{}\n",
-                        each.name, each.chi_squared, each.degrees, each.p,
+    text += fmt::format("{}: chi squared {:.3g} of {} degrees of freedom{}{}\n", each.name,
+                        each.chi_squared, each.degrees,
+                        each.p ? fmt::format(", p = {:.2g}", *each.p) : "",
                         found.laws.size() > 1 ? "; " + in_words(found.comparisons[law]) : "");
   }
   for (const std::string& warning : found.warnings)
@@ -151,7 +161,7 @@ std::string json_text(const Identification& found) {
                     {"deviance", each.deviance},
                     {"chi_squared", each.chi_squared},
                     {"degrees_of_freedom", each.degrees},
-                    {"p", each.p},
+                    {"p", each.p ? nlohmann::ordered_json(*each.p) : nlohmann::ordered_json()},
                     {"comparison", in_words(found.comparisons[law])}});
   }
   return nlohmann::ordered_json{{"laws", laws},

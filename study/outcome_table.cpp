@@ -22,12 +22,29 @@ RunCost cost_of(const Results& results) {
           .memory = number("resources.peak_memory_bytes")};
 }
 
+/// The quantity, or not a number and the reason.
+double value_of(const Quantity& quantity,
+                const Results& results,
+                const std::map<std::string, double>& before,
+                std::string& reason) {
+  try {
+    const double value = evaluate(quantity, results, before);
+    if (!std::isfinite(value) && reason.empty())
+      reason = fmt::format("quantity '{}' is {}, not a finite number", quantity.name, value);
+    return std::isfinite(value) ? value : std::nan("");
+  } catch (const Error& error) {
+    if (reason.empty())
+      reason = error.what();
+    return std::nan("");
+  }
+}
+
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.10g}", value) : ""; }
 
 } // namespace
 
 OutcomeRow outcome_of(const Study& study, const Row& row, const PlannedRun& run) {
-  OutcomeRow outcome{row, run.folder.string(), ended(run), {}, {}};
+  OutcomeRow outcome{row, run.folder.string(), ended(run), {}, {}, false};
   if (!outcome.end || !run.refused.empty())
     return outcome;
   try {
@@ -36,12 +53,12 @@ OutcomeRow outcome_of(const Study& study, const Row& row, const PlannedRun& run)
     if (outcome.end->status != 0)
       return outcome;
     std::map<std::string, double> before;
-    std::vector<double> values;
     for (const Quantity& quantity : study.quantities) {
-      values.push_back(evaluate(quantity, results, before));
-      before[quantity.name] = values.back();
+      outcome.values.push_back(value_of(quantity, results, before, outcome.end->reason));
+      before[quantity.name] = outcome.values.back();
     }
-    outcome.values = std::move(values);
+    outcome.complete = std::all_of(outcome.values.begin(), outcome.values.end(),
+                                   [](double value) { return std::isfinite(value); });
   } catch (const Error& error) {
     if (outcome.end->reason.empty())
       outcome.end->reason = error.what();
@@ -78,7 +95,7 @@ std::string csv_text(const Study& study,
     cells.push_back(row.end ? std::to_string(row.end->status) : "");
     cells.push_back(row.end ? row.end->reason : "not run");
     for (std::size_t q = 0; q < study.quantities.size(); ++q)
-      cells.push_back(row.good() ? cell(row.values[q]) : "");
+      cells.push_back(q < row.values.size() ? cell(row.values[q]) : "");
     constexpr double mega = 1e6;
     const bool ran = row.cost.processor_time > 0.0;
     for (const double value :

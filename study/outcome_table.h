@@ -24,10 +24,12 @@ struct OutcomeRow {
   Row row;
   std::string folder;          ///< of the run; empty: it could not be run
   std::optional<EndedRun> end; ///< none: it has not been run
-  std::vector<double> values;  ///< of the quantities; empty: the run did not reach its end
+  /// Of the quantities; not a number: it cannot be read off. Empty: the run did not reach its end.
+  std::vector<double> values;
   RunCost cost;
+  bool complete = false; ///< the run reached its end and all quantities were read off
 
-  [[nodiscard]] bool good() const { return !values.empty(); }
+  [[nodiscard]] bool good() const { return complete; }
 };
 
 /// Reads quantities and costs of a run that has ended. A quantity that cannot be read off is the

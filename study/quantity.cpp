@@ -58,13 +58,14 @@ Window window_of(std::span<const double> x,
       window.y.push_back(*value);
     }
   };
-  add_end(from);
+  const bool falls = !x.empty() && x.back() < x.front();
+  add_end(falls ? to : from);
   for (std::size_t i = 0; i < x.size(); ++i)
     if (x[i] >= low && x[i] <= high) {
       window.x.push_back(x[i]);
       window.y.push_back(y[i]);
     }
-  add_end(to);
+  add_end(falls ? from : to);
   return window;
 }
 

@@ -23,6 +23,7 @@ std::optional<Reading> as_reading(const At& at) {
   table.required("name", reading.name, io::as_name);
   reading.of = reading.name;
   table.optional("of", reading.of, io::as_text);
+  check_expression(table, "of", reading.of);
   table.optional("average", reading.average, io::as_number, io::positive_number);
   table.finish();
   return reading;
@@ -91,6 +92,7 @@ void read_x(TableReader& root, ChartFile& file) {
   x->required("name", file.x.name, io::as_name);
   file.x.of = file.x.name;
   x->optional("of", file.x.of, io::as_text);
+  check_expression(*x, "of", file.x.of);
   x->required("values", file.stations, as_steps);
   x->finish();
 }
@@ -125,6 +127,9 @@ void read_root_of_chart(TableReader& root, ChartFile& file) {
   if (file.laws.empty())
     root.at().complain("there is no law", "give [[law]] name and parameters");
   refuse_same(root.at(), "quantity", file.y);
+  for (const Reading& y : file.y)
+    if (y.name == file.x.name)
+      root.at().complain(fmt::format("[x] and a [[y]] have the same name '{}'", y.name));
   refuse_same(root.at(), "law", file.laws);
   check_refinement(root.at(), file);
 }

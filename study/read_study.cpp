@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "study/node_text.h"
@@ -71,6 +72,10 @@ void read_sizes(TableReader& table, Axis& axis) {
         fmt::format("there are {} sizes and {} values", sizes->size(), axis.levels.size()));
     return;
   }
+  if (std::set<double>(sizes->begin(), sizes->end()).size() != sizes->size()) {
+    at->complain("two values have the same size", "the smallest size is that of the finest");
+    return;
+  }
   for (std::size_t i = 0; i < sizes->size(); ++i)
     axis.levels[i].size = (*sizes)[i];
 }
@@ -128,7 +133,6 @@ std::optional<Axis> as_axis(const At& at) {
   return axis;
 }
 
-/// An expression's names are known only with the results; its text must be there.
 std::optional<Quantity> as_quantity(const At& at) {
   TableReader table(at);
   if (!table.is_table())
@@ -138,11 +142,14 @@ std::optional<Quantity> as_quantity(const At& at) {
   table.optional("scale", quantity.scale, io::as_number, io::positive_number);
   if (table.has("expression")) {
     table.required("expression", quantity.expression, io::as_text);
+    check_expression(table, "expression", quantity.expression);
     table.finish();
     return quantity;
   }
   table.required("of", quantity.of, io::as_text);
   table.optional("over", quantity.over, io::as_text);
+  check_expression(table, "of", quantity.of);
+  check_expression(table, "over", quantity.over);
   table.optional("at", quantity.at, io::as_number, Number{});
   table.optional("from", quantity.from, io::as_number, Number{});
   table.optional("to", quantity.to, io::as_number, Number{});
@@ -156,6 +163,8 @@ std::optional<Quantity> as_quantity(const At& at) {
                           quantity.take == Quantity::Take::mean;
   if ((quantity.from || quantity.to) && !has_window)
     at.complain("from and to go with take = \"largest\", \"smallest\" and \"mean\"");
+  if (quantity.from && quantity.to && !(*quantity.from < *quantity.to))
+    at.complain(fmt::format("from {} must be less than to {}", *quantity.from, *quantity.to));
   table.finish();
   return quantity;
 }
@@ -285,7 +294,31 @@ void check_convergence(const At& root, Study& study) {
     require_known(at, "quantity", name, names_of(study.quantities));
 }
 
+/// Keys that an axis sets.
+std::set<std::string> keys_of(const Axis& axis) {
+  std::set<std::string> keys;
+  for (const Level& level : axis.levels)
+    for (const Assignment& assignment : level.set)
+      keys.insert(assignment.key);
+  if (axis.range)
+    keys.insert(axis.range->key);
+  return keys;
+}
+
+void check_keys(const At& root, const Study& study) {
+  std::map<std::string, std::string> setters;
+  for (const Axis& axis : study.axes)
+    for (const std::string& key : keys_of(axis))
+      if (const auto [known, is_new] = setters.emplace(key, axis.name); !is_new)
+        root.complain(fmt::format("axes '{}' and '{}' both set {}", known->second, axis.name, key),
+                      "only one of them would count");
+  if (study.sample && std::none_of(study.axes.begin(), study.axes.end(),
+                                   [](const Axis& axis) { return axis.range.has_value(); }))
+    root.complain("[sample] has nothing to draw from", "give [[vary]] key, from and to");
+}
+
 void check_axes(const At& root, const Study& study) {
+  check_keys(root, study);
   std::set<std::string> names;
   for (const Axis& axis : study.axes) {
     if (!names.insert(axis.name).second)

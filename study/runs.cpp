@@ -3,6 +3,7 @@
 #include "geometry/base/error.h"
 #include "io/case/document.h"
 #include "io/case/read_case.h"
+#include "io/deck/deck_lines.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,13 +36,30 @@ private:
   std::uint64_t sum_ = 14695981039346656037ULL;
 };
 
+/// Adds the contents of a file, of a mesh as a deck with what it includes.
+void add_file(const fs::path& file, Checksum& checksum) {
+  if (file.extension() != ".inp") {
+    checksum.add(text_of_file(file));
+    return;
+  }
+  io::DeckLines deck(file, {.folder = {}, .anywhere = true});
+  while (const std::optional<io::DeckKeyword> keyword = deck.next()) {
+    checksum.add(keyword->name);
+    for (const auto& [name, value] : keyword->parameters)
+      checksum.add(name + "=" + value);
+    for (const std::vector<std::string>& line : keyword->data)
+      for (const std::string& field : line)
+        checksum.add(field);
+  }
+}
+
 /// Adds the contents of all files that texts of a tree name.
 void add_files(const io::Node& node, const fs::path& folder, Checksum& checksum) {
   if (const auto* const text = node.as<std::string>()) {
     std::error_code error;
     const fs::path file = folder / *text;
     if (!text->empty() && text->find('\n') == std::string::npos && fs::is_regular_file(file, error))
-      checksum.add(text_of_file(file));
+      add_file(file, checksum);
   } else if (const auto* const list = node.as<io::List>()) {
     for (const io::Node& item : *list)
       add_files(item, folder, checksum);

@@ -25,7 +25,7 @@ ordered_json rows_json(const Study& study, const std::vector<OutcomeRow>& rows) 
       json["status"] = row.end->status;
       json["reason"] = row.end->reason;
     }
-    for (std::size_t q = 0; q < row.values.size(); ++q)
+    for (std::size_t q = 0; q < row.values.size(); ++q) // null: not a number
       json["quantities"][study.quantities[q].name] = row.values[q];
     json["cost"] = {{"processor_time", row.cost.processor_time},
                     {"iterations", row.cost.iterations},
@@ -119,6 +119,16 @@ std::string trade_text(const Study& study, const Trade& trade) {
     text += fmt::format("| {} | {} | {:.4g} | {} |\n", fmt::join(setting.labels, " | "),
                         percent(setting.error), setting.cost, remark_of(trade, s));
   }
+  if (std::any_of(trade.settings.begin(), trade.settings.end(), [](const Setting& setting) {
+        return setting.is_reference && !std::isfinite(setting.error);
+      }))
+    text +=
+        "\nA reference gave no figures to compare with: no setting has an error. Choose another "
+        "one, or repeat its run.\n";
+  for (const std::string& name : trade.zero_in_reference)
+    text += fmt::format("\n{} is 0 in a reference: its errors are relative to nothing. Give the "
+                        "quantity a scale.\n",
+                        name);
   if (trade.cheapest_within)
     text += fmt::format("\nThe cheapest within {}:\n\n{}", percent(study.trade->within),
                         to_paste(trade.settings[*trade.cheapest_within]));

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "study/expression.h"
 #include "study/file_text.h"
 #include "study/node_text.h"
 
@@ -114,6 +115,14 @@ std::optional<std::vector<double>> as_steps(const At& at) {
       return std::nullopt;
     }
   return steps;
+}
+
+void check_expression(TableReader& table, const std::string& key, const std::string& text) {
+  const std::optional<At> at = table.find(key);
+  if (!at || at->inquiry() != nullptr)
+    return;
+  if (const std::string mistake = Expression::mistake_in(text); !mistake.empty())
+    at->complain(mistake);
 }
 
 void read_common(TableReader& root, Study& study) {

@@ -30,6 +30,10 @@ namespace billet::study {
 /// Title, case, settings of all runs and where they are made.
 void read_common(io::TableReader& root, Study& study);
 
+/// Complains of an expression that is wrong whatever names there will be: those are known only with
+/// the results.
+void check_expression(io::TableReader& table, const std::string& key, const std::string& text);
+
 /// Reads a file: `read` gets its root, and complains there.
 /// @throws Error (Fault::case_file) with all complaints
 void read_file(const std::filesystem::path& file,

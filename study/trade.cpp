@@ -51,9 +51,11 @@ double error_of(const Study& study,
   double largest = 0.0;
   for (const std::size_t q : quantities) {
     const double difference = std::abs(row.values[q] - reference.values[q]);
+    const double scale = study.quantities[q].scale.value_or(std::abs(reference.values[q]));
+    if (difference > 0.0 && scale == 0.0)
+      return none;
     if (difference > 0.0)
-      largest = std::max(
-          largest, difference / study.quantities[q].scale.value_or(std::abs(reference.values[q])));
+      largest = std::max(largest, difference / scale);
   }
   return largest;
 }
@@ -178,6 +180,12 @@ Trade trade_of(const Study& study, const std::vector<OutcomeRow>& rows) {
   for (const OutcomeRow& row : rows)
     if (labels_of(row.row, split.setting) == reference_labels)
       references[labels_of(row.row, split.problem)] = &row;
+  for (const std::size_t q : quantities)
+    for (const auto& [problem, reference] : references)
+      if (reference->good() && reference->values[q] == 0.0 && !study.quantities[q].scale) {
+        trade.zero_in_reference.push_back(study.quantities[q].name);
+        break;
+      }
   std::map<std::vector<std::string>, std::size_t> known;
   std::vector<int> counts;
   for (const OutcomeRow& row : rows) {

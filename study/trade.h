@@ -40,6 +40,7 @@ struct Trade {
   std::vector<std::size_t> front;  ///< settings, from the cheapest on
   std::optional<std::size_t> knee; ///< of the front: after it error costs most
   std::optional<std::size_t> cheapest_within; ///< setting
+  std::vector<std::string> zero_in_reference; ///< quantities without a scale: no error is relative
 };
 
 /// @pre study.trade

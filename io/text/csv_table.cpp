@@ -73,7 +73,10 @@ CsvTable read_csv(const std::filesystem::path& file) {
     throw Error(Fault::input_output, file.string(),
                 fmt::format("the table cannot be read: {}", std::strerror(errno)));
   CsvTable table;
+  int number = 0;
   for (std::string line; std::getline(stream, line);) {
+    if (++number == 1 && line.starts_with(byte_order_mark))
+      line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || line.starts_with('#'))
       continue;
     std::vector<std::string> cells = cells_of(line);
@@ -81,6 +84,11 @@ CsvTable read_csv(const std::filesystem::path& file) {
       table.columns = std::move(cells);
       continue;
     }
+    if (cells.size() > table.columns.size())
+      throw Error(Fault::input_output, fmt::format("{}:{}", file.string(), number),
+                  fmt::format("the line has {} cells, the table has {} columns", cells.size(),
+                              table.columns.size()),
+                  "text with commas goes in double quotes, decimals take a point");
     cells.resize(table.columns.size());
     table.rows.push_back(std::move(cells));
   }

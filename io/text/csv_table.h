@@ -22,7 +22,9 @@ struct CsvTable {
   [[nodiscard]] std::vector<double> numbers(std::size_t column) const;
 };
 
-/// @throws Error (Fault::input_output) for a file that cannot be read or has no header
+/// @throws Error (Fault::input_output) for a file that cannot be read or has no header, and for a
+/// line
+///         with more cells than the header has
 [[nodiscard]] CsvTable read_csv(const std::filesystem::path& file);
 
 /// A cell of a table: in quotes where its text needs them.

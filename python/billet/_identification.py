@@ -42,8 +42,8 @@ class FittedLaw:
     chi_squared: float
     """of what is left [-]"""
     degrees_of_freedom: int
-    p: float
-    """of as much being left by chance [-]"""
+    p: float | None
+    """of as much being left by chance [-]; None where nothing is left to tell by"""
     comparison: str
     """whether the data prefer another law"""
 

@@ -29,8 +29,9 @@ std::vector<const Problem*> chosen_problems(std::span<const Problem> known,
       std::vector<std::string> all;
       for (const Problem& problem : known)
         all.emplace_back(problem.name);
+      const std::string near = io::suggestion(name, all);
       throw Error(Fault::usage, "", fmt::format("no problem is called '{}'", name),
-                  io::suggestion(name, all));
+                  near.starts_with("did you mean") ? near : "billet verify --list names them");
     }
     chosen.push_back(&*found);
   }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace billet::test::study_test {
@@ -117,6 +118,44 @@ TEST_F(StudyRun, HasARowWithItsReasonForARunThatFails) {
   EXPECT_NE(whole_file(out() / "study.csv").find("punch.friction.m: found -1"), std::string::npos);
 }
 
+TEST_F(StudyRun, HasAReasonForAQuantityThatIsNoNumber) {
+  const Outcome outcome =
+      study(edited(study_text, {{"of   = \"punch.force_y\"", "of   = \"ln(0 * time)\""}}));
+  EXPECT_TRUE(outcome.prints("9 of them failed")) << outcome.out;
+  EXPECT_TRUE(outcome.says("quantity 'force' is -inf, not a finite number")) << outcome.err;
+}
+
+TEST_F(StudyRun, SaysBeforeTheRunsWhatIsWrong) {
+  for (const auto& [with, says] : std::vector<std::pair<std::string, std::string>>{
+           {edited(study_text, {{"punch.force_y", "punch.force_y +"}}), "expression"},
+           {edited(study_text, {{"[4, 2, 1]", "[1, 1, 2]"}}), "two values have the same size"},
+           {edited(study_text, {{"workpiece.mesh.cells", "tool.punch.friction.m"}}),
+            "both set tool.punch.friction.m"}}) {
+    const Outcome outcome = study(with);
+    EXPECT_EQ(outcome.status, 3) << says;
+    EXPECT_TRUE(outcome.says(says)) << outcome.err;
+    EXPECT_FALSE(fs::exists(out() / "study.csv"));
+  }
+}
+
+TEST_F(StudyRun, WithoutQuantitiesIsGoodWhereItsRunsAre) {
+  const Outcome outcome =
+      study("case = \"case.toml\"\n[[vary]]\nkey = \"tool.punch.friction.m\"\nvalues = [0, 0.1]\n");
+  EXPECT_TRUE(outcome.prints("2 row(s), 0 of them failed")) << outcome.out;
+}
+
+TEST_F(StudyRun, NoticesThatAnIncludedMeshHasChanged) {
+  write_text(folder_.path() / "nodes.inp", "*NODE\n1,0,0\n2,10,0\n3,10,7.5\n4,0,7.5\n");
+  write_text(folder_.path() / "part.inp",
+             "*INCLUDE, INPUT=nodes.inp\n*ELEMENT, TYPE=CAX4, ELSET=ALL\n1,1,2,3,4\n");
+  const std::string text = "case = \"case.toml\"\nset = { \"workpiece.mesh\" = { file = "
+                           "\"part.inp\" } }\n[[quantity]]\nname = \"v\"\nof = \"volume\"\n";
+  EXPECT_TRUE(study(text).says("1 runs to be made"));
+  EXPECT_TRUE(study(text).says("0 runs to be made"));
+  write_text(folder_.path() / "nodes.inp", "*NODE\n1,0,0\n2,9,0\n3,9,7.5\n4,0,7.5\n");
+  EXPECT_TRUE(study(text).says("1 runs to be made"));
+}
+
 TEST_F(StudyRun, GoesOnAfterItWasKilled) {
   const std::string longer =
       edited(study_text,
@@ -142,7 +181,7 @@ TEST_F(StudyRun, GoesOnAfterItWasKilled) {
 
 TEST_F(StudyRun, WritesCommandsForAnyOtherQueue) {
   const Outcome first = study(study_text, {"--set", "run.engine=commands"});
-  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(first.status, 1) << first.err; // not all is run
   EXPECT_TRUE(first.prints("9 are left to be run")) << first.out;
   ASSERT_EQ(std::system(("sh '" + (out() / "commands.txt").string() + "'").c_str()), 0);
   const Outcome second = study(study_text, {"--set", "run.engine=commands"});

@@ -48,5 +48,22 @@ TEST(Expression, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(refusal(""), "");
 }
 
+TEST(Expression, RefusesWhatMuParserWouldTakeForSomethingElse) {
+  EXPECT_NE(refusal("1,5 * height").find("decimals take a point"), std::string::npos);
+  EXPECT_NE(refusal("height, time").find("2 values"), std::string::npos);
+  EXPECT_NE(refusal("height = 3").find("'==' compares"), std::string::npos);
+  EXPECT_EQ(refusal("min(height, time)"), "");
+  EXPECT_DOUBLE_EQ(value("(height == 3) + (height <= 3) + (height != 3)", {3.0}), 2.0);
+}
+
+TEST(Expression, KnowsMistakesBeforeItKnowsTheNames) {
+  for (const char* sound :
+       {"height", "-upper die.force_y / 1e3", "tool-a.force_y - time", "ln(7.5 / half height) + pi",
+        "Gesenk_ö.force_y", "2 + 2", "max(a b.c, 0.5)"})
+    EXPECT_EQ(Expression::mistake_in(sound), "") << sound;
+  for (const char* wrong : {"", "height +", "frobnicate(height)", "(height", "1,5", "h = 3"})
+    EXPECT_NE(Expression::mistake_in(wrong), "") << wrong;
+}
+
 } // namespace
 } // namespace billet::study::expression_test

@@ -98,6 +98,64 @@ TEST(Identify, CountsWhatTheModelAndTheFlowCurveLeave) {
   EXPECT_NEAR(width(), std::sqrt(3.0) * before, 0.04 * before);
 }
 
+TEST(Identify, GoesOnWhereRunsOfWhatIsUncertainFailed) {
+  Chart chart = two_laws();
+  chart.laws.pop_back();
+  const std::size_t n = chart.laws[0].parameters[0].values.size();
+  chart.uncertain = {"n"};
+  chart.laws[0].quantities[0].change = {
+      std::vector<std::vector<double>>(n, std::vector<double>(chart.stations.size(), 0.002))};
+  const std::vector<Measured> data{{0, 0.4, saturating(0.2, 0.4), 0.002}};
+  const Identification all = identify(chart, data);
+  EXPECT_TRUE(all.warnings.empty());
+  std::vector<std::vector<double>>& change = chart.laws[0].quantities[0].change[0];
+  change[1].assign(chart.stations.size(), std::nan(""));
+  const Identification some = identify(chart, data);
+  ASSERT_EQ(some.warnings.size(), 1U);
+  EXPECT_NE(some.warnings[0].find("what n changes is not known"), std::string::npos);
+  EXPECT_DOUBLE_EQ(some.laws[0].parameters[0].low, all.laws[0].parameters[0].low);
+  for (std::vector<double>& at : change)
+    at.assign(chart.stations.size(), std::nan(""));
+  const Found none = identify(chart, data).laws[0].parameters[0];
+  EXPECT_LT(none.high - none.low, all.laws[0].parameters[0].high - all.laws[0].parameters[0].low);
+}
+
+TEST(Identify, WarnsOfWhatLiesOutsideOfAllCurves) {
+  Chart chart = two_laws();
+  chart.laws.pop_back();
+  const Identification found = identify(chart, {{0, 0.4, 5.0, 0.01}});
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_NE(found.warnings[0].find("outside of all curves"), std::string::npos);
+  EXPECT_FALSE(found.laws[0].p); // nothing is left to tell by
+  EXPECT_EQ(in_words(found).find("p ="), std::string::npos);
+}
+
+TEST(Identify, WarnsOfAChartOfTwoValues) {
+  Chart chart = two_laws();
+  chart.laws.pop_back();
+  ChartedLaw& law = chart.laws[0];
+  law.parameters[0].values.resize(2);
+  law.quantities[0].values.resize(2);
+  law.quantities[0].model_error.resize(2);
+  const double between = 0.5 * (law.quantities[0].values[0][1] + law.quantities[0].values[1][1]);
+  const Identification found = identify(chart, {{0, chart.stations[1], between, 1e-4}});
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_NE(found.warnings[0].find("with two values of m"), std::string::npos);
+}
+
+TEST(Identify, TakesManyMeasurements) {
+  Chart chart = two_laws();
+  chart.laws.pop_back();
+  std::vector<Measured> data;
+  constexpr int many = 2000; // a matrix of so many rows would take minutes
+  for (int i = 0; i < many; ++i)
+    data.push_back({0, 0.4, saturating(0.2, 0.4) + (i % 2 == 0 ? 0.01 : -0.01), 0.01});
+  const Found m = identify(chart, data).laws[0].parameters[0];
+  EXPECT_NEAR(m.value, 0.2, 2e-3);
+  EXPECT_LT(m.low, 0.2);
+  EXPECT_GT(m.high, 0.2);
+}
+
 /// Where a chart has few values of its parameter, its curve between them is off by more than what
 /// was measured.
 TEST(Identify, CountsWhatTheSpacingOfTheChartLeaves) {

@@ -58,6 +58,25 @@ TEST_F(QuantityOfRun, IsTheLargestTheSmallestOrTheMeanOfAWindow) {
                Error);
 }
 
+TEST_F(QuantityOfRun, HasTheSameMeanOverWhatFallsAsOverWhatRises) {
+  // height 9 to 6: 200 to 300 within 1, 300 to 250 within 2
+  const double mean = (1.0 * 250.0 + 2.0 * 275.0) / 3.0;
+  EXPECT_DOUBLE_EQ(value({.name = "f",
+                          .of = "-punch.force_y",
+                          .over = "height",
+                          .take = Take::mean,
+                          .from = 6.0,
+                          .to = 9.0}),
+                   mean);
+  EXPECT_DOUBLE_EQ(value({.name = "f",
+                          .of = "-punch.force_y",
+                          .over = "10 - height",
+                          .take = Take::mean,
+                          .from = 1.0,
+                          .to = 4.0}),
+                   mean);
+}
+
 TEST_F(QuantityOfRun, MayBeOfTheSummaryOrOfQuantitiesBefore) {
   EXPECT_DOUBLE_EQ(value({.name = "f", .of = "summary.iterations + summary.energy.plastic_work"}),
                    9.5);

@@ -34,7 +34,7 @@ std::vector<OutcomeRow> outcomes(const Study& study) {
       if (each.label == row.labels[1])
         size = *each.size;
     rows.push_back(
-        {row, "", EndedRun{}, {exact * (1.0 + 0.02 * size)}, {.processor_time = 8.0 / size}});
+        {row, "", EndedRun{}, {exact * (1.0 + 0.02 * size)}, {.processor_time = 8.0 / size}, true});
   }
   return rows;
 }
@@ -59,6 +59,19 @@ TEST(Trade, MeasuresWhatGoesThroughZeroByItsScale) {
   EXPECT_NEAR(trade.errors[0], 10.0 * 0.14 / 4.0, 1e-12);
 }
 
+TEST(Trade, OfAReferenceOfZeroHasNoErrorsAndSaysSo) {
+  const Study study = two_problems();
+  std::vector<OutcomeRow> rows = outcomes(study);
+  for (OutcomeRow& row : rows)
+    row.values[0] -= row.row.labels[0] == "a" ? 10.2 : 20.4; // the finest of each
+  for (OutcomeRow& row : rows)
+    row.values[0] = std::abs(row.values[0]) < 1e-12 ? 0.0 : row.values[0];
+  const Trade trade = trade_of(study, rows);
+  EXPECT_TRUE(std::isnan(trade.errors[0]));
+  EXPECT_EQ(trade.zero_in_reference, std::vector<std::string>{"force"});
+  EXPECT_FALSE(trade.cheapest_within);
+}
+
 TEST(Trade, NamesTheFrontAndTheCheapestThatIsGoodEnough) {
   const Study study = two_problems();
   std::vector<OutcomeRow> rows = outcomes(study);
@@ -76,6 +89,7 @@ TEST(Trade, TellsErrorAndCostOfEachProblem) {
   const Study study = two_problems();
   std::vector<OutcomeRow> rows = outcomes(study);
   rows[4].values.clear(); // coarse, of problem b
+  rows[4].complete = false;
   rows[4].end = EndedRun{5, "no"};
   const Trade trade = trade_of(study, rows);
   ASSERT_EQ(trade.problems.size(), 2U);
@@ -105,6 +119,7 @@ TEST(Trade, ASettingWithARunThatFailedHasNoError) {
   const Study study = two_problems();
   std::vector<OutcomeRow> rows = outcomes(study);
   rows[2].values.clear();
+  rows[2].complete = false;
   rows[2].end = EndedRun{5, "no"};
   const Trade trade = trade_of(study, rows);
   EXPECT_TRUE(std::isinf(trade.settings[2].error));
