@@ -3,6 +3,7 @@
 #include "app/render.h"
 
 #include "app/command_line.h"
+#include "app/processor.h"
 #include "geometry/base/error.h"
 
 #include <fmt/format.h>

@@ -30,7 +30,7 @@ double value_of(const Quantity& quantity,
   try {
     const double value = evaluate(quantity, results, before);
     if (!std::isfinite(value) && reason.empty())
-      reason = fmt::format("quantity '{}' is {}, not a finite number", quantity.name, value);
+      reason = fmt::format("quantity '{}' is not a finite number", quantity.name);
     return std::isfinite(value) ? value : std::nan("");
   } catch (const Error& error) {
     if (reason.empty())

@@ -188,6 +188,8 @@ std::string convergence_text(const Study& study, const std::vector<Convergence>&
           line.extrapolation.order > 0.0 ? fmt::format("{:.2g}", line.extrapolation.order) : "-",
           in_words(line.extrapolation.range));
     }
+  if (all.empty())
+    text += "\nNothing is extrapolated: fewer than three levels of an axis have a value.\n";
   return text;
 }
 

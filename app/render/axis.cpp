@@ -14,7 +14,9 @@ constexpr double rounding = 1e-9;
 /// Between two values, ends included: 1, 2 and 5 times powers of ten, or every step-th power.
 std::vector<double> logarithmic_ticks(double low, double high, double step) {
   std::vector<double> ticks;
-  for (double decade = std::floor(std::log10(low) + rounding);; decade += std::max(step, 1.0))
+  const auto first = static_cast<int>(std::floor(std::log10(low) + rounding));
+  const int decades = std::max(static_cast<int>(std::round(step)), 1);
+  for (int decade = first;; decade += decades)
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double tick = factor * std::pow(10.0, decade);
       if (tick > high * (1.0 + rounding))
@@ -34,9 +36,10 @@ std::vector<double> Axis::ticks() const {
   if (logarithmic)
     return logarithmic_ticks(low, high, step);
   std::vector<double> ticks;
-  const double first = std::round(low / step), last = std::round(high / step);
-  for (double i = first; i <= last; i += 1.0)
-    ticks.push_back(i * step);
+  const double first = std::round(low / step);
+  const auto n = static_cast<int>(std::round(high / step) - first);
+  for (int i = 0; i <= n; ++i)
+    ticks.push_back((first + i) * step);
   return ticks;
 }
 

@@ -87,6 +87,22 @@ TEST(ClosedFolds, ANarrowCreaseIsFilledToWhereItIsAsWideAsAskedFor) {
     }
 }
 
+TEST(ClosedFolds, NoDeeperThanAskedForIsTheRootAlone) {
+  const SideLoop loop = creased(0.05, 0.05);
+  const std::vector<char> nothing_stays(loop.corners.size(), 0);
+  constexpr double deepest = 0.3;
+  const auto root = closed_fold(loop, nothing_stays, 0.06, deepest);
+  ASSERT_TRUE(root);
+  EXPECT_LE(root->depth(), deepest);
+  EXPECT_GT(root->depth(), 0.5 * deepest);
+  EXPECT_NEAR(root->at.y(), 9.0 + root->depth(), 0.05);
+  // The crease is that much less deep.
+  const WeldedLoop welded = without_fold(loop, *root, 0.05);
+  const auto rest = fold_of(welded.loop, 0.06);
+  ASSERT_TRUE(rest);
+  EXPECT_NEAR(rest->depth(), 1.0 - root->depth(), 0.1);
+}
+
 TEST(ClosedFolds, AThinWebIsNoFold) {
   // The same shape of the boundary with the metal between the walls.
   const SideLoop loop = straight(
