@@ -16,6 +16,7 @@ constexpr double below_failure = 0.9; ///< of the length that failed
 constexpr double most_missed = 0.02;  ///< of the work of an increment
 constexpr double exact_share = 0.25;  ///< of the longest: no shorter for the sake of the balance
 constexpr double rise_of_ceiling = 1.1;
+constexpr double trial_growth = 8.0;
 
 } // namespace
 
@@ -40,6 +41,7 @@ void IncrementControl::accepted(double step, int iterations, double missed) {
     parts_.pop_back();
     return;
   }
+  before_trial_ = 0.0;
   const double wanted = next_;
   const bool whole = step >= wanted; // else it tells little about the length wanted
   if (iterations <= easy_iterations) {
@@ -66,10 +68,28 @@ void IncrementControl::accepted(double step, int iterations, double missed) {
   next_ = std::clamp(next_, std::min(limits_.min, step), limits_.max);
   last_step_ = step;
   last_iterations_ = iterations;
+  try_longer(step);
+}
+
+void IncrementControl::try_longer(double step) {
+  if (step >= short_share * limits_.max) {
+    n_short_ = 0;
+    patience_ = first_patience;
+  } else if (++n_short_ >= patience_) {
+    n_short_ = 0;
+    patience_ *= 2;
+    before_trial_ = next_;
+    next_ = std::min(trial_growth * step, limits_.max);
+  }
 }
 
 void IncrementControl::failed(double step) {
   parts_.clear();
+  if (before_trial_ > 0.0) {
+    next_ = before_trial_;
+    before_trial_ = 0.0;
+    return;
+  }
   next_ = 0.5 * step;
   ceiling_ = below_failure * step;
   last_step_ = 0.0;

@@ -5,6 +5,8 @@
 // past takes its iterations whatever the length, and shrinking would only add increments. So what
 // counts is the cost, iterations per time: an increment that laboured is shortened only as long as
 // that saves iterations, and one between the two grows as long as it is far shorter than it may be.
+// After many short ones a much longer one is tried: contact that keeps changing can be as hard to
+// solve in short increments as in long ones.
 // An easy one may be too long for the trapezoids of its work: the balance of energy tells. One in
 // which the load curve bends is gone in parts, and says of the length of others what it said whole.
 //
@@ -65,22 +67,32 @@ public:
   void set_next(double length) {
     parts_.clear();
     next_ = length;
+    before_trial_ = 0.0;
   }
 
   /// Iterations up to which an increment counts as easy.
   static constexpr int easy_iterations = 5;
 
   template <class Archive> void fields(Archive& archive) {
-    archive(limits_, next_, parts_, ceiling_, last_step_, last_iterations_);
+    archive(limits_, next_, parts_, ceiling_, last_step_, last_iterations_, n_short_, patience_,
+            before_trial_);
   }
 
 private:
+  /// Counts short increments in a row; after many the next one is much longer, for a trial.
+  void try_longer(double step);
+
+  static constexpr int first_patience = 40; ///< short increments before the first trial
+
   Limits limits_;
   double next_ = 0.0;
   std::vector<double> parts_; ///< to be gone before that, the next one last [s]
   double ceiling_ = 0.0;      ///< not beyond it for now: a longer one has failed; 0: none [s]
   double last_step_ = 0.0;    ///< of the increment before [s]; 0: none
   int last_iterations_ = 0;   ///< of it
+  int n_short_ = 0;           ///< increments in a row that were short
+  int patience_ = first_patience;
+  double before_trial_ = 0.0; ///< wanted before the one that is tried; 0: none is [s]
 };
 
 } // namespace billet::process

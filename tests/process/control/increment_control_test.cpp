@@ -99,6 +99,10 @@ TEST(IncrementControl, ShortensWhereThatSavesIterations) {
   double longest = 0.0;
   for (int i = 0; i < 60; ++i) {
     const double step = control.next();
+    if (constexpr int most = 24; iterations(step) > most) { // as Newton's method gives up
+      control.failed(step);
+      continue;
+    }
     control.accepted(step, iterations(step));
     if (i > 15)
       longest = std::max(longest, step);
@@ -142,6 +146,29 @@ TEST(IncrementControl, PartsOfAnIncrementLeaveTheLengthOfTheNextAsItWas) {
   parts.accepted(parts.next(), 1);
   EXPECT_FALSE(parts.in_parts());
   EXPECT_EQ(parts.next(), whole.next());
+}
+
+TEST(IncrementControl, AfterManyShortOnesTriesALongOne) {
+  constexpr double small = 1e-3;
+  constexpr int laboured = 9;
+  IncrementControl control({small, 1e-6, 1.0});
+  const auto accept = [&](int times) {
+    for (int i = 0; i < times; ++i)
+      control.accepted(small, laboured);
+  };
+  accept(39);
+  const double before = control.next();
+  EXPECT_LT(before, 2.0 * small);
+  accept(1);
+  EXPECT_DOUBLE_EQ(control.next(), 8.0 * small);
+  control.failed(8.0 * small);
+  EXPECT_DOUBLE_EQ(control.next(), before) << "as it was";
+  accept(79);
+  EXPECT_LT(control.next(), 2.0 * small) << "twice as patient";
+  accept(1);
+  EXPECT_DOUBLE_EQ(control.next(), 8.0 * small);
+  control.accepted(8.0 * small, laboured);
+  EXPECT_GE(control.next(), 8.0 * small);
 }
 
 TEST(IncrementControl, APartThatFailsIsCutBackLikeAnyIncrement) {
