@@ -45,8 +45,10 @@ void add_file(const fs::path& file, Checksum& checksum) {
   io::DeckLines deck(file, {.folder = {}, .anywhere = true});
   while (const std::optional<io::DeckKeyword> keyword = deck.next()) {
     checksum.add(keyword->name);
-    for (const auto& [name, value] : keyword->parameters)
-      checksum.add(name + "=" + value);
+    for (const auto& [name, value] : keyword->parameters) {
+      checksum.add(name);
+      checksum.add(value);
+    }
     for (const std::vector<std::string>& line : keyword->data)
       for (const std::string& field : line)
         checksum.add(field);

@@ -35,6 +35,7 @@ const ThingWords& thing_words(DeckThing thing) {
 
 template <class Map> std::vector<std::string> keys_of(const Map& things) {
   std::vector<std::string> names;
+  names.reserve(things.size());
   for (const auto& [name, thing] : things)
     names.push_back(name);
   return names;

@@ -520,7 +520,7 @@ private:
 
   std::string
   translation_text(const std::string& tool, const DeckMotion& motion, const DeckRigidBody* rigid) {
-    if (const std::string force = force_text(tool, rigid); !force.empty())
+    if (std::string force = force_text(tool, rigid); !force.empty())
       return force;
     std::set<double> times{0.0};
     bool moves = false;

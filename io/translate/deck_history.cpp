@@ -208,15 +208,16 @@ void add_condition(HistoryMaker& maker,
 void release_forces(HistoryMaker& maker,
                     const TimedStep& timed,
                     std::map<std::string, DeckMotion>& all) {
+  const auto is_repeated = [&](const std::string& target, int component) {
+    return std::any_of(timed.step->forces.begin(), timed.step->forces.end(),
+                       [&](const DeckCondition& one) {
+                         return in_capitals(one.target) == target && one.first == component;
+                       });
+  };
   for (auto& [target, force] : all)
-    for (auto& [component, history] : force.components) {
-      const bool is_repeated = std::any_of(
-          timed.step->forces.begin(), timed.step->forces.end(), [&](const DeckCondition& one) {
-            return in_capitals(one.target) == target && one.first == component;
-          });
-      if (!is_repeated)
+    for (auto& [component, history] : force.components)
+      if (!is_repeated(target, component))
         maker.add_value(timed, {}, history);
-    }
 }
 
 bool acts_at_same_place(const DeckPressure& a, const DeckPressure& b) {
