@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace billet::process {
 
@@ -79,15 +80,16 @@ void IncrementControl::try_longer(double step) {
     n_short_ = 0;
     patience_ *= 2;
     before_trial_ = next_;
-    next_ = std::min(trial_growth * step, limits_.max);
+    next_ = std::min(trial_growth * step, exact_share * limits_.max);
   }
 }
 
 void IncrementControl::failed(double step) {
+  const bool was_trial = before_trial_ > 0.0 && !in_parts();
+  const double before = std::exchange(before_trial_, 0.0);
   parts_.clear();
-  if (before_trial_ > 0.0) {
-    next_ = before_trial_;
-    before_trial_ = 0.0;
+  if (was_trial) {
+    next_ = before;
     return;
   }
   next_ = 0.5 * step;

@@ -185,7 +185,7 @@ std::optional<NewPart> new_plane_part_with_walls(const Run& run,
         continue;
       if (near > 0.0)
         for (const geometry::ClosedFold& fold :
-             weld_roots(boundary, near * shortest, shortest, deepest))
+             weld_folds(boundary, near * shortest, shortest, deepest))
           note(fold);
       try {
         NewPart part = new_plane_part_within(run, boundary, at);

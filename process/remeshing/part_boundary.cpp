@@ -259,30 +259,19 @@ std::vector<char> supported_sides(const PartBoundary& boundary, const SideLoop& 
 } // namespace
 
 std::vector<geometry::ClosedFold>
-weld_roots(PartBoundary& boundary, double near, double rest, double deepest) {
+weld_folds(PartBoundary& boundary, double near, double rest, double deepest) {
   std::vector<geometry::ClosedFold> folds;
-  const auto is_new = [&](const geometry::ClosedFold& fold) {
-    return std::none_of(folds.begin(), folds.end(), [&](const geometry::ClosedFold& known) {
-      return (known.at - fold.at).norm() <= 2.0 * deepest; // the crease goes on there
-    });
+  const auto goes_on_from_weld = [&](const geometry::ClosedFold& fold) {
+    return std::isfinite(deepest) &&
+           std::any_of(folds.begin(), folds.end(), [&](const geometry::ClosedFold& known) {
+             return (known.at - fold.at).norm() <= 2.0 * deepest;
+           });
   };
   for (std::size_t l = 0; l < boundary.loops.size(); ++l)
     while (auto fold = geometry::closed_fold(
                boundary.loops[l], supported_sides(boundary, boundary.loops[l]), near, deepest)) {
-      if (!is_new(*fold))
+      if (goes_on_from_weld(*fold))
         break;
-      fold->from.loop = fold->to.loop = static_cast<std::int32_t>(l);
-      folds.push_back(*fold);
-      cut_off(boundary, l, *fold, rest);
-    }
-  return folds;
-}
-
-std::vector<geometry::ClosedFold> weld_folds(PartBoundary& boundary, double near, double rest) {
-  std::vector<geometry::ClosedFold> folds;
-  for (std::size_t l = 0; l < boundary.loops.size(); ++l)
-    while (auto fold = geometry::closed_fold(boundary.loops[l],
-                                             supported_sides(boundary, boundary.loops[l]), near)) {
       fold->from.loop = fold->to.loop = static_cast<std::int32_t>(l);
       folds.push_back(*fold);
       cut_off(boundary, l, *fold, rest);

@@ -14,6 +14,7 @@
 #include "process/scene/scene.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -53,15 +54,12 @@ struct PartBoundary {
 ///
 /// @param near  as for `geometry::closed_fold`
 /// @param rest  as for `geometry::without_fold`
+/// @param deepest  roots of creases alone, no deeper than that: from its weld on a crease goes on
+/// as
+///                 it was [mm]
 /// @return      what was cut off
-std::vector<geometry::ClosedFold> weld_folds(PartBoundary& boundary, double near, double rest);
-
-/// The same for the roots of creases alone, which end there: a crease goes on as it was from a weld
-/// on.
-///
-/// @param deepest  that a root is [mm]
 std::vector<geometry::ClosedFold>
-weld_roots(PartBoundary& boundary, double near, double rest, double deepest);
+weld_folds(PartBoundary& boundary, double near, double rest, double deepest = HUGE_VAL);
 
 /// Components that a support prescribes in a place of the boundary: 1 for x, 2 for y, or both.
 [[nodiscard]] unsigned char fixed_components(const Part& part,

@@ -171,6 +171,16 @@ TEST(IncrementControl, AfterManyShortOnesTriesALongOne) {
   EXPECT_GE(control.next(), 8.0 * small);
 }
 
+TEST(IncrementControl, APartThatFailsIsNoTrial) {
+  constexpr double small = 1e-3;
+  IncrementControl control({small, 1e-6, 1.0});
+  for (int i = 0; i < 39; ++i)
+    control.accepted(small, 9);
+  control.split(small, 0.5, 9); // the fortieth: a trial comes after its parts
+  control.failed(control.next());
+  EXPECT_LT(control.next(), small) << "cut back, not as long as before";
+}
+
 TEST(IncrementControl, APartThatFailsIsCutBackLikeAnyIncrement) {
   IncrementControl control(limits);
   control.split(limits.first, 0.4, 3);
