@@ -318,6 +318,9 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
     const std::size_t equals = word.find('=');
     const bool joined = word.starts_with("--") && equals != std::string::npos;
     const Option option = find_option(joined ? word.substr(0, equals) : word, command);
+    if (option.value.empty() && joined)
+      throw Error(Fault::usage, "", fmt::format("{} takes no value", option.name),
+                  fmt::format("leave out '{}'", word.substr(equals)));
     if (option.value.empty()) {
       set(arguments, option.name, "");
     } else if (joined) {

@@ -38,7 +38,7 @@ std::string code_in(std::string text) {
   if (text.starts_with("exit-status-"))
     text.erase(0, std::string_view("exit-status-").size());
   const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  if (text == "129" || text == "143")
+  if (text == "129" || text == "138" || text == "143")
     text = "130";
   return is_number ? "exit-" + text : text;
 }

@@ -49,10 +49,17 @@ constexpr std::array table{
         "summary.json names the checks under failed_checks; billet explain NAME explains each."},
     Explanation{"exit-70", "exit status", "An internal error: a mistake of the program.", "",
                 "Please report it with the case file."},
-    Explanation{"exit-130", "exit status",
-                "The run was stopped by a signal, 128 plus its number: 129 SIGHUP, 130 SIGINT "
-                "(Ctrl-C), 143 SIGTERM. The increment was ended and everything is stored.",
-                "", "billet run --resume goes on."},
+    Explanation{
+        "exit-130", "exit status",
+        "The run was stopped by a signal, 128 plus its number: 129 SIGHUP, 130 SIGINT "
+        "(Ctrl-C), 138 SIGUSR1 (of "
+        "billet-mpi, from mpiexec), 143 SIGTERM. The increment was ended and everything is stored.",
+        "", "billet run --resume goes on."},
+    Explanation{"exit-137", "exit status",
+                "The run was killed (SIGKILL, 128 + 9) before it could store anything.",
+                "The system had no memory left, a queue's limit was passed, or somebody killed it.",
+                "billet run --resume goes on from the last checkpoint; a smaller mesh needs less "
+                "memory."},
     Explanation{"energy-balance", "failed check",
                 "The work of the tools is not what the part has taken up, by more than 5 %.",
                 "Forces that jump within an increment, a part that snaps through or moves freely.",

@@ -13,6 +13,7 @@
 #include "mechanics/elements/mesh_check.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -69,10 +70,17 @@ int info_mesh(const std::filesystem::path& path, bool allow_outside) {
 
 int info_results(const std::filesystem::path& folder) {
   std::ifstream summary(folder / "summary.json");
+  if (!summary && std::filesystem::exists(folder / "history.csv"))
+    throw Error(Fault::input_output, folder.string(),
+                "has no summary.json yet: the run is going on, or was killed",
+                fmt::format("billet watch {} tells how it is going", folder.string()));
   if (!summary)
     throw Error(Fault::input_output, folder.string(),
                 "is a folder without summary.json: not the results of a run");
-  fmt::print("{}", std::string(std::istreambuf_iterator<char>(summary), {}));
+  const std::string text(std::istreambuf_iterator<char>(summary), {});
+  if (!nlohmann::json::accept(text))
+    throw Error(Fault::input_output, (folder / "summary.json").string(), "is damaged: no JSON");
+  fmt::print("{}", text);
   return 0;
 }
 

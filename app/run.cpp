@@ -156,8 +156,8 @@ void require_same(const io::FoundCheckpoint& found, const io::Case& content) {
   for (std::string& change :
        io::changes_of_case(checkpoint.content, io::resolved_toml(content), checkpoint.stage))
     complaints.push_back({found.file.string(), "the case has changed: " + change,
-                          "a run may go on with another time.end, later stages, output and "
-                          "solver.threads only"});
+                          "a run may go on with another title, end of the run or of the present "
+                          "stage, later stages, stop, output and solver.threads only"});
   if (!complaints.empty())
     throw Error(Fault::case_file, std::move(complaints));
 }

@@ -28,13 +28,25 @@ bool supersedes(const Change& later, const Change& earlier) {
          std::equal(later.path.begin(), later.path.end(), earlier.path.begin());
 }
 
+/// Whether a key may mean another item of a list after a change: one of a name, of a whole item, or
+/// of a list of tables.
+bool moves_items(const Change& change) {
+  constexpr std::size_t of_item = 2; // parts of its key: tool.punch
+  const std::size_t equals = change.text.find('=');
+  if (change.erases || equals == std::string::npos || change.path.empty())
+    return change.erases;
+  std::string value = change.text.substr(equals + 1);
+  std::erase_if(value, [](char c) { return c == ' ' || c == '\t'; });
+  return change.path.back() == "name" || value.starts_with("[{") ||
+         (change.path.size() <= of_item && value.starts_with("{"));
+}
+
 /// Adds a change. Earlier ones of the same key go, so that a loop over its values ends with one;
-/// but for those before a removal, which may be what it removes.
+/// but for those before a change that moves items, which may be of another one.
 void add(Change change, std::vector<Change>& changes) {
   if (!change.erases) {
-    const auto last_removal = std::find_if(changes.rbegin(), changes.rend(),
-                                           [](const Change& earlier) { return earlier.erases; });
-    changes.erase(std::remove_if(last_removal.base(), changes.end(),
+    const auto last_move = std::find_if(changes.rbegin(), changes.rend(), moves_items);
+    changes.erase(std::remove_if(last_move.base(), changes.end(),
                                  [&](const Change& c) { return supersedes(change, c); }),
                   changes.end());
   }

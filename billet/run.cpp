@@ -5,6 +5,7 @@
 #include "io/case/read_case.h"
 #include "io/case/suggestion.h"
 #include "io/results/checkpoint.h"
+#include "io/results/checksum.h"
 #include "io/results/frames.h"
 #include "io/results/history_row.h"
 #include "io/scene/scene_builder.h"
@@ -16,6 +17,10 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "billet/case_inside.h"
@@ -68,7 +73,6 @@ private:
 
 /// A run as it was saved, and of what.
 struct Saved {
-  std::string version;
   std::string content; ///< the resolved case
   std::string scene;   ///< fingerprint of mesh and tools
   std::size_t stage = 0;
@@ -76,18 +80,38 @@ struct Saved {
   std::string run; ///< of the process
 
   template <class Archive> void fields(Archive& archive) {
-    archive(version, content, scene, stage, told, run);
+    archive(content, scene, stage, told, run);
   }
 };
 
 constexpr std::string_view saved_by = "billet run " BILLET_VERSION;
 
+/// In front of it.
+struct SavedHeader {
+  std::string version{saved_by};
+  std::uint32_t checksum = 0; ///< of what follows
+
+  template <class Archive> void fields(Archive& archive) { archive(version, checksum); }
+};
+
+std::string bytes_of(const Saved& saved) {
+  const std::string content = archived(saved);
+  SavedHeader header;
+  header.checksum = io::checksum(content);
+  return archived(header) + content;
+}
+
 Saved saved_of(std::string_view bytes) {
-  ArchiveWriter writer;
-  writer(std::string(saved_by));
-  if (!bytes.starts_with(writer.bytes()))
+  if (!bytes.starts_with(archived(std::string(saved_by))))
     throw Error(Fault::input_output, "",
                 "these bytes are not those of a run that billet " BILLET_VERSION " saved");
+  const std::size_t size = archived(SavedHeader{}).size();
+  SavedHeader header;
+  ArchiveReader(bytes.substr(0, size))(header);
+  bytes.remove_prefix(std::min(size, bytes.size()));
+  if (io::checksum(bytes) != header.checksum)
+    throw Error(Fault::input_output, "", "the bytes of this saved run are damaged",
+                "load bytes that have been kept whole");
   Saved saved;
   ArchiveReader reader(bytes);
   reader(saved);
@@ -116,6 +140,9 @@ Case with_overrides(Case content, const std::vector<std::string>& overrides) {
   return content;
 }
 
+/// More are of no use on any machine, and an arena of very many cannot be made.
+constexpr int most_threads = 4096;
+
 std::array<double, 3> as_array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 } // namespace
@@ -133,7 +160,7 @@ struct Run::Inside {
 
   Inside(Case source_case, RunOptions run_options)
       : source(std::move(source_case)), options(std::move(run_options)),
-        threads(std::max(options.threads, 1)), process(prepared()) {
+        threads(std::clamp(options.threads, 1, most_threads)), process(prepared()) {
     const io::UnitSystem& labels = content().units;
     columns = io::history_columns(process->view().scene);
     units = {labels.length, labels.force, labels.time, labels.stress, labels.temperature};
@@ -292,11 +319,8 @@ std::array<double, 3> Run::tool_torque(std::size_t tool) const {
 std::string Run::save() {
   return inside_->work([&] {
     const process::Run& run = inside_->process->view();
-    ArchiveWriter writer;
-    writer(Saved{std::string(saved_by), io::resolved_toml(inside_->content()),
-                 io::scene_fingerprint(run.scene), run.state.progress.stage, inside_->observer.told,
-                 inside_->process->store()});
-    return writer.take();
+    return bytes_of({io::resolved_toml(inside_->content()), io::scene_fingerprint(run.scene),
+                     run.state.progress.stage, inside_->observer.told, inside_->process->store()});
   });
 }
 

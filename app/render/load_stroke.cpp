@@ -1,6 +1,7 @@
 #include "app/render/load_stroke.h"
 
 #include "geometry/base/error.h"
+#include "io/case/quoted.h"
 #include "io/text/csv_table.h"
 #include "io/text/readable.h"
 
@@ -27,7 +28,7 @@ std::string text_of(const std::filesystem::path& resolved, const std::string& ke
     const std::size_t first = line.find('"'), last = line.rfind('"');
     if (line.starts_with(key) && equals != std::string::npos && first > equals && last > first &&
         line.find_first_not_of(' ', key.size()) == equals)
-      return line.substr(first + 1, last - first - 1);
+      return io::unquoted(std::string_view(line).substr(first, last - first + 1));
   }
   return {};
 }

@@ -268,6 +268,8 @@ Options parse(const std::vector<std::string>& arguments) {
         options.chart.wanted = true;
     } else if (const auto change = switches().find(argument); change != switches().end()) {
       change->second(options);
+    } else if (joined && switches().contains(name)) {
+      fail_usage(fmt::format("{} takes no value: leave out \"{}\"", name, argument.substr(equals)));
     } else if (argument.size() > 1 && argument.starts_with('-')) {
       unknown_option(name);
     } else {

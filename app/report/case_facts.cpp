@@ -1,5 +1,6 @@
 #include "app/report/case_facts.h"
 
+#include "io/case/quoted.h"
 #include "io/case/units.h"
 
 #include <charconv>
@@ -17,33 +18,10 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// What stands between the first and the last quote, its escapes undone; else the text itself.
-std::string unquoted(std::string_view text) {
-  if (text.size() < 2 || text.front() != '"' || text.back() != '"')
-    return std::string(text);
-  std::string plain;
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    if (text[i] == '\\' && i + 2 < text.size())
-      ++i;
-    plain += text[i];
-  }
-  return plain;
-}
-
 std::optional<double> number_of(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end != text.data() ? std::optional(value) : std::nullopt;
-}
-
-/// "x = 0" as a plane.
-std::optional<SymmetryPlane> plane_of(const std::string& where) {
-  const std::size_t equals = where.find('=');
-  if (equals == std::string::npos || where.empty() || where[0] < 'x' || where[0] > 'z')
-    return std::nullopt;
-  const std::optional<double> value =
-      number_of(without_blanks(std::string_view(where).substr(equals + 1)));
-  return value ? std::optional(SymmetryPlane{where[0] - 'x', *value}) : std::nullopt;
 }
 
 /// Reads line after line; a table ends where the next one begins.
@@ -51,7 +29,6 @@ class Reader {
 public:
   void line(const std::string& text) {
     if (text.starts_with("[")) {
-      end_table();
       table_ = text;
       return;
     }
@@ -62,26 +39,19 @@ public:
     take(std::string(key), std::string(without_blanks(std::string_view(text).substr(equals + 1))));
   }
 
-  CaseFacts end() {
-    end_table();
-    return facts_;
-  }
+  CaseFacts end() { return facts_; }
 
 private:
   void take(const std::string& key, const std::string& value) {
     if (table_.empty())
-      take_head(key, unquoted(value));
-    else if (table_ == "[[support]]" && key == "where")
-      plane_ = plane_of(unquoted(value));
-    else if (table_ == "[[support]]" && key == "fix")
-      fixed_ = value;
+      take_head(key, io::unquoted(value));
     else if (table_ == "[[tool]]" && key == "motion")
       facts_.tools_turn = facts_.tools_turn || value.find("rotation") != std::string::npos ||
                           value.find("torque") != std::string::npos;
     else if (table_ == "[[measure]]" && key == "name")
-      facts_.measures.emplace_back(unquoted(value), "");
+      facts_.measures.emplace_back(io::unquoted(value), "");
     else if (table_ == "[[measure]]" && key == "kind" && !facts_.measures.empty())
-      facts_.measures.back().second = unquoted(value);
+      facts_.measures.back().second = io::unquoted(value);
     else if ((table_ == "[time]" || table_ == "[[stage]]") && key == "end")
       facts_.end = number_of(value);
   }
@@ -98,17 +68,8 @@ private:
                                                   : io::Analysis::plane_strain;
   }
 
-  void end_table() {
-    if (plane_ && fixed_.find(static_cast<char>('x' + plane_->axis)) != std::string::npos)
-      facts_.planes.push_back(*plane_);
-    plane_.reset();
-    fixed_.clear();
-  }
-
   CaseFacts facts_;
   std::string table_;
-  std::optional<SymmetryPlane> plane_; ///< of the support that is being read
-  std::string fixed_;
 };
 
 } // namespace

@@ -13,20 +13,11 @@
 
 namespace billet::report {
 
-/// A plane of symmetry: its nodes are held in its normal.
-struct SymmetryPlane {
-  int axis = 0;       ///< 0: x, 1: y, 2: z
-  double value = 0.0; ///< [mm]
-
-  bool operator==(const SymmetryPlane&) const = default;
-};
-
 struct CaseFacts {
   std::string title;
   io::UnitSystem units;
   std::optional<io::Analysis> analysis;
   std::optional<double> end; ///< of the run [s]
-  std::vector<SymmetryPlane> planes;
   bool tools_turn = false;
   std::vector<std::pair<std::string, std::string>> measures; ///< name and kind
 };

@@ -153,6 +153,7 @@ void FrameEncoder::add_contact(const io::StoredWorkpiece& workpiece,
 void FrameEncoder::add(const io::FrameFiles& files) {
   const io::StoredWorkpiece workpiece = io::read_workpiece(files.workpiece);
   const std::size_t n_meshes = meshes_.size();
+  symmetry_ = workpiece.symmetry;
   use_mesh_of(workpiece);
   if (meshes_.size() > n_meshes)
     meshes_.back()["blob"] = mesh_blobs_.size() - 1;

@@ -34,6 +34,8 @@ public:
   [[nodiscard]] nlohmann::ordered_json scene() const;
   [[nodiscard]] std::vector<std::string> blobs() const;
   [[nodiscard]] const ToolShapes& tools() const { return tools_; }
+  /// Of the last frame.
+  [[nodiscard]] const std::vector<io::SymmetryPlane>& symmetry() const { return symmetry_; }
 
 private:
   void use_mesh_of(const io::StoredWorkpiece& workpiece);
@@ -53,6 +55,7 @@ private:
   nlohmann::ordered_json fields_ = nlohmann::ordered_json::object();
   std::vector<std::string> mesh_blobs_, frame_blobs_;
   ToolShapes tools_;
+  std::vector<io::SymmetryPlane> symmetry_;
 };
 
 } // namespace billet::report

@@ -122,7 +122,7 @@ FrameView frame_view(const ResultsFolder& results, std::size_t most_bytes) {
     view.scene["time"] = results.units().time;
     view.scene["axisymmetric"] = results.facts.analysis == io::Analysis::axisymmetric;
     view.scene["symmetry"] = ordered_json::array();
-    for (const SymmetryPlane& plane : results.facts.planes)
+    for (const io::SymmetryPlane& plane : encoded->encoder.symmetry())
       view.scene["symmetry"].push_back({{"axis", plane.axis}, {"value", plane.value}});
     return view;
   }

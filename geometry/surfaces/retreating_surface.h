@@ -24,6 +24,9 @@ public:
   [[nodiscard]] std::vector<InnerBall> narrow_parts(const NarrowSearch& search) const override {
     return surface_->narrow_parts(search); // where it was
   }
+  [[nodiscard]] std::vector<ToolCorner> corners(double angle) const override {
+    return surface_->corners(angle); // where they were
+  }
 
 private:
   void

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -81,6 +82,14 @@ bool is_part_of_name(char c) {
   return std::isalnum(byte) != 0 || byte >= 0x80 || c == '_' || c == '-' || c == ' ';
 }
 
+/// Letters of a text in UTF-8, all bytes but those that continue one.
+std::size_t n_letters(std::string_view text) {
+  constexpr unsigned continues = 0x80, of = 0xC0;
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & of) != continues;
+  }));
+}
+
 } // namespace
 
 std::string bounds_text(const Bounds& bounds) {
@@ -129,6 +138,12 @@ std::optional<int> as_count(const At& at) {
   const auto* const value = at.node.as<std::int64_t>();
   if (value != nullptr && *value >= 1 && *value <= largest_count)
     return static_cast<int>(*value);
+  if (const auto* const real = at.node.as<double>();
+      real != nullptr && std::floor(*real) == *real) {
+    at.complain(fmt::format("found {:.1f}, allowed is a whole number from 1 to {}, without a point",
+                            *real, largest_count));
+    return std::nullopt;
+  }
   at.complain_found(fmt::format("a whole number from 1 to {}", largest_count));
   return std::nullopt;
 }
@@ -137,7 +152,8 @@ std::optional<std::string> as_name(const At& at) {
   if (at.expect(TextShape{"a name", "^[^ ](.*[^ ])?$"}))
     return "name";
   const auto* const text = at.node.as<std::string>();
-  if (text != nullptr && !text->empty() && text->size() <= 64 &&
+  constexpr std::size_t longest = 64;
+  if (text != nullptr && !text->empty() && n_letters(*text) <= longest &&
       std::all_of(text->begin(), text->end(), is_part_of_name) && text->front() != ' ' &&
       text->back() != ' ')
     return *text;

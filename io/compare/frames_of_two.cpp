@@ -116,7 +116,11 @@ void compare_frames(const std::filesystem::path& first_folder,
   const std::optional<LastFrame> first = last_frame(first_folder),
                                  second = last_frame(second_folder);
   if (!first || !second) {
-    into.notes.push_back("fields: not both have frames, these are not compared");
+    if (first.has_value() != second.has_value())
+      into.quantities.push_back(
+          text_difference("frames", first ? "there" : "absent", second ? "there" : "absent"));
+    else
+      into.notes.push_back("fields: neither has frames");
     return;
   }
   note_meshes(*first, *second, into);

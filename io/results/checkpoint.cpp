@@ -5,9 +5,9 @@
 #include "geometry/base/error.h"
 #include "io/case/document.h"
 #include "io/results/atomic_file.h"
+#include "io/results/checksum.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -42,17 +42,6 @@ struct Header {
 
   template <class Archive> void fields(Archive& archive) { archive(format, sections); }
 };
-
-std::uint32_t checksum(std::string_view bytes) {
-  std::uint32_t sum = 0;
-  while (!bytes.empty()) { // zlib counts in 32 bits
-    const std::string_view part = bytes.substr(0, std::size_t{1} << 30U);
-    sum = static_cast<std::uint32_t>(::crc32(sum, reinterpret_cast<const Bytef*>(part.data()),
-                                             static_cast<uInt>(part.size()))); // NOLINT
-    bytes.remove_prefix(part.size());
-  }
-  return sum;
-}
 
 fs::path checkpoint_folder(const fs::path& results) { return results / "checkpoints"; }
 

@@ -42,6 +42,15 @@ bool lists_own_frames(const std::filesystem::path& pvd) {
   });
 }
 
+/// As earlier runs of this folder, maybe of cases of other names, have left them.
+std::vector<std::filesystem::path> lists_of_frames(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> lists;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".pvd" && lists_own_frames(entry.path()))
+      lists.push_back(entry.path());
+  return lists;
+}
+
 /// Number of a frame by the name of its file.
 int frame_number(const std::filesystem::path& file) {
   const std::string stem = file.stem().string();
@@ -63,7 +72,7 @@ void remove_partial_files(const std::filesystem::path& folder) {
     fs::remove(file, error);
 }
 
-void remove_later(const std::filesystem::path& folder, int first_frame) {
+void remove_later(const std::filesystem::path& folder, int first_frame, const std::string& name) {
   namespace fs = std::filesystem;
   std::error_code error;
   for (const fs::path& file : {folder / "summary.json", folder / "failure" / "last_good.vtu",
@@ -74,6 +83,9 @@ void remove_later(const std::filesystem::path& folder, int first_frame) {
   for (const auto& entry : fs::directory_iterator(folder / "frames"))
     if (is_frame(entry.path()) && frame_number(entry.path()) >= first_frame)
       later.push_back(entry.path());
+  for (const fs::path& list : lists_of_frames(folder))
+    if (list.filename() != name + ".pvd")
+      later.push_back(list);
   for (const fs::path& file : later)
     fs::remove(file, error);
 }
@@ -86,9 +98,8 @@ void remove_earlier_run(const std::filesystem::path& folder) {
                             folder / "starts.json",
                             folder / "failure" / "last_good.vtu",
                             folder / "failure" / "post_mortem.txt"};
-  for (const auto& entry : fs::directory_iterator(folder)) // the case may have had another name
-    if (entry.path().extension() == ".pvd" && lists_own_frames(entry.path()))
-      old.push_back(entry.path());
+  for (const fs::path& list : lists_of_frames(folder))
+    old.push_back(list);
   for (const auto& entry : fs::directory_iterator(folder / "frames"))
     if (is_frame(entry.path()))
       old.push_back(entry.path());

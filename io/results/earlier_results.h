@@ -5,14 +5,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace billet::io {
 
 /// Removes what writers that were killed have left half-written.
 void remove_partial_files(const std::filesystem::path& folder);
 
-/// Removes frames from a number on, and what a run leaves when it ends.
-void remove_later(const std::filesystem::path& folder, int first_frame);
+/// Removes frames from a number on, what a run leaves when it ends, and lists of its frames by
+/// another name than that of the case that goes on.
+void remove_later(const std::filesystem::path& folder, int first_frame, const std::string& name);
 
 /// Removes what an earlier run left, so that nothing of it passes for a result of this one.
 /// @throws Error (Fault::input_output) if something cannot be removed

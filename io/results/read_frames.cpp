@@ -17,7 +17,10 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
+#include <charconv>
 #include <map>
+#include <string_view>
 #include <system_error>
 
 namespace billet::io {
@@ -126,6 +129,30 @@ std::optional<fs::path> list_in(const fs::path& folder) {
   return found;
 }
 
+/// "symmetry: x = 0, y = 2.5", as `frames.cpp` notes it.
+std::vector<SymmetryPlane> symmetry_in(vtkFieldData& data) {
+  constexpr std::string_view note = "symmetry: ";
+  std::vector<SymmetryPlane> planes;
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
+    const char* const array = data.GetArrayName(i);
+    std::string_view text = array == nullptr ? "" : array;
+    if (!text.starts_with(note))
+      continue;
+    for (text.remove_prefix(note.size()); text.size() > 4; // x = 0
+         text.remove_prefix(std::min(text.size(), text.find_first_of("xyz", 1)))) {
+      double value = 0.0;
+      std::from_chars(text.data() + 4, text.data() + text.size(), value);
+      planes.push_back({text[0] - 'x', value});
+    }
+  }
+  const std::vector<SymmetryPlane> all = planes;
+  std::erase_if(planes, [&](const SymmetryPlane& plane) {
+    return std::count_if(all.begin(), all.end(),
+                         [&](const SymmetryPlane& other) { return other.axis == plane.axis; }) > 1;
+  });
+  return planes;
+}
+
 } // namespace
 
 std::vector<FrameFiles> frames_in(const fs::path& folder) {
@@ -168,6 +195,7 @@ StoredWorkpiece read_workpiece(const fs::path& file) {
   }
   workpiece.points = fields_in(*grid->GetPointData(), *grid->GetFieldData());
   workpiece.cells = fields_in(*grid->GetCellData(), *grid->GetFieldData());
+  workpiece.symmetry = symmetry_in(*grid->GetFieldData());
   return workpiece;
 }
 

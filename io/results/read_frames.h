@@ -30,12 +30,22 @@ struct FrameFiles {
 /// @throws Error  (Fault::input_output) if the list cannot be read
 [[nodiscard]] std::vector<FrameFiles> frames_in(const std::filesystem::path& folder);
 
+/// A plane of symmetry: the part lies on one side of it.
+struct SymmetryPlane {
+  int axis = 0;       ///< its normal: 0: x, 1: y, 2: z
+  double value = 0.0; ///< [mm]
+
+  bool operator==(const SymmetryPlane&) const = default;
+};
+
 /// The workpiece of a frame.
 struct StoredWorkpiece {
   double time = 0.0;         ///< [s]
   mechanics::Mesh mesh;      ///< places as they were then [mm]
   std::vector<Field> points; ///< fields at nodes
   std::vector<Field> cells;  ///< fields of elements
+  /// Without those that are opposite to each other, the ends of a slice: images would prolong it.
+  std::vector<SymmetryPlane> symmetry;
 };
 
 /// @throws Error  for a file that cannot be read or that this program has not written

@@ -124,7 +124,7 @@ RunWriter::RunWriter(std::filesystem::path folder,
   // Only now that the folder has proved writable.
   remove_partial_files(folder_);
   if (beginning_.checkpoint != nullptr && beginning_.same_folder) {
-    remove_later(folder_, record_.frames);
+    remove_later(folder_, record_.frames, name_);
     remove_checkpoints_after(folder_, beginning_.checkpoint->increment);
   } else {
     remove_earlier_run(folder_);

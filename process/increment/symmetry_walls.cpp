@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -67,13 +69,45 @@ Vec3 place(const Run& run, Index node, const std::vector<double>& x) {
   return place;
 }
 
-/// How many components of each node supports hold.
-std::vector<int> holds(const Part& part) {
-  std::vector<int> count(part.mesh.points.size(), 0);
+using Held = std::vector<std::array<char, 3>>;
+
+/// Which components of each node supports hold.
+Held holds(const Part& part) {
+  Held held(part.mesh.points.size(), {0, 0, 0});
   for (const Support& support : part.supports)
     for (const Index node : support.nodes)
-      ++count[idx(node)];
-  return count;
+      held[idx(node)][idx(support.component)] = 1;
+  return held;
+}
+
+/// Whether metal may slide along a plane at most of its nodes, or is held across at its rims, where
+/// other planes of symmetry may be.
+bool lets_slide(const std::vector<Vec3>& points,
+                const std::vector<Index>& plane,
+                int normal,
+                const Held& held) {
+  std::vector<char> slides(plane.size(), 1);
+  for (int d = 0; d < 3; ++d) {
+    if (d == normal)
+      continue;
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Index node : plane) {
+      low = std::min(low, points[idx(node)][d]);
+      high = std::max(high, points[idx(node)][d]);
+    }
+    const double rounding = 1e-9 * (high - low);
+    bool everywhere = high > low;
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      const double at = points[idx(plane[i])][d];
+      const bool is_held = held[idx(plane[i])][idx(d)] != 0;
+      everywhere = everywhere && is_held;
+      if (is_held && at > low + rounding && at < high - rounding)
+        slides[i] = 0;
+    }
+    if (everywhere)
+      return false;
+  }
+  return 2 * std::count(slides.begin(), slides.end(), 1) >= std::ssize(plane);
 }
 
 /// Whether a support holds its nodes where they were.
@@ -85,14 +119,12 @@ bool stands(const Support& support) {
 
 /// The plane on which a support holds the part as a plane of symmetry does, if it is one: all of
 /// the part lies on one side, and the metal may slide along it.
-std::optional<Wall> plane_of(const Run& run, const Support& support, const std::vector<int>& held) {
+std::optional<Wall> plane_of(const Run& run, const Support& support, const Held& held) {
   const std::vector<Vec3>& points = run.mesh().points;
   if (support.nodes.empty() || !stands(support))
     return std::nullopt;
   const int c = support.component;
   const double at = points[idx(support.nodes.front())][c];
-  const auto slides = std::count_if(support.nodes.begin(), support.nodes.end(),
-                                    [&](Index node) { return held[idx(node)] == 1; });
   double low = 0.0, high = 0.0;
   for (const Vec3& point : points) {
     low = std::min(low, point[c] - at);
@@ -102,7 +134,7 @@ std::optional<Wall> plane_of(const Run& run, const Support& support, const std::
   const bool flat = std::all_of(support.nodes.begin(), support.nodes.end(), [&](Index node) {
     return std::abs(points[idx(node)][c] - at) <= rounding;
   });
-  if (!flat || 2 * slides < std::ssize(support.nodes) || (low < -rounding && high > rounding))
+  if (!flat || !lets_slide(points, support.nodes, c, held) || (low < -rounding && high > rounding))
     return std::nullopt;
   return Wall{c, at, high > rounding ? 1.0 : -1.0, false, {}, {}, {}, {}};
 }
@@ -158,7 +190,7 @@ void find_walls(Run& run) {
   run.state.walls.clear();
   if (revolved)
     run.state.walls.push_back({0, 0.0, 1.0, true, {}, {}, {}, {}});
-  const std::vector<int> held = holds(run.part());
+  const Held held = holds(run.part());
   const auto is_known = [&](const Wall& wall) { // several supports may share a plane
     return std::any_of(run.state.walls.begin(), run.state.walls.end(), [&](const Wall& other) {
       return other.component == wall.component && other.sense == wall.sense;

@@ -66,6 +66,8 @@ RunStatus StageLoop::go(double start) {
         observer->failed(run_, post_mortem(run_, 0.0, begins.error().reason, {}));
       return RunStatus::not_converged;
     }
+  if (progress_.control.exhausted()) // it has failed: the shortest is tried again
+    progress_.control.set_next(progress_.limits.min);
   while (run_.state.time < stage_.end) {
     if (run_.attempt.none)
       write_checkpoint(run_, observers_, CheckpointReason::due);
@@ -81,7 +83,8 @@ RunStatus StageLoop::go(double start) {
     else if (!goes_on_after(step, solved.error()) && !has_ended(run_))
       return RunStatus::not_converged;
   }
-  put_tools_back(run_);
+  if (stage_.unload)
+    let_tools_go(run_);
   return RunStatus::done;
 }
 
@@ -231,8 +234,7 @@ bool StageLoop::goes_on_with_new_mesh(const Step& step) {
 void StageLoop::leave_forces_behind() {
   run_.state.record.refusal_event = "  tools leave their forces behind, which fade: drawn back "
                                     "further they do not hold the part";
-  put_tools_back(run_);
-  run_.model.contact->activity().enable(std::vector<char>(run_.tools().size(), 0));
+  let_tools_go(run_);
   run_.state.leaving.decay_until = run_.state.time;
   progress_.control = IncrementControl(progress_.limits);
   progress_.failures = progress_.refusals = 0;

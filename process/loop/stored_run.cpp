@@ -98,6 +98,8 @@ void restore(Run& run, std::string_view stored) {
   state.part = run.state.part;
   run.state = std::move(state);
   run.attempt = std::move(attempt);
+  if (run.state.progress.begun)
+    end_unloading_by(run, run.scene.stages[run.state.progress.stage].end);
   for (const LeavingTools::Forces& forces : run.state.leaving.decaying)
     add_decaying(run, forces);
   restore_models(run, archive);

@@ -1,10 +1,14 @@
 #include "process/stages/unloading.h"
 
+#include "geometry/base/error.h"
 #include "process/scene/scene.h"
 #include "process/state/model.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -86,6 +90,38 @@ void put_tools_back(Run& run) {
   }
   run.model.retreating.clear();
   run.state.leaving.retreating.clear();
+}
+
+void let_tools_go(Run& run) {
+  put_tools_back(run);
+  if (run.model.contact)
+    run.model.contact->activity().enable(std::vector<char>(run.model.tools.size(), 0));
+}
+
+void end_unloading_by(Run& run, double end) {
+  LeavingTools& leaving = run.state.leaving;
+  const double now = run.state.time;
+  if (leaving.decay_until > end && now == end)
+    throw Error(Fault::case_file, "",
+                fmt::format("at time {:.6g} tools are still being drawn back: a stage cannot end "
+                            "there",
+                            now),
+                "give the stage a later end, or go on from an earlier checkpoint");
+  // Begins so that now as much has been done as has been.
+  const auto begin = [&](double from, double until) {
+    const double done = (now - from) / (until - from);
+    return (now - done * end) / (1.0 - done);
+  };
+  if (!leaving.retreating.empty() && leaving.retreat_ends > end) {
+    leaving.retreat_begins = begin(leaving.retreat_begins, leaving.retreat_ends);
+    leaving.retreat_ends = end;
+  }
+  for (LeavingTools::Forces& forces : leaving.decaying)
+    if (forces.until > end) {
+      forces.from = begin(forces.from, forces.until);
+      forces.until = end;
+    }
+  leaving.decay_until = std::min(leaving.decay_until, end);
 }
 
 void add_decaying(Run& run, const LeavingTools::Forces& forces) {

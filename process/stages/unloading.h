@@ -22,6 +22,13 @@ void draw_back_to(Run& run, double time);
 /// Ends that: tools have their own surfaces again.
 void put_tools_back(Run& run);
 
+/// Ends it at the end of the stage: none acts until a stage says which.
+void let_tools_go(Run& run);
+
+/// Hastens what has begun, to be done by then: a run that is resumed may end its stage earlier.
+/// @throws Error (Fault::case_file) if that is now, and it is not done
+void end_unloading_by(Run& run, double end);
+
 /// Forces of a tool that has left, as a load that fades. (P.5a)
 void add_decaying(Run& run, const LeavingTools::Forces& forces);
 

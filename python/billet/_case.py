@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import operator
 import os
 import tomllib
 from collections.abc import Iterator, Mapping, MutableMapping, MutableSequence
@@ -11,9 +12,12 @@ from typing import Any, NamedTuple
 from . import _native
 from ._errors import Error, MissingKey
 from ._table import no_such
-from ._values import key_parts, toml_key, toml_text
+from ._values import key_parts, path_text, toml_key, toml_text, whole_text
 
-Path = tuple[str, ...]
+Path = tuple[str | int, ...]
+"""Keys of tables; items of lists by their name, or by their index as text or as a number."""
+
+_REQUIRED: Any = object()  # of pop: there is no default
 
 
 class CaseReport(NamedTuple):
@@ -32,28 +36,64 @@ def _assignments(changes: Mapping[str, Any] | None, above: Path = ()) -> list[st
 
 
 def _dotted(path: Path) -> str:
-    return ".".join(map(toml_key, path))
+    return ".".join(toml_key(str(part)) for part in path)
 
 
-def _item(values: Any, part: str) -> Any:
+def _name(item: Any) -> Any:
+    """Of a list item; None: it has none."""
+    return item.get("name") if isinstance(item, dict) else None
+
+
+def _index(items: list[Any], part: str | int) -> int:
+    """Where a part of a key leads to in a list: by a name, or, if no item has it, by an index."""
+    if isinstance(part, str):
+        for index, item in enumerate(items):
+            if _name(item) == part:
+                return index
+        if not (part.isascii() and part.isdecimal()):
+            raise KeyError(part)
+        part = int(part)
+    if part >= len(items):
+        raise KeyError(part)
+    return part
+
+
+def _item(values: Any, part: str | int) -> Any:
     """What a part of a key leads to: a key of a table, a list item by its name or index."""
     if isinstance(values, dict) and part in values:
         return values[part]
     if isinstance(values, list):
-        for value in values:
-            if isinstance(value, dict) and value.get("name") == part:
-                return value
-        if part.isdecimal() and int(part) < len(values):
-            return values[int(part)]
+        return values[_index(values, part)]
     raise KeyError(part)
+
+
+def _names(items: list[Any]) -> list[Any]:
+    """The name of each item, or its index if it has none."""
+    return [index if _name(item) is None else _name(item) for index, item in enumerate(items)]
 
 
 def _known(values: Any) -> list[str]:
     if isinstance(values, dict):
         return list(values)
-    if isinstance(values, list):
-        return [str(v["name"] if isinstance(v, dict) and "name" in v else i) for i, v in enumerate(values)]
-    return []
+    return list(map(str, _names(values))) if isinstance(values, list) else []
+
+
+class _Move(NamedTuple):
+    """A change after which indices lead to other items."""
+
+    path: Path
+    """of a list some items of which have moved; or of what was set as a whole"""
+    first: int | None
+    """index of the first such item; None: all below the path are others now"""
+
+    def concerns(self, path: Path) -> bool:
+        """Whether a path leads elsewhere now; an index and a name may be those of one item."""
+        depth = len(self.path)
+        if not all(a == b or type(a) is not type(b) for a, b in zip(path, self.path)):
+            return False
+        if self.first is None:
+            return any(isinstance(part, int) for part in path[depth:])
+        return len(path) > depth and isinstance(part := path[depth], int) and part >= self.first
 
 
 class _View:
@@ -62,15 +102,28 @@ class _View:
     def __init__(self, case: Case, path: Path) -> None:
         self._case = case
         self._path = path
+        self._seen = len(case._moves)
 
     def _values(self) -> Any:
+        """Raises billet.Error if the view is of a list item that an index does not lead to any more."""
+        moves = self._case._moves
+        if any(move.concerns(self._path) for move in moves[self._seen :]):
+            raise Error(
+                f"{self._case._native.name()}: {_dotted(self._path)} may be another item now: the "
+                "list has changed since it was taken from the case; take it anew"
+            )
+        self._seen = len(moves)
         return self._case._find(self._path)
 
     def _shown(self, path: Path) -> Any:
         value = self._case._find(path)
         if isinstance(value, dict):
-            return TableView(self._case, path)
-        return ListView(self._case, path) if isinstance(value, list) else value
+            return TableView(self._case, self._case._indexed(path))
+        return ListView(self._case, self._case._indexed(path)) if isinstance(value, list) else value
+
+    def _plain(self, item: Any) -> Any:
+        value = self[item]  # type: ignore[index]
+        return value.copy() if isinstance(value, _View) else value
 
     def _inner(self, key: str) -> Path:
         """The path of a key in here: a key as it stands if there is one of it, else a dotted one."""
@@ -109,13 +162,11 @@ class TableView(_View, MutableMapping[str, Any]):
 
     def __setitem__(self, key: str, value: Any) -> None:
         """Changes a value, or adds it. Raises billet.Error, and leaves the case as it was."""
-        self._case._set([f"{_dotted(self._inner(key))}={toml_text(value)}"])
+        self._case._set({self._inner(key): value})
 
     def __delitem__(self, key: str) -> None:
         """Removes what is there. Raises billet.Error, and leaves the case as it was."""
-        path = self._inner(key)
-        self._case._find(path)
-        self._case._erase(_dotted(path))
+        self._case._erase(self._inner(key))
 
     def __contains__(self, key: object) -> bool:
         try:
@@ -132,11 +183,34 @@ class TableView(_View, MutableMapping[str, Any]):
 
         Raises billet.Error, and leaves the case as it was.
         """
-        self._case._set(_assignments({**other, **more}, self._path))
+        self._case._set({self._inner(key): value for key, value in dict(other, **more).items()})
+
+    def pop(self, key: str, default: Any = _REQUIRED) -> Any:
+        """Removes what is there and returns it, tables and lists as plain ones.
+
+        Raises billet.MissingKey without a default; billet.Error, and leaves the case as it was.
+        """
+        if default is not _REQUIRED and key not in self:
+            return default
+        value = self._plain(key)
+        del self[key]
+        return value
+
+    def clear(self) -> None:
+        """Removes all keys at once. Raises billet.Error, and leaves the case as it was."""
+        if not self._path:
+            raise Error(f"{self._case._native.name()}: a case cannot be empty")
+        self._values()
+        self._case._set({self._path: {}})
 
 
 class ListView(_View, MutableSequence[Any]):
-    """A list of a case. Items are found by their index, tools and stages by their name as well."""
+    """A list of a case. Items are found by their index, tools and stages by their name as well.
+
+    A whole number is an index, whatever items are named; a text is a name, or an index if no item
+    has that name. Tables that were taken from the list by an index are refused with billet.Error
+    once items before them have come or gone.
+    """
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -151,29 +225,73 @@ class ListView(_View, MutableSequence[Any]):
         if isinstance(item, slice):
             self._replace(lambda values: values.__setitem__(item, value))
         else:
-            self._case._set([f"{_dotted(self._item_path(item))}={toml_text(value)}"])
+            self._case._set({self._item_path(item): value})
 
     def __delitem__(self, item: Any) -> None:
         """Removes an item. Raises billet.Error, and leaves the case as it was."""
         if isinstance(item, slice):
             self._replace(lambda values: values.__delitem__(item))
         else:
-            self._case._erase(_dotted(self._item_path(item)))
+            self._case._erase(self._item_path(item))
+
+    def __contains__(self, item: object) -> bool:
+        """Whether there is such an item, or one of that name."""
+        named = isinstance(item, str) and any(_name(value) == item for value in self._values())
+        return named or super().__contains__(item)
+
+    def get(self, item: Any, default: Any = None) -> Any:
+        """An item by its name or index; the default if there is none."""
+        try:
+            return self[item]
+        except (IndexError, MissingKey):
+            return default
+
+    def keys(self) -> list[Any]:
+        """The name of each item; its index if it has none."""
+        return _names(self._values())
 
     def insert(self, index: int, value: Any) -> None:
         """Adds an item before another one. Raises billet.Error, and leaves the case as it was."""
         self._replace(lambda values: values.insert(index, value))
 
+    def extend(self, values: Any) -> None:
+        """Adds items at the end, all or none. Raises billet.Error, and leaves the case as it was."""
+        self._replace(lambda own: own.extend(list(values)))
+
+    def pop(self, index: Any = -1) -> Any:
+        """Removes an item and returns it, tables and lists as plain ones. Raises as del does."""
+        value = self._plain(index)
+        del self[index]
+        return value
+
+    def reverse(self) -> None:
+        """Turns the order round. Raises billet.Error, and leaves the case as it was."""
+        self._replace(lambda values: values.reverse())
+
+    def clear(self) -> None:
+        """Removes all items at once. Raises billet.Error, and leaves the case as it was."""
+        self._replace(lambda values: values.clear())
+
     def _replace(self, change: Any) -> None:
-        values = self.copy()
+        old = self.copy()
+        values = list(old)
         change(values)
-        self._case._set([f"{_dotted(self._path)}={toml_text(values)}"])
+        same = (i for i, (before, after) in enumerate(zip(old, values)) if before != after)
+        first = next(same, min(len(old), len(values)))
+        self._case._set({self._path: values}, first)
 
     def _item_path(self, item: Any) -> Path:
         if isinstance(item, str):
             return self._inner(item)
-        index = range(len(self))[item]  # as of any sequence
-        return (*self._path, str(index))
+        n_items = len(self)
+        try:
+            index = operator.index(item)
+        except TypeError:
+            raise TypeError(f"items of a list are found by an index or a name, not by {item!r}") from None
+        if not -n_items <= index < n_items:
+            have = f"there are {n_items} items" if n_items != 1 else "there is one item"
+            raise IndexError(f"{_dotted(self._path)}: there is no index {index}: {have}")
+        return (*self._path, index % n_items)
 
 
 class Case(TableView):
@@ -188,10 +306,17 @@ class Case(TableView):
     is not made. Units are those of the case; texts with a unit, "210 GPa", are allowed as in files.
     """
 
-    def __init__(self, native: _native.Case) -> None:
+    def __init__(self, native: _native.Case, allow_outside: bool = False) -> None:
         """Not to be called: Case.load and Case.from_string make cases."""
+        if not isinstance(native, _native.Case):
+            raise TypeError(
+                "a case is made by billet.Case.load(FILE) or billet.Case.from_string(TEXT), "
+                f"not by billet.Case({native!r:.80})"
+            )
+        self._moves: list[_Move] = []
         super().__init__(self, ())
         self._native = native
+        self._allow_outside = allow_outside
         self._tree: dict[str, Any] | None = None
 
     @classmethod
@@ -209,7 +334,8 @@ class Case(TableView):
 
         Raises billet.Error with every complaint of `billet check`.
         """
-        return cls(_native.Case.load(os.fspath(file), _assignments(set), allow_outside))
+        native = _native.Case.load(path_text(file), _assignments(set), bool(allow_outside))
+        return cls(native, bool(allow_outside))
 
     @classmethod
     def from_string(
@@ -219,7 +345,8 @@ class Case(TableView):
 
         folder   that meshes and surfaces named in the text are relative to
         """
-        return cls(_native.Case.from_text(text, os.fspath(folder), allow_outside))
+        native = _native.Case.from_text(whole_text(text), path_text(folder), bool(allow_outside))
+        return cls(native, bool(allow_outside))
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the case to a file, from which it can be read again.
@@ -227,7 +354,7 @@ class Case(TableView):
         Without changes it is the text that was read; a changed case is written without comments.
         Raises billet.Error, also if the files that the case names are not to be found from there.
         """
-        self._native.save(os.fspath(file))
+        self._native.save(path_text(file))
 
     def check(self) -> CaseReport:
         """Builds the scene and says what `billet check` warns of and advises.
@@ -248,7 +375,7 @@ class Case(TableView):
 
     def copy(self) -> Case:
         """Another case, which may be changed without this one."""
-        return Case(self._native.copy())
+        return Case(self._native.copy(), self._allow_outside)
 
     __copy__ = copy
 
@@ -256,32 +383,81 @@ class Case(TableView):
         return self.copy()
 
     def __reduce__(self) -> Any:
-        return _restored, (self.text, self._native.folder())
+        return _restored, (self.text, os.path.abspath(self._native.folder()), self._allow_outside)
 
     def __repr__(self) -> str:
         return f"<case {self._native.name()}: {self.get('title', 'without a title')}>"
 
-    def _find(self, path: Path) -> Any:
+    def _content(self) -> Any:
         if self._tree is None:
             self._tree = tomllib.loads(self._native.text())
-        values: Any = self._tree
+        return self._tree
+
+    def _find(self, path: Path) -> Any:
+        values = self._content()
         for depth, part in enumerate(path):
             try:
                 values = _item(values, part)
             except KeyError:
                 above = _dotted(path[:depth])
                 there = f"{self._native.name()}: {above + ': ' if above else ''}"
-                raise MissingKey(there + no_such("key", part, _known(values))) from None
+                raise MissingKey(there + no_such("key", str(part), _known(values))) from None
         return values
 
-    def _set(self, assignments: list[str]) -> None:
-        self._native.set(assignments)
+    def _indexed(self, path: Path) -> Path:
+        """A path, with numbers where it has indices as text."""
+        values, parts = self._content(), list(path)
+        for depth, part in enumerate(path):
+            try:
+                if isinstance(values, list) and part != _name(values[_index(values, part)]):
+                    parts[depth] = _index(values, part)
+                values = _item(values, part)
+            except KeyError:
+                break  # what is to be added
+        return tuple(parts)
+
+    def _key(self, path: Path) -> str:
+        """The dotted key by which the reader of case files finds a path.
+
+        It looks for names first: an item whose index is the name of another is given by its own.
+        """
+        values, parts = self._content(), list(path)
+        for depth, part in enumerate(path):
+            if isinstance(part, int):
+                keys = (str(part), _name(values[part]))
+                own = [key for key in keys if isinstance(key, str) and _index(values, key) == part]
+                if not own:
+                    raise Error(f"{self._native.name()}: {_dotted(path[:depth])} has no key for item {part}")
+                parts[depth] = own[0]
+            try:
+                values = _item(values, part)
+            except KeyError:
+                break  # what is to be added
+        return _dotted(tuple(parts))
+
+    def _set(self, changes: Mapping[Path, Any], first: int | None = None) -> None:
+        """Sets values by their paths.
+
+        first   of a list that is set: the first item that is another one now
+        """
+        texts = {path: toml_text(value) for path, value in changes.items()}
+        moves = [_Move(self._indexed(p), first) for p, text in texts.items() if text[0] in "[{"]
+        self._native.set([f"{self._key(path)}={text}" for path, text in texts.items()])
+        self._changed(moves)
+
+    def _erase(self, path: Path) -> None:
+        self._find(path)
+        above = self._find(path[:-1])
+        moves = []
+        if isinstance(above, list):
+            moves.append(_Move(self._indexed(path[:-1]), _index(above, path[-1])))
+        self._native.erase(self._key(path))
+        self._changed(moves)
+
+    def _changed(self, moves: list[_Move]) -> None:
         self._tree = None
-
-    def _erase(self, key: str) -> None:
-        self._native.erase(key)
-        self._tree = None
+        self._moves += moves
 
 
-def _restored(text: str, folder: str) -> Case:
-    return Case.from_string(text, folder or ".")
+def _restored(text: str, folder: str, allow_outside: bool) -> Case:
+    return Case.from_string(text, folder, allow_outside=allow_outside)

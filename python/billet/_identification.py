@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ._errors import Error, MissingKey
+from ._arrays import Floats
+from ._errors import Error, MissingKey, ProgramError
 from ._program import FilePath, run_program
 from ._studies import Chart, read_json
 from ._table import no_such
@@ -84,12 +85,16 @@ def identify(chart: Chart | FilePath, measurements: Mapping[str, Any] | FilePath
     """
     folder = chart.folder if isinstance(chart, Chart) else Path(chart)
     with tempfile.TemporaryDirectory() as work:
+        file: FilePath = Path(work) / "measurements.csv"
         if isinstance(measurements, Mapping) or hasattr(measurements, "columns"):
-            file: FilePath = Path(work) / "measurements.csv"
             _write(measurements, Path(file))
         else:
             file = measurements
-        said = run_program("identify", folder, file, "-o", work)
+        try:
+            said = run_program("identify", folder, file, "-o", work)
+        except ProgramError as error:
+            message = str(error).replace(f"{Path(work) / 'measurements.csv'}", "measurements")
+            raise ProgramError(message, error.status) from None
         found = read_json(Path(work) / "identification.json")
     text = "\n".join(line for line in said.splitlines() if not line.startswith("results: "))
     laws = {law["name"]: _law(law) for law in found["laws"]}
@@ -98,7 +103,7 @@ def identify(chart: Chart | FilePath, measurements: Mapping[str, Any] | FilePath
 
 def _write(columns: Any, file: Path) -> None:
     names = list(columns)
-    values = [np.atleast_1d(np.asarray(columns[name], dtype=float)) for name in names]
+    values = [_numbers(name, columns[name]) for name in names]
     if len({len(each) for each in values}) > 1:
         lengths = ", ".join(f"{name} {len(each)}" for name, each in zip(names, values))
         raise Error(f"measurements: the columns differ in length: {lengths}")
@@ -106,6 +111,16 @@ def _write(columns: Any, file: Path) -> None:
         writer = csv.writer(stream)
         writer.writerow(names)
         writer.writerows([repr(float(value)) for value in row] for row in zip(*values))
+
+
+def _numbers(name: Any, values: Any) -> Floats:
+    try:
+        numbers: Floats = np.atleast_1d(np.asarray(values, dtype=float))
+    except (TypeError, ValueError) as error:
+        raise Error(f"measurements: the column {name} is not of numbers: {error}") from None
+    if numbers.ndim > 1:
+        raise Error(f"measurements: the column {name} has {numbers.ndim} dimensions; allowed is one")
+    return numbers
 
 
 def _law(law: dict[str, Any]) -> FittedLaw:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import signal
 import subprocess
+import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -51,7 +53,7 @@ def run_program(*words: FilePath, accepted: tuple[int, ...] = (0,)) -> str:
     Ctrl-C ends it as in a terminal: after a whole increment, with what it has so far on disk.
     Raises billet.ProgramError with what it said, KeyboardInterrupt.
     """
-    command = [os.fspath(word) for word in (program(), *words)]
+    command = [os.fsdecode(word) for word in (program(), *words)]
     with subprocess.Popen(
         command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
@@ -85,7 +87,7 @@ def options(
     """Words of the command line."""
     words: list[str] = []
     if output is not None:
-        words += ["-o", os.fspath(output)]
+        words += ["-o", os.fsdecode(output)]
     for assignment in _assignments(set):
         words += ["--set", assignment]
     if processes is not None:
@@ -109,26 +111,82 @@ def simulate(
     *,
     set: Mapping[str, Any] | None = None,
     threads: int | None = None,
+    allow_outside: bool = False,
 ) -> Results:
     """Runs a case by the program, with everything it writes: `billet run`.
 
-    case      a case file, or a Case, which is written to OUTPUT/../NAME.toml for it; the files that
-              it names have to be found from there
-    output    folder of the results; by default results/NAME as of `billet run`
-    set       changes, {"tool.punch.friction.m": 0.2}
-    threads   by default all of the machine
+    case            a case file, or a Case, which is written to a file for it: OUTPUT.toml, or, if
+                    it names files relative to its folder, NAME.toml or NAME-2.toml ... in there
+    output          folder of the results; by default results/NAME as of `billet run`
+    set             changes, {"tool.punch.friction.m": 0.2}
+    threads         by default all of the machine
+    allow_outside   the case may name files outside of its folder; a Case knows by itself
 
     Returns billet.results of the folder. Raises billet.ProgramError with the status of the program;
-    a run that fails a check is returned, see Results.failed_checks.
+    billet.Error if there is an OUTPUT.toml that billet.simulate has not written. A run that fails a
+    check is returned, see Results.failed_checks.
     """
     from ._results import results
 
     if isinstance(case, Case):
         if output is None:
             raise Error("simulate: a case in memory needs output, the folder of its results")
-        file = Path(output).with_suffix(".toml")
-        case.save(file)
-        case = file
+        if set:
+            case = case.copy()
+            case.update(set)
+            set = None  # the file has it
+        allow_outside = allow_outside or case._allow_outside
+        case = _written(case, Path(os.fsdecode(output)))
     words = options(output=output, set=set, threads=threads)
+    if allow_outside:
+        words.append("--allow-outside")
     said = run_program("run", case, "--quiet", *words, accepted=(0, FAILED_CHECKS))
     return results(folder_of(said))
+
+
+_WRITTEN = "# Written by billet.simulate for "
+
+
+def _written(case: Case, output: Path) -> Path:
+    """The file that a case is written to for results in a folder. Raises billet.Error."""
+    if output.name in ("", ".."):
+        raise Error(f"simulate: output is '{output}'; needed is the name of a folder, such as results/a")
+    if _names_files(case):
+        beside, candidates = Path(case._native.folder() or "."), 1000
+    else:
+        beside, candidates = output.parent, 1
+    text = case.text.removeprefix("\ufeff")
+    try:
+        beside.mkdir(parents=True, exist_ok=True)
+        words = os.path.relpath(output, beside)
+        mark = _WRITTEN + json.dumps(words) + ", which writes it anew.\n"
+        for i in range(1, candidates + 1):
+            file = beside / f"{output.name}{f'-{i}' if i > 1 else ''}.toml"
+            if _write(file, mark, text):
+                return file
+    except OSError as error:
+        raise Error(f"simulate: {error.filename or beside}: {error.strerror}") from None
+    raise Error(f"simulate: {file} is there already, and not by billet.simulate; choose another output")
+
+
+def _names_files(case: Case) -> bool:
+    """Whether a case names files relative to its folder: it is none in an empty one."""
+    with tempfile.TemporaryDirectory() as empty:
+        try:
+            _native.Case.from_text(case.text, empty, case._allow_outside)
+        except Error:
+            return True
+    return False
+
+
+def _write(file: Path, mark: str, text: str) -> bool:
+    """Writes a mark and a text. False: there is such a file, and it does not begin with the mark."""
+    try:
+        with file.open("x", encoding="utf-8") as stream:
+            stream.write(mark + text)
+    except FileExistsError:
+        with file.open("rb") as old:
+            if old.readline() != mark.encode():
+                return False
+        file.write_text(mark + text, encoding="utf-8")
+    return True

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import importlib
+import math
 import xml.etree.ElementTree as xml
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from ._errors import Error, MissingKey, MissingPackage
 from ._program import FilePath
 from ._studies import read_json
 from ._table import Table, no_such, read_csv
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -50,32 +53,22 @@ class Frame:
         package   "pyvista" (a pyvista.DataSet), "vtk" (a vtkUnstructuredGrid or vtkPolyData) or
                   "meshio" (a meshio.Mesh, of the workpiece); by default the first that is installed
 
-        Raises billet.MissingPackage, which names what to install; billet.MissingKey for no part.
+        Raises billet.MissingPackage, which names what to install; billet.MissingKey for no part;
+        billet.Error for a file that cannot be read.
         """
         file = self._file(part)
         if package is not None and package not in _READERS:
             raise MissingKey(no_such("package", package, list(_READERS)))
-        wanted = [package] if package else _able(file)
-        for name in wanted:
-            try:
-                return _READERS[name](file)
-            except ImportError:
-                continue
-        raise _missing(wanted, file)
+        return _read(_READERS, [package] if package else _able(file), file)
 
     def arrays(self, part: str = "workpiece") -> FrameData:
         """A part as NumPy arrays, read by vtk, or by meshio.
 
-        Raises billet.MissingPackage without both; billet.MissingKey for no part.
+        Raises billet.MissingPackage without both; billet.MissingKey for no part; billet.Error for a
+        file that cannot be read.
         """
         file = self._file(part)
-        wanted = [name for name in _able(file) if name in _ARRAYS]
-        for name in wanted:
-            try:
-                return _ARRAYS[name](file)
-            except ImportError:
-                continue
-        raise _missing(wanted, file)
+        return _read(_ARRAYS, [name for name in _able(file) if name in _ARRAYS], file)
 
     def _file(self, part: str) -> Path:
         if part not in self.files:
@@ -105,13 +98,15 @@ class Results:
         file = self.folder / "summary.json"
         if not file.exists():
             raise Error(f"{file}: is not there: the run is going on, or was killed")
-        summary: dict[str, Any] = read_json(file)
-        return summary
+        return read_json(file)
 
     @property
     def failed_checks(self) -> list[str]:
         """What the result fails of the checks; empty: it can be used."""
-        return [f"{each['check']}: {each['what']}" for each in self.summary["failed_checks"]]
+        try:
+            return [f"{each['check']}: {each['what']}" for each in self.summary["failed_checks"]]
+        except (KeyError, TypeError):
+            raise Error(f"{self.folder / 'summary.json'}: says nothing of checks") from None
 
     @cached_property
     def columns(self) -> Table:
@@ -133,13 +128,13 @@ class Results:
 
     @cached_property
     def frames(self) -> list[Frame]:
-        """The frames, the earliest first. Raises billet.Error without a list of them."""
+        """The frames, the earliest first. Raises billet.Error without a list that can be read."""
         lists = sorted(self.folder.glob("*.pvd"))
         if not lists:
             raise Error(f"{self.folder}: there is no list of frames (.pvd)")
         frames: list[Frame] = []
-        for item in xml.parse(lists[0]).getroot().iter("DataSet"):
-            time, part = float(item.get("timestep", "nan")), item.get("name", "")
+        for item in _datasets(lists[0]):
+            time, part = float(item.get("timestep", "")), item.get("name", "")
             # Where a new mesh is made there are two frames of the same time.
             if not frames or frames[-1].time != time or part in frames[-1].files:
                 frames.append(Frame(time, {}))
@@ -147,7 +142,14 @@ class Results:
         return frames
 
     def frame(self, time: float) -> Frame:
-        """The frame nearest to a time [s]; of two at a new mesh the later one."""
+        """The frame nearest to a time [s]; of two at a new mesh the later one.
+
+        Raises billet.Error without frames, and for nan and infinity.
+        """
+        if not math.isfinite(time):
+            raise Error(f"time is {time}; allowed is a finite number")
+        if not self.frames:
+            raise Error(f"{self.folder}: the list of frames (.pvd) is empty")
         return min(reversed(self.frames), key=lambda frame: abs(frame.time - time))
 
     def __repr__(self) -> str:
@@ -160,6 +162,39 @@ def results(folder: FilePath) -> Results:
 
 
 # --- readers of frames --------------------------------------------------------------------------
+
+def _datasets(file: Path) -> list[xml.Element]:
+    """What a list of frames holds, with a time each. Raises billet.Error."""
+    try:
+        items = list(xml.parse(file).getroot().iter("DataSet"))
+        for item in items:
+            float(item.get("timestep", ""))
+        return items
+    except OSError as error:
+        raise Error(f"{file}: {error.strerror}") from None
+    except (xml.ParseError, ValueError) as error:
+        raise Error(f"{file}: is no list of frames: {error}") from None
+
+
+def _read(readers: dict[str, Callable[[Path], T]], packages: list[str], file: Path) -> T:
+    """By the first of some packages that is installed. Raises billet.Error, billet.MissingPackage."""
+    try:
+        with file.open("rb"):
+            pass
+    except OSError as error:
+        raise Error(f"{file}: {error.strerror}") from None
+    for name in packages:
+        try:
+            return readers[name](file)
+        except ImportError:
+            continue
+        except Error:
+            raise
+        except Exception as error:
+            what = str(error) or type(error).__name__
+            raise Error(f"{file}: cannot be read as a frame: {what}") from error
+    raise _missing(packages, file)
+
 
 _DEBIAN = {"vtk": "python3-vtk9", "meshio": "python3-meshio"}
 
@@ -179,7 +214,7 @@ def _by_pyvista(file: Path) -> Any:
 
 
 def _by_meshio(file: Path) -> Any:
-    return importlib.import_module("meshio").read(file)
+    return importlib.import_module("meshio.vtu").read(file)  # meshio.read ends Python at an error
 
 
 def _by_vtk(file: Path) -> Any:
@@ -187,9 +222,14 @@ def _by_vtk(file: Path) -> Any:
     kind = "UnstructuredGrid" if file.suffix == ".vtu" else "PolyData"
     reader = getattr(readers, f"vtkXML{kind}Reader")()
     reader.SetFileName(str(file))
-    reader.Update()
-    if reader.GetErrorCode():
-        raise Error(f"{file}: cannot be read as a frame")
+    shows = reader.GetGlobalWarningDisplay()
+    reader.SetGlobalWarningDisplay(0)  # VTK writes of errors to the terminal
+    try:
+        reader.Update()
+    finally:
+        reader.SetGlobalWarningDisplay(shows)
+    if reader.GetErrorCode() or reader.GetOutput().GetPoints() is None:
+        raise Error(f"{file}: cannot be read as a frame: it is damaged, or ends too early")
     return reader.GetOutput()
 
 

@@ -12,9 +12,9 @@ import numpy as np
 from . import _native
 from ._arrays import Floats, Integers
 from ._case import Case
-from ._errors import Error, MissingKey, NotConverged
+from ._errors import MissingKey, NotConverged
 from ._table import Table, no_such
-from ._values import Field
+from ._values import Field, whole_number, whole_text
 
 Callback = Callable[["Increment"], Any]
 
@@ -102,9 +102,7 @@ class Run:
         elif set:
             case = case.copy()
             case.update(set)
-        if threads < 1:
-            raise Error(f"threads is {threads}; allowed is a whole number of at least 1")
-        self._prepare(_native.Run(case._native, int(threads)))
+        self._prepare(_native.Run(case._native, whole_number("threads", threads)))
 
     def _prepare(self, native: _native.Run) -> None:
         self._native = native
@@ -120,7 +118,10 @@ class Run:
         return self
 
     def __next__(self) -> Increment:
-        inc = self.advance()
+        try:
+            inc = self.advance()
+        except StopIteration as error:  # of a callback; a loop would end without a word
+            raise RuntimeError("a callback of the run has raised StopIteration") from error
         if inc is None:
             raise StopIteration
         return inc
@@ -133,24 +134,22 @@ class Run:
 
         Raises billet.NotConverged if it cannot be solved, billet.Error at a limit of memory.
         """
-        before = self._native.increment()
-        status = self._native.advance()
-        if self._native.increment() == before:
+        status, solved = self._native.advance()
+        if solved is None:
             if status == "not-converged":
                 raise NotConverged(
                     f"no increment after time {self.time:.6g} {self.units['time']} could be "
                     f"solved: {self._native.reason()}"
                 )
             return None
-        inc = self.last
-        assert inc is not None
+        inc = self._increment(*solved)
         for callback in list(self.callbacks):
             callback(inc)
         return inc
 
     def finish(self) -> None:
         """Advances to the end. Raises as advance does; Ctrl-C ends it between two increments."""
-        for _ in self:
+        while self.advance() is not None:
             pass
 
     def on_increment(self, callback: Callback) -> Callback:
@@ -186,10 +185,10 @@ class Run:
     @property
     def last(self) -> Increment | None:
         """The last increment; None: there has been none."""
-        inc = self._native.last_increment()
-        if inc.number == 0:
-            return None
-        row = dict(zip(self._columns, self._native.last_row()))
+        last = self._native.last()
+        return None if last is None else self._increment(*last)
+
+    def _increment(self, inc: _native.Increment, row: list[float]) -> Increment:
         return Increment(
             inc.number,
             inc.time,
@@ -198,7 +197,7 @@ class Run:
             inc.cutbacks,
             inc.residuals,
             inc.events,
-            row,
+            dict(zip(self._columns, row)),
             self._tools,
         )
 
@@ -247,7 +246,7 @@ class Run:
         Shape (n_nodes,); of vectors (n_nodes, 3), X, Y, Z; of stress (n_nodes, 6), XX, YY, ZZ, XY,
         YZ, XZ. Raises billet.Error for a name that is none of field_names.
         """
-        found, unit, values = self._native.field(name)
+        found, unit, values = self._native.field(whole_text(name))
         return Field(values, found, unit)
 
     def fields(self) -> dict[str, Field]:
@@ -289,12 +288,15 @@ class Run:
         """The run as it is now. The linear solver begins anew, here as where it is loaded."""
         return self._native.save()
 
-    def load(self, saved: bytes) -> None:
+    def load(self, saved: bytes | bytearray | memoryview) -> None:
         """Goes on from where a run of the same case was saved; history comes with it.
 
         Raises billet.Error for bytes of another case or version, and leaves the run as it was.
         """
-        self._native.load(saved)
+        try:
+            self._native.load(bytes(memoryview(saved)))
+        except TypeError:
+            raise TypeError(f"a saved run is bytes, not {type(saved).__name__}") from None
 
     def __repr__(self) -> str:
         at = f"time {self.time:.6g} {self.units['time']}, increment {self.increment}"

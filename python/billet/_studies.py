@@ -16,14 +16,20 @@ from ._program import FilePath, folder_of, options, run_program
 from ._table import no_such
 
 
-def read_json(file: Path) -> Any:
-    """Raises billet.Error for a file that is not there or no JSON."""
+def read_json(file: Path, *needed: str) -> dict[str, Any]:
+    """Raises billet.Error for a file that is not there, or no JSON object with the needed keys."""
     try:
-        return json.loads(file.read_text(encoding="utf-8"))
+        found = json.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
         raise Error(f"{file}: {error.strerror}") from None
     except ValueError as error:
         raise Error(f"{file}: is no JSON: {error}") from None
+    if not isinstance(found, dict):
+        raise Error(f"{file}: a JSON object is needed, {{...}}, not {found!r:.40}")
+    for key in needed:
+        if key not in found:
+            raise Error(f"{file}: has no '{key}'")
+    return found
 
 
 class Study:
@@ -36,13 +42,17 @@ class Study:
     def __init__(self, folder: FilePath) -> None:
         """Reads what `billet study` has written. Raises billet.Error."""
         self.folder = Path(folder)
-        self.data: dict[str, Any] = read_json(self.folder / "study.json")
+        self.data = read_json(self.folder / "study.json", "rows")
+        self._runs = self.folder.absolute() / "runs"
 
     @property
     def rows(self) -> list[dict[str, Any]]:
-        """A row a run: "settings", "status", "reason", "quantities", "cost", "folder"."""
-        rows: list[dict[str, Any]] = self.data["rows"]
-        return rows
+        """A row a run: "settings", "status", "reason", "quantities", "cost", "folder" (absolute)."""
+        return [{**row, "folder": self._absolute(row.get("folder", ""))} for row in self.data["rows"]]
+
+    def _absolute(self, folder: str) -> str:
+        """Of a run; the program names it relative to the folder that it was called in."""
+        return str(self._runs / Path(folder).name) if folder else ""
 
     def values(self, quantity: str) -> Floats:
         """A quantity of each run, shape (n_rows,); nan where a run has not given it.
@@ -107,7 +117,7 @@ class Chart:
     def __init__(self, folder: FilePath) -> None:
         """Reads what `billet chart` has written. Raises billet.Error."""
         self.folder = Path(folder)
-        self.data: dict[str, Any] = read_json(self.folder / "chart.json")
+        self.data = read_json(self.folder / "chart.json", "laws", "stations")
 
     @property
     def laws(self) -> list[str]:

@@ -62,7 +62,7 @@ def read_csv(file: Path) -> Table:
         values = np.array(rows, dtype=float).reshape(len(rows), len(names))
     except OSError as error:
         raise Error(f"{file}: {error.strerror}") from None
-    except ValueError as error:
+    except (ValueError, csv.Error) as error:
         raise Error(f"{file}: is no table of numbers: {error}") from None
     return Table(dict(zip(names, values.T.copy())))
 

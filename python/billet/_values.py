@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import numbers
+import operator
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -63,7 +64,8 @@ def toml_text(value: Any) -> str:
     if isinstance(value, numbers.Real):
         return _number(float(value))
     if isinstance(value, (str, os.PathLike)):
-        return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007f")
+        text = whole_text(os.fsdecode(value))
+        return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, np.ndarray):
         return toml_text(value.tolist())
     if isinstance(value, Mapping):
@@ -81,8 +83,37 @@ def _number(value: float) -> str:
     return "nan" if math.isnan(value) else ("inf" if value > 0 else "-inf")
 
 
+def whole_text(text: str) -> str:
+    """A text that can be written as UTF-8. Raises billet.Error for half a character in it."""
+    if not isinstance(text, str):
+        raise TypeError(f"a text is needed, not {text!r} of type {type(text).__name__}")
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        raise Error(f"{text!r} is no text that can be written: {error.reason}") from None
+    return text
+
+
+def path_text(file: str | bytes | os.PathLike[Any]) -> str:
+    """The name of a file or a folder. Raises billet.Error for one that is no UTF-8."""
+    return whole_text(os.fsdecode(file))
+
+
+def whole_number(name: str, value: Any) -> int:
+    """A number of threads, say, that is at least 1. Raises billet.Error."""
+    most = 2**31 - 1
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = 0
+    if not 1 <= number <= most:
+        raise Error(f"{name} is {value!r}; allowed is a whole number of at least 1, at most {most}")
+    return number
+
+
 def toml_key(part: str) -> str:
     """A part of a dotted key, in quotes where needed."""
+    whole_text(part)
     if re.fullmatch(r"[A-Za-z0-9_-]+", part):
         return part
     if '"' not in part and "\\" not in part:

@@ -7,12 +7,17 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,16 +29,58 @@ namespace {
 
 using Shape = std::vector<py::ssize_t>;
 
-std::mutex& turn() {
-  static std::mutex mutex;
+/// Recursive for the thread in which Python ends, which keeps it.
+std::recursive_timed_mutex& turn() {
+  static std::recursive_timed_mutex mutex;
   return mutex;
 }
 
+/// The thread in which Python ends; none: it does not.
+std::atomic<std::thread::id>& ending() {
+  static std::atomic<std::thread::id> thread{};
+  return thread;
+}
+
+/// Waits for this thread's turn; for ever in other threads than that in which Python ends.
+void take(std::unique_lock<std::recursive_timed_mutex>& own) {
+  const std::thread::id last = ending();
+  while (last != std::thread::id{} && last != std::this_thread::get_id())
+    std::this_thread::sleep_for(std::chrono::hours(1));
+  own.lock();
+}
+
 /// Calls a function without the interpreter's lock, and no other one of ours meanwhile.
+///
+/// The turn is over only when the interpreter's lock is taken again: who has the turn knows that no
+/// other thread is about to take that lock, which would end the process once Python has ended.
 template <class Function> auto alone(Function&& function) {
+  std::unique_lock own(turn(), std::defer_lock);
   const py::gil_scoped_release released;
-  const std::scoped_lock lock(turn());
+  take(own);
   return function();
+}
+
+/// Has the increments end that other threads solve, and no other begin: Python ends.
+/// @throws py::error_already_set  for Ctrl-C
+void end_of_python() {
+  ending() = std::this_thread::get_id();
+  const auto taken = [] {
+    const py::gil_scoped_release released;
+    return turn().try_lock_for(std::chrono::milliseconds(100));
+  };
+  while (!taken())
+    if (PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
+}
+
+/// Calls end_of_python when Python ends in this process; a fork of it has none of its threads.
+void register_end_of_python() {
+  const pid_t process = getpid();
+  const py::cpp_function at_end([process] {
+    if (getpid() == process)
+      end_of_python();
+  });
+  static_cast<void>(py::module_::import("atexit").attr("register")(at_end));
 }
 
 /// A run that is freed in its turn.
@@ -60,6 +107,35 @@ public:
 private:
   std::unique_ptr<billet::Run> run_;
 };
+
+const char* name_of(billet::Status status) {
+  switch (status) {
+  case billet::Status::running:
+    return "running";
+  case billet::Status::done:
+    return "done";
+  case billet::Status::not_converged:
+    return "not-converged";
+  }
+  return "";
+}
+
+/// An increment, and its row of the table of increments.
+using Solved = std::pair<billet::Increment, std::vector<double>>;
+
+std::optional<Solved> last_of(const billet::Run& run) {
+  if (run.last_increment().number == 0)
+    return std::nullopt;
+  const auto row = run.history().last(std::min(run.history().size(), run.history_columns().size()));
+  return Solved{run.last_increment(), {row.begin(), row.end()}};
+}
+
+/// The status, and the last of the increments that were solved, if any was.
+std::pair<const char*, std::optional<Solved>> advance(billet::Run& run) {
+  const int before = run.increment();
+  const char* const status = name_of(run.advance());
+  return {status, run.increment() == before ? std::nullopt : last_of(run)};
+}
 
 py::ssize_t rows(std::size_t n_values, int columns) {
   return static_cast<py::ssize_t>(n_values) / std::max(columns, 1);
@@ -88,18 +164,6 @@ py::tuple as_tuple(billet::NodalField field) {
     shape.push_back(field.components);
   const double* const data = field.values.data(); // stays where it is in the vector that is moved
   return py::make_tuple(field.name, field.unit, over(data, shape, std::move(field.values)));
-}
-
-const char* name_of(billet::Status status) {
-  switch (status) {
-  case billet::Status::running:
-    return "running";
-  case billet::Status::done:
-    return "done";
-  case billet::Status::not_converged:
-    return "not-converged";
-  }
-  return "";
 }
 
 void bind_case(py::module_& module) {
@@ -143,16 +207,14 @@ void bind_increment(py::module_& module) {
 void bind_progress(py::class_<OwnRun>& run) {
   using billet::Run;
   run.def(py::init<billet::Case, int>())
-      .def("advance",
-           [](OwnRun& self) { return name_of(self.call([](Run& r) { return r.advance(); })); })
+      .def("advance", [](OwnRun& self) { return self.call([](Run& r) { return advance(r); }); })
       .def("status",
            [](OwnRun& self) { return name_of(self.call([](Run& r) { return r.status(); })); })
       .def("reason", [](OwnRun& self) { return self.call([](Run& r) { return r.reason(); }); })
       .def("time", [](OwnRun& self) { return self.call([](Run& r) { return r.time(); }); })
       .def("increment",
            [](OwnRun& self) { return self.call([](Run& r) { return r.increment(); }); })
-      .def("last_increment",
-           [](OwnRun& self) { return self.call([](Run& r) { return r.last_increment(); }); })
+      .def("last", [](OwnRun& self) { return self.call([](Run& r) { return last_of(r); }); })
       .def("failed_checks",
            [](OwnRun& self) { return self.call([](Run& r) { return r.failed_checks(); }); })
       .def("save",
@@ -174,22 +236,13 @@ void bind_view(py::class_<OwnRun>& run) {
           [](OwnRun& self) { return self.call([](Run& r) { return r.history_columns(); }); })
       .def("history",
            [](OwnRun& self) {
-             auto values = self.call([](Run& r) {
-               return std::vector<double>(r.history().begin(), r.history().end());
+             auto [values, columns] = self.call([](Run& r) {
+               return std::pair(std::vector<double>(r.history().begin(), r.history().end()),
+                                static_cast<int>(r.history_columns().size()));
              });
-             const int columns =
-                 self.call([](Run& r) { return static_cast<int>(r.history_columns().size()); });
              const double* const data = values.data();
              const Shape shape{rows(values.size(), columns), columns};
              return over(data, shape, std::move(values));
-           })
-      .def("last_row",
-           [](OwnRun& self) {
-             return self.call([](Run& r) {
-               const auto row =
-                   r.history().last(std::min(r.history().size(), r.history_columns().size()));
-               return std::vector<double>(row.begin(), row.end());
-             });
            })
       .def("units",
            [](OwnRun& self) {
@@ -246,4 +299,5 @@ PYBIND11_MODULE(_native, module) {
   py::class_<OwnRun> run(module, "Run");
   bind_progress(run);
   bind_view(run);
+  register_end_of_python();
 }

@@ -221,3 +221,144 @@ def test_check_warns_and_advises(case: billet.Case) -> None:
     case["tool.punch.motion.velocity"] = [0, -5000]
     case["time"] = {"end": 0.0005}
     assert any("heats the metal by about" in line for line in case.check().advice)
+
+
+def die(name: str, m: float) -> dict[str, object]:
+    """A second tool for the disk."""
+    return {
+        "name": name,
+        "surface": {"plane": {"point": [0, 0], "normal": [0, 1]}},
+        "motion": {"velocity": [0, 0]},
+        "friction": {"law": "tresca", "m": m},
+    }
+
+
+def test_a_number_is_an_index_whatever_items_are_named(case: billet.Case) -> None:
+    case["tool.punch.name"] = "1"
+    case["tool"].append(die("0", 0.2))
+    tools = case["tool"]
+    assert (tools[0]["name"], tools[1]["name"], tools[-1]["name"]) == ("1", "0", "0")
+    assert (tools["0"]["name"], tools["1"]["name"]) == ("0", "1")  # texts are names first
+    assert [tool["name"] for tool in tools] == ["1", "0"]
+    tools[1]["friction.m"] = 0.3
+    tools[0]["friction"]["m"] = 0.4
+    assert (case["tool.1.friction.m"], case["tool.0.friction.m"]) == (0.4, 0.3)
+    tools[0] = die("1", 0.5)
+    assert tools[0]["friction.m"] == 0.5
+    del tools[1]
+    assert tools.keys() == ["1"]
+
+
+def test_a_change_before_a_tool_was_renamed_is_kept(case: billet.Case) -> None:
+    case["tool"].append({"name": "die", "surface": {"plane": {"point": [0, 50], "normal": [0, -1]}}})
+    case["tool.die.friction"] = {"law": "tresca", "m": 0.2}
+    case["tool.die.friction.m"] = 0.25
+    case["tool.die.name"] = "old"
+    case["tool.punch.name"] = "die"
+    case["tool.die.friction.m"] = 0.3
+    assert case["tool.old.friction.m"] == 0.25
+    assert case["tool.die.friction.m"] == 0.3
+
+
+def test_a_tool_that_is_renamed_is_the_same_item(case: billet.Case) -> None:
+    tool = case["tool"][0]
+    tool.update({"name": "ram", "friction.m": 0.2})
+    tool["friction.m"] = 0.3
+    assert case["tool.ram.friction.m"] == 0.3
+
+
+def test_an_item_is_refused_once_its_index_is_anothers(case: billet.Case) -> None:
+    supports = case["support"]
+    first, second, fix = supports[0], case["support.1"], supports[1]["fix"]
+    supports.append({"where": "y = 5", "fix": ["x"]})
+    second["fix"] = ["x", "y"]
+    assert (first["where"], second["where"], fix) == ("x = 0", "y = 0", ["x", "y"])
+    third = supports[2]
+    del supports[1]
+    assert first["where"] == "x = 0"
+    for moved in (second, third, fix):
+        with pytest.raises(billet.Error, match="support.* may be another item now"):
+            moved.copy()
+    with pytest.raises(billet.Error, match="take it anew"):
+        third["fix"] = ["y"]
+    with pytest.raises(billet.Error, match="take it anew"):
+        third.update({"fix": ["y"]})
+    case["support"] = [{"where": "y = 0", "fix": ["y"]}]
+    with pytest.raises(billet.Error, match="take it anew"):
+        first["where"]
+    assert len(supports) == 1
+
+
+def test_items_of_a_list_are_asked_for_by_name(case: billet.Case) -> None:
+    tools = case["tool"]
+    assert "punch" in tools and "die" not in tools and "0" not in tools
+    assert "x" in case["support"][0]["fix"] and case["support"][0] in case["support"]
+    assert tools.get("punch") == tools[0] and tools.get(0) == tools[0]
+    assert tools.get("die") is None and tools.get(7, "none") == "none"
+    assert tools.keys() == ["punch"] and case["support"].keys() == [0, 1]
+    assert dict(tools)["punch"]["friction.m"] == 0.1
+
+
+def test_lists_are_changed_as_a_whole_or_not_at_all(case: billet.Case) -> None:
+    supports = case["support"]
+    with pytest.raises(billet.Error):
+        supports.extend([{"where": "y = 5", "fix": ["x"]}, {"wo": "y = 5"}])
+    assert len(supports) == 2
+    supports.reverse()
+    assert [support["where"] for support in supports] == ["y = 0", "x = 0"]
+    assert supports.pop(0) == {"where": "y = 0", "fix": ["y"]}
+    assert [support["where"] for support in supports] == ["x = 0"]
+    assert case.pop("measure") == [{"name": "half_height", "kind": "height"}]
+    assert case.pop("measure", None) is None
+
+
+def test_a_case_is_not_emptied(case: billet.Case) -> None:
+    with pytest.raises(billet.Error, match="a case cannot be empty"):
+        case.clear()
+    with pytest.raises(billet.Error):
+        case["tool.punch"].clear()
+    assert case.text == DISK
+    case["contact.penalty"] = 50.0
+    case["contact"].clear()
+    assert case["contact"] == {}
+
+
+def test_what_is_no_index_is_told_as_such(case: billet.Case) -> None:
+    with pytest.raises(IndexError, match="^support: there is no index 2: there are 2 items"):
+        case["support"][2]
+    with pytest.raises(IndexError, match="no index -2: there is one item"):
+        del case["tool"][-2]
+    with pytest.raises(TypeError, match="by an index or a name, not by 1.5"):
+        case["support"][1.5]
+
+
+def test_a_case_is_not_made_by_its_class() -> None:
+    with pytest.raises(TypeError, match=r"billet.Case.load\(FILE\)"):
+        billet.Case("disk.toml")  # type: ignore[arg-type]
+
+
+def test_half_a_character_is_refused(case: billet.Case) -> None:
+    with pytest.raises(billet.Error, match="no text that can be written"):
+        case["title"] = "a\ud800b"
+    with pytest.raises(billet.Error, match="no text that can be written"):
+        case["material.\ud800"] = {}
+    with pytest.raises(billet.Error, match="no text that can be written"):
+        billet.Case.from_string("title = '\udc80'")
+    with pytest.raises(TypeError, match="a text is needed"):
+        billet.Case.from_string(DISK.encode())  # type: ignore[arg-type]
+    assert case.text == DISK
+
+
+def test_a_pickled_case_finds_its_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "die.toml").write_text("points = [[0, 5], [20, 5]]\n")
+    (tmp_path / "sub" / "case.toml").write_text(
+        DISK.replace("plane = { point = [0, 5], normal = [0, -1] }", 'profile = "../die.toml"')
+    )
+    monkeypatch.chdir(tmp_path / "sub")
+    case = billet.Case.load("case.toml", allow_outside=True)
+    stored = pickle.dumps(case)
+    monkeypatch.chdir("/")
+    for other in (pickle.loads(stored), pickle.loads(pickle.dumps(pickle.loads(stored).copy()))):
+        other["time.end"] = 0.1
+        assert billet.Run(other).tools == ("punch",)

@@ -162,3 +162,41 @@ def test_a_run_that_is_dropped_does_not_hold_the_interpreter(case: billet.Case) 
         del other
     solver.join()
     assert run.status == "done"
+
+
+def test_an_increment_is_seen_as_a_whole_from_another_thread(case: billet.Case) -> None:
+    run = billet.Run(case, {**MANY_INCREMENTS, "time.end": 0.1})
+    solver = threading.Thread(target=run.finish)
+    solver.start()
+    seen = 0
+    while solver.is_alive():
+        inc = run.last
+        if inc is not None:
+            assert inc["time"] == inc.time
+            seen += 1
+    solver.join()
+    assert seen > 0
+
+
+@pytest.mark.parametrize("n_threads", [1, 3])
+def test_python_ends_while_threads_solve(n_threads: int) -> None:
+    """After the increment under way, without a word; what is left behind can still be used."""
+    code = f"""
+import atexit, sys, threading, time
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+left = []
+atexit.register(lambda: left[0].advance())  # after billet's own, which is registered later
+import billet
+from conftest import DISK
+case = billet.Case.from_string(DISK)
+case.update({MANY_INCREMENTS!r})
+left += [billet.Run(case) for _ in range({n_threads} + 1)]
+for run in left[1:]:
+    threading.Thread(target=run.finish, daemon=True).start()
+time.sleep(0.3)
+print("the end")
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "the end\n", "")

@@ -69,6 +69,53 @@ def test_a_case_in_memory_is_run_with_its_results(case: billet.Case, tmp_path: P
     assert billet.Case.load(tmp_path / "r.toml")["time.end"] == 0.1
     with pytest.raises(billet.Error, match="needs output"):
         billet.simulate(case)
+    for output in ("", ".", "..", "/", tmp_path / ".."):
+        with pytest.raises(billet.Error, match="needed is the name of a folder"):
+            billet.simulate(case, output)
+
+
+def test_files_of_others_are_not_written_to(case: billet.Case, tmp_path: Path) -> None:
+    case["time.end"] = 0.05
+    billet.simulate(case, tmp_path / "new" / "mu0.1", set={"tool.punch.friction.m": 0.1}, threads=1)
+    billet.simulate(case, tmp_path / "new" / "mu0.2", set={"tool.punch.friction.m": 0.2}, threads=1)
+    for m in (0.1, 0.2):
+        assert billet.Case.load(tmp_path / "new" / f"mu{m}.toml")["tool.punch.friction.m"] == m
+    again = billet.simulate(case, tmp_path / "new" / "mu0.2", set={"time.end": 0.1}, threads=1)
+    assert again.summary["time"] == 0.1
+    (tmp_path / "mine.toml").write_text("mine")
+    with pytest.raises(billet.Error, match="mine.toml is there already"):
+        billet.simulate(case, tmp_path / "mine")
+    assert (tmp_path / "mine.toml").read_text() == "mine"
+    (tmp_path / "file").touch()
+    with pytest.raises(billet.Error, match="file"):
+        billet.simulate(case, tmp_path / "file" / "r")
+
+
+@pytest.mark.parametrize("named", ["die.toml", "../die.toml"])
+def test_a_case_with_files_is_run_wherever_its_results_are(
+    case_file: Path, tmp_path: Path, named: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "cases"
+    folder.mkdir()
+    (folder / named).write_text("points = [[0, 5], [20, 5]]\n")
+    plane = "plane = { point = [0, 5], normal = [0, -1] }"
+    text = case_file.read_text().replace(plane, f'profile = "{named}"')
+    (folder / "disk.toml").write_text(text)
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path)
+    outside = named.startswith("..")
+    case = billet.Case.load("cases/disk.toml", {"time.end": 0.05}, allow_outside=outside)
+    for output in ("elsewhere/disk", "elsewhere/other", "elsewhere/deep/disk", "elsewhere/disk"):
+        results = billet.simulate(case, output, threads=1)
+        assert results.folder == Path(output) and results.summary["time"] == 0.05
+    assert (folder / "disk.toml").read_text() == text
+    written = {file.name for file in folder.glob("*.toml")} - {"die.toml"}
+    assert written == {"disk.toml", "disk-2.toml", "disk-3.toml", "other.toml"}
+    file = billet.simulate("cases/disk.toml", "r", threads=1, allow_outside=outside)
+    assert file.summary["status"] == "done"
+    if outside:
+        with pytest.raises(billet.ProgramError, match="outside the folder"):
+            billet.simulate("cases/disk.toml", "r", threads=1)
 
 
 def test_what_the_program_refuses_is_an_error_with_its_text(case_file: Path) -> None:
@@ -89,6 +136,7 @@ def test_a_study_has_values_by_run(study_file: Path) -> None:
     assert len(study.rows) == 3
     assert np.all(np.diff(study.values("force")) > 0)
     assert (study.folder / "study.csv").exists()
+    assert all(billet.results(Path(row["folder"]) / "results").columns["time"][-1] == 0.5 for row in study.rows)
     with pytest.raises(billet.MissingKey, match="did you mean 'force'"):
         study.values("forces")
     again = time.perf_counter()
@@ -140,7 +188,15 @@ def test_measurements_that_do_not_fit_the_chart_are_refused(made_chart: billet.C
         billet.identify(made_chart, {"reduktion": [0.04], "force": [1e5]})
     with pytest.raises(billet.Error, match="differ in length: reduction 1, force 2"):
         billet.identify(made_chart, {"reduction": [0.04], "force": [1e5, 2e5]})
+    with pytest.raises(billet.Error, match="the column force is not of numbers"):
+        billet.identify(made_chart, {"reduction": [0.04], "force": ["much"]})
+    with pytest.raises(billet.ProgramError, match="^measurements"):
+        billet.identify(made_chart, {"reduction": [0.04, 0.08], "farce": [1e5, 2e5]})
     with pytest.raises(billet.ProgramError, match="none.csv"):
         billet.identify(made_chart, tmp_path / "none.csv")
     with pytest.raises(billet.Error, match="chart.json"):
         billet.Chart(tmp_path)
+    for text, what in (("[]", "a JSON object is needed"), ("{}", "has no 'laws'")):
+        (tmp_path / "chart.json").write_text(text)
+        with pytest.raises(billet.Error, match=f"chart.json: {what}"):
+            billet.Chart(tmp_path)

@@ -142,3 +142,58 @@ def test_a_folder_without_results_is_named(tmp_path: Path, finished: billet.Resu
     (tmp_path / "history.csv").write_text("a,b\n1,x\n")
     with pytest.raises(billet.Error, match="is no table of numbers"):
         _ = billet.results(tmp_path).columns
+
+
+@pytest.fixture
+def damaged(finished: billet.Results, tmp_path: Path) -> billet.Results:
+    """A copy of the results, to be damaged."""
+    shutil.copytree(finished.folder, tmp_path / "results")
+    return billet.results(tmp_path / "results")
+
+
+def test_a_summary_that_is_none_is_an_error(damaged: billet.Results) -> None:
+    for text, what in (("[]", "a JSON object is needed"), ("{}", "says nothing of checks")):
+        (damaged.folder / "summary.json").write_text(text)
+        with pytest.raises(billet.Error, match=f"summary.json: {what}"):
+            _ = billet.results(damaged.folder).failed_checks
+
+
+@pytest.mark.parametrize(
+    "text", ["", "<VTKFile><Coll", '<a><DataSet name="w"/></a>', '<a><DataSet timestep="x"/></a>']
+)
+def test_a_broken_list_of_frames_is_an_error(damaged: billet.Results, text: str) -> None:
+    [file] = damaged.folder.glob("*.pvd")
+    file.write_text(text)
+    with pytest.raises(billet.Error, match=f"{file.name}: is no list of frames"):
+        _ = damaged.frames
+
+
+def test_a_time_has_a_frame_only_if_there_is_one(damaged: billet.Results, finished: billet.Results) -> None:
+    for time in (np.nan, np.inf, -np.inf):
+        with pytest.raises(billet.Error, match="allowed is a finite number"):
+            finished.frame(time)
+    [file] = damaged.folder.glob("*.pvd")
+    file.write_text("<VTKFile><Collection/></VTKFile>")
+    with pytest.raises(billet.Error, match="the list of frames .* is empty"):
+        damaged.frame(0.1)
+
+
+@pytest.mark.parametrize("part", ["workpiece", "tool-punch"])
+@pytest.mark.parametrize("package", ["vtk", "meshio"])
+def test_a_frame_that_ends_too_early_is_an_error(
+    damaged: billet.Results, part: str, package: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("vtkmodules")
+    pytest.importorskip("meshio")
+    frame = damaged.frames[-1]
+    whole = frame.files[part].read_bytes()
+    for kept in (0, 300, len(whole) // 2, len(whole) - 20):
+        frame.files[part].write_bytes(whole[:kept])
+        with pytest.raises(billet.Error, match="cannot be read as a frame"):
+            frame.arrays(part)
+        with pytest.raises(billet.Error, match="cannot be read as a frame"):
+            frame.dataset(part, package)
+    frame.files[part].unlink()
+    with pytest.raises(billet.Error, match="No such file"):
+        frame.arrays(part)
+    assert capfd.readouterr() == ("", "")

@@ -163,8 +163,10 @@ def test_the_bits_do_not_depend_on_threads(case: billet.Case) -> None:
     for run in runs:
         run.finish()
     assert runs[0].positions.tobytes() == runs[1].positions.tobytes()
-    with pytest.raises(billet.Error, match="threads is 0"):
-        billet.Run(case, threads=0)
+    for wrong in (0, -1, 2**31, 2**70, 1.5, "2"):
+        with pytest.raises(billet.Error, match=f"threads is {wrong!r}; allowed is a whole number"):
+            billet.Run(case, threads=wrong)  # type: ignore[arg-type]
+    assert billet.Run(case, threads=np.int64(1)).increment == 0  # type: ignore[arg-type]
 
 
 def test_a_run_is_saved_and_loaded(case: billet.Case) -> None:
@@ -181,6 +183,9 @@ def test_a_run_is_saved_and_loaded(case: billet.Case) -> None:
     assert other.positions.tobytes() == run.positions.tobytes()
     run.load(saved)
     assert run.increment == 3 and run.status == "running"
+    run.load(bytearray(saved))
+    with pytest.raises(TypeError, match="a saved run is bytes, not str"):
+        run.load("text")  # type: ignore[arg-type]
 
 
 def test_bytes_of_another_case_are_refused_and_nothing_is_lost(case: billet.Case) -> None:
@@ -194,7 +199,9 @@ def test_bytes_of_another_case_are_refused_and_nothing_is_lost(case: billet.Case
             other.load(saved)
         assert other.positions.tobytes() == before
         other.finish()
-    for broken in (b"", b"rubbish", saved[: len(saved) // 2]):
+    flipped = bytearray(saved)
+    flipped[len(saved) // 2] ^= 4
+    for broken in (b"", b"rubbish", saved[: len(saved) // 2], saved[:40], bytes(flipped)):
         with pytest.raises(billet.Error):
             run.load(broken)
     run.finish()
@@ -268,3 +275,21 @@ def test_twenty_cases_in_one_process(case: billet.Case) -> None:
         run.finish()
         forces.append(run.forces["punch"][1])
     assert np.all(np.diff(forces) > 0) # friction costs force
+
+
+def test_stop_iteration_of_a_callback_is_not_the_end(case: billet.Case) -> None:
+    run = billet.Run(case)
+
+    @run.on_increment
+    def halt(inc: billet.Increment) -> None:
+        if inc.number in (2, 3):
+            raise StopIteration
+
+    with pytest.raises(StopIteration):
+        run.finish()
+    assert run.increment == 2
+    with pytest.raises(RuntimeError, match="a callback of the run has raised StopIteration"):
+        list(run)
+    assert run.increment == 3
+    run.finish()
+    assert run.status == "done"

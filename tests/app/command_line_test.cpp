@@ -113,6 +113,9 @@ TEST_F(CommandLine, mistakes_end_with_status_2_and_say_what_to_do) {
            {{"run", "tiny.toml", "--set"}, "--set needs a value"},
            {{"run", "tiny.toml", "--resume", "--from", "x"}, "exclude each other"},
            {{"run", "tiny.toml", "--from", "x@soon"}, "RESULTS or RESULTS@TIME, not 'x@soon'"},
+           {{"check", "tiny.toml", "--allow-outside=no"}, "--allow-outside takes no value"},
+           {{"run", "tiny.toml", "--quiet=yes"}, "leave out '=yes'"},
+           {{"render", "x", "--no-mesh=1"}, "--no-mesh takes no value"},
            {{"info"}, "a file is missing"}}) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.status, 2) << outcome.err;
@@ -311,6 +314,15 @@ TEST_F(CommandLine, info_tells_of_stls_meshes_and_results) {
   const Outcome results = run({"info", "results/tiny"});
   EXPECT_EQ(results.status, 0) << results.err;
   EXPECT_TRUE(results.prints("\"status\": \"done\"")) << results.out;
+
+  write_text(folder_.path() / "results" / "tiny" / "summary.json", "[1");
+  const Outcome damaged = run({"info", "results/tiny"});
+  EXPECT_EQ(damaged.status, 6);
+  EXPECT_TRUE(damaged.says("is damaged")) << damaged.err;
+  std::filesystem::remove(folder_.path() / "results" / "tiny" / "summary.json");
+  const Outcome going_on = run({"info", "results/tiny"});
+  EXPECT_EQ(going_on.status, 6);
+  EXPECT_TRUE(going_on.says("billet watch results/tiny")) << going_on.err;
 }
 
 TEST_F(CommandLine, info_and_check_take_step_files_where_the_build_can) {

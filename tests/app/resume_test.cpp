@@ -51,6 +51,27 @@ TEST_F(Resume, ProlongsARunThatHasEnded) {
   EXPECT_DOUBLE_EQ(column("parts", "time").back(), 0.2);
 }
 
+TEST_F(Resume, LeavesOneListOfFramesIfTheCaseHasAnotherName) {
+  ASSERT_EQ(start(stored_often, {"-o", "parts"}).status, 0);
+  write_text(folder_.path() / "longer.toml", edited(stored_often, {{"end = 0.1", "end = 0.12"}}));
+  const Outcome outcome =
+      billet({"run", "longer.toml", "--quiet", "-o", "parts", "--resume"}, folder_.path());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_FALSE(fs::exists(results("parts") / "case.pvd"));
+  EXPECT_TRUE(fs::exists(results("parts") / "longer.pvd"));
+}
+
+TEST_F(Resume, TriesNoShorterIncrementsThanTheCaseAllows) {
+  const std::string coarse =
+      edited(stored_often, {{"end = 0.1", "end = 8"},
+                            {"{ first = 0.02, max = 0.02 }", "{ first = 4, min = 3, max = 4 }"}});
+  const Outcome failed = start(coarse, {"-o", "failed"});
+  ASSERT_EQ(failed.status, 5) << failed.err;
+  const Outcome again = start(coarse, {"-o", "failed", "--resume"});
+  EXPECT_EQ(again.status, 5) << again.err;
+  EXPECT_TRUE(again.says("increments down to 3")) << again.err;
+}
+
 TEST_F(Resume, BranchesIntoAnotherFolder) {
   ASSERT_EQ(start(stored_often, {"-o", "first"}).status, 0);
   const std::string before = whole_file(results("first") / "history.csv");

@@ -24,10 +24,6 @@ mesh = { file = "gone.msh" }
 where = "x = 0"
 fix = ["x"]
 
-[[support]]
-where = "y = 2"
-fix = ["x"]
-
 [[tool]]
 name = "punch"
 motion = { velocity = [0, -1] }
@@ -84,6 +80,7 @@ inline void make_results(const std::filesystem::path& folder) {
     const std::string number = "_000" + std::to_string(i);
     io::WorkpieceFrame workpiece = one_element(points, cells, 10.0 + i);
     workpiece.time = i;
+    workpiece.notes = {{"symmetry", "x = 0, y = 1, y = 2"}};
     io::write_vtu(folder / "frames" / ("workpiece" + number + ".vtu"), workpiece);
     entries.push_back({1.0 * i, "workpiece", "frames/workpiece" + number + ".vtu"});
     io::SurfaceFrame tool;

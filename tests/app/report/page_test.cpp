@@ -124,7 +124,7 @@ TEST_F(Page, DescribesTheFrames) {
   EXPECT_EQ(view.scene["fields"]["von_mises"]["unit"], "MPa");
   EXPECT_EQ(view.scene["fields"]["element_quality"]["on"], "elements");
   EXPECT_EQ(view.scene["axisymmetric"], true);
-  ASSERT_EQ(view.scene["symmetry"].size(), 1U); // "y = 2" is not held in y
+  ASSERT_EQ(view.scene["symmetry"].size(), 1U); // y = 1 and y = 2 are a slice's ends
   EXPECT_EQ(view.scene["symmetry"][0]["axis"], 0);
   EXPECT_EQ(view.scene["frames"][1]["tools"][0]["pose"][7], -1.0);
 }

@@ -2,6 +2,8 @@
 
 #include "geometry/base/error.h"
 #include "io/compare/difference.h"
+#include "io/results/pvd.h"
+#include "io/results/vtk_writer.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -65,6 +67,24 @@ TEST_F(Compared, what_one_of_them_lacks_is_a_difference_that_no_tolerance_admits
   ASSERT_NE(wear, nullptr);
   EXPECT_TRUE(std::isinf(wear->relative()));
   EXPECT_FALSE((Tolerance{1.0, 1e9}.admits(*wear)));
+}
+
+TEST_F(Compared, frames_of_one_alone_are_such_a_difference) {
+  for (const char* run : {"a", "b"})
+    write(run, "history.csv", "time,wear\n0,1\n");
+  EXPECT_EQ(find(compare(), "frames"), nullptr);
+  WorkpieceFrame frame;
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<mechanics::Index> cells{0, 1, 2, 3};
+  frame.points = points;
+  frame.cells = cells;
+  std::filesystem::create_directories(folder_.path() / "a" / "frames");
+  write_vtu(folder_.path() / "a" / "frames" / "workpiece_0000.vtu", frame);
+  write_pvd(folder_.path() / "a" / "case.pvd", {{0.0, "workpiece", "frames/workpiece_0000.vtu"}});
+  const Comparison comparison = compare();
+  const Difference* const frames = find(comparison, "frames");
+  ASSERT_NE(frames, nullptr);
+  EXPECT_EQ(frames->second, "absent");
 }
 
 TEST_F(Compared, not_a_number_is_the_same_as_itself_only) {

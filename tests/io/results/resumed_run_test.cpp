@@ -184,6 +184,18 @@ end = 2
 tools = ["force"]
 )";
 
+const std::string flown = billet + R"(
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, 8], normal = [0, -1] } }
+motion = { displacement = [[0, 0, 0], [1, 0, -0.5], [1.1, 0, 10], [2, 0, -0.6]] }
+friction = { law = "tresca", m = 0.2 }
+[time]
+end = 2
+)";
+
+TEST_F(ResumedRun, CountsTheIterationsOfAFlight) { expect_same(flown, 15); }
+
 TEST_F(ResumedRun, GoesOnWhileALoadDrivesAndAToolComesFromFar) { expect_same(driven, 15); }
 
 const std::string remeshed_in_the_plane = billet + R"(

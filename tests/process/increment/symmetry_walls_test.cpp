@@ -112,6 +112,28 @@ TEST(SymmetryWall, are_planes_that_supports_hold_and_the_axis) {
   EXPECT_EQ(walls(deaf).size(), 1u);
 }
 
+TEST(SymmetryWall, is_known_on_a_coarse_quarter_whose_planes_share_most_nodes) {
+  Scene quarter;
+  quarter.part.analysis = Analysis::solid;
+  quarter.part.mesh =
+      mechanics::box_mesh({ElementKind::hex8, Vec3::Zero(), Vec3(4, 4, 4), {2, 2, 2}, {1, 1, 1}});
+  for (int axis = 0; axis < 3; ++axis)
+    quarter.part.supports.push_back(held(quarter.part.mesh, axis, 0.0));
+  quarter.material = billet_steel();
+  quarter.stages = {{"rest", 1.0, {}, false}};
+  quarter.contact.self = contact::Frictionless{};
+  EXPECT_EQ(Process(quarter).view().state.walls.size(), 3u);
+
+  Scene clamped = quarter; // at the foot, in all directions
+  for (const int axis : {0, 1}) {
+    clamped.part.supports.push_back(held(clamped.part.mesh, 2, 0.0));
+    clamped.part.supports.back().component = axis;
+  }
+  const std::vector<Wall> walls = Process(clamped).view().state.walls;
+  EXPECT_TRUE(std::none_of(walls.begin(), walls.end(),
+                           [](const Wall& wall) { return wall.component == 2; }));
+}
+
 /// Half of a block with a crack that is open to one side, pressed down by 0.4 mm in a second.
 Scene cracked_block(double crack, bool is_wall) {
   Scene scene;
