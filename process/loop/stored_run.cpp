@@ -3,7 +3,7 @@
 #include "geometry/base/archive.h"
 #include "geometry/base/error.h"
 #include "geometry/base/stopwatch.h"
-#include "process/increment/force_floor.h"
+#include "process/remeshing/mesh_before.h"
 #include "process/reports/observer.h"
 #include "process/scene/scene.h"
 #include "process/stages/unloading.h"
@@ -51,18 +51,6 @@ std::string stored(const Run& run) {
 }
 
 namespace {
-
-/// Puts a part that another run was on in the place of the present one, as where it was made:
-/// nothing has moved on it yet.
-void take_part(Run& run, Part part) {
-  run.state.origins = mechanics::node_positions(part.mesh);
-  std::vector<double> x = run.state.origins;
-  x.resize(x.size() + contact::drive_unknowns(run.model.tools).size(), 0.0);
-  rebuild(run, std::move(part), std::move(x));
-  run.model.newton->set_force_floor(force_floor(run, run.state.time));
-  if (run.model.wear)
-    run.model.wear->change_surface(*run.model.surface, {});
-}
 
 /// What refers to the scene is no part of the bytes.
 void refer_to_scene(Run& run) {

@@ -43,11 +43,11 @@ bool Squeeze::is_full() const {
 
 bool Squeeze::is_nearly_full() const {
   constexpr double open = 5.0; // flow stresses: a sticking disc twenty times as wide as high
-  return volume_lost > little && pressure > open * flow_stress;
+  return volume_lost > told && pressure > open * flow_stress;
 }
 
-bool has_lost_volume(const Run& run, double volume) {
-  return volume < (1.0 - Squeeze::little) * run.model.bulk->reference_volume();
+bool has_lost_volume(const Run& run, double volume, double share) {
+  return volume < (1.0 - share) * run.model.bulk->reference_volume();
 }
 
 Squeeze squeeze_of(const Run& run, double volume) {

@@ -20,6 +20,8 @@ struct Squeeze {
   double tool_pressure = 0.0;
 
   static constexpr double little = 0.01; ///< share of the volume: what does no harm
+  /// What is told of where an increment cannot be solved: soft metal is full with no more.
+  static constexpr double told = 0.5 * little;
 
   /// Whether the metal has no way out, or too little.
   [[nodiscard]] bool is_full() const;
@@ -27,10 +29,10 @@ struct Squeeze {
   [[nodiscard]] bool is_nearly_full() const;
 };
 
-/// Whether more than a little of the volume is gone: where it is not, no cavity is full.
+/// Whether more than a share of the volume is gone: where it is not, no cavity is full.
 ///
 /// @param volume  of the workpiece now [mm^3]
-[[nodiscard]] bool has_lost_volume(const Run& run, double volume);
+[[nodiscard]] bool has_lost_volume(const Run& run, double volume, double share = Squeeze::little);
 
 /// @param volume  of the workpiece now [mm^3]
 [[nodiscard]] Squeeze squeeze_of(const Run& run, double volume);

@@ -93,9 +93,8 @@ NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest,
     }
 }
 
-NewPart new_plane_part_within(const Run& run,
-                              const PartBoundary& boundary,
-                              const std::vector<geometry::SizeAt>& at) {
+NewPart
+new_plane_part_within(const Run& run, const PartBoundary& boundary, const AskedSizes& asked) {
   const auto stops = std::make_shared<const ContactStops>(
       boundary, run.part().contact_faces,
       run.model.surface ? run.model.surface->line_coordinates() : std::vector<double>());
@@ -119,9 +118,10 @@ NewPart new_plane_part_within(const Run& run,
     };
   geometry::RemeshSizes sizes = remesh_sizes(run);
   sizes.at = contact_sizes(boundary, usual_sizes(run).zones);
-  sizes.at.insert(sizes.at.end(), at.begin(), at.end());
+  sizes.at.insert(sizes.at.end(), asked.at.begin(), asked.at.end());
   const std::vector<geometry::SizeAt> flow = sizes_for_flow(run);
   sizes.at.insert(sizes.at.end(), flow.begin(), flow.end());
+  sizes.wanted = [wanted = sizes.wanted, &asked](const Vec2& x) { return asked.share * wanted(x); };
   RemeshedPart part = remesh_finely_enough(run.part(), boundary, sizes, snap);
   const auto with_sizes_times = [&](const OtherSizes& other) -> std::optional<RemeshedPart> {
     geometry::RemeshSizes scaled = sizes;
@@ -157,8 +157,7 @@ constexpr double deepest_root = 4.0; ///< of a crease, in shortest sides of a ne
 
 /// With walls that touch each other kept apart, if there is such a mesh. At the root of a crease,
 /// where no mesh is fine enough, what crosses is welded.
-std::optional<NewPart> new_plane_part_with_walls(const Run& run,
-                                                 const std::vector<geometry::SizeAt>& at) {
+std::optional<NewPart> new_plane_part_with_walls(const Run& run, const AskedSizes& asked) {
   if (!touches_itself(run))
     return std::nullopt;
   const double shortest = usual_sizes(run).min;
@@ -188,7 +187,7 @@ std::optional<NewPart> new_plane_part_with_walls(const Run& run,
              weld_folds(boundary, near * shortest, shortest, deepest))
           note(fold);
       try {
-        NewPart part = new_plane_part_within(run, boundary, at);
+        NewPart part = new_plane_part_within(run, boundary, asked);
         part.laps = std::move(roots);
         return part;
       } catch (const Error& error) {
@@ -204,18 +203,18 @@ double deepest_weld(const Run& run) {
   return run.scene.remesh->weld ? HUGE_VAL : deepest_root * usual_sizes(run).min;
 }
 
-NewPart new_plane_part(const Run& run, const std::vector<geometry::SizeAt>& at) {
-  if (std::optional<NewPart> part = new_plane_part_with_walls(run, at))
+NewPart new_plane_part(const Run& run, const AskedSizes& asked) {
+  if (std::optional<NewPart> part = new_plane_part_with_walls(run, asked))
     return std::move(*part);
   PartBoundary boundary =
       part_boundary(run.part(), run.positions(), touching_tools(run), run.scene.remesh->keep);
   return welded_where_needed(
-      [&] { return new_plane_part_within(run, boundary, at); },
+      [&] { return new_plane_part_within(run, boundary, asked); },
       [&](double near, double shortest) { return weld_folds(boundary, near, shortest); },
       usual_sizes(run).min, deepest_weld(run));
 }
 
-NewPart new_solid_part_within(const Run& run, const SolidPart& old) {
+NewPart new_solid_part_within(const Run& run, const SolidPart& old, double share) {
   const auto neighbours = std::make_shared<const ContactNeighbours>(
       old, run.model.surface ? run.model.surface->face_coordinates() : std::vector<Vec2>());
   const auto supported = [&](std::span<const std::int32_t> parts, Vec3 x, const Vec3& on) {
@@ -245,7 +244,9 @@ NewPart new_solid_part_within(const Run& run, const SolidPart& old) {
                          on);
     return result;
   };
-  RemeshedPart part = remesh_part(run.part(), old, solid_sizes(run), snap);
+  geometry::SolidSizes sizes = solid_sizes(run);
+  sizes.wanted = [wanted = sizes.wanted, share](const Vec3& x) { return share * wanted(x); };
+  RemeshedPart part = remesh_part(run.part(), old, sizes, snap);
   return {std::move(part),
           [neighbours](const contact::ContactSurface& surface, std::span<const double> x) {
             std::vector<Vec3> points(surface.n_points());
@@ -258,10 +259,10 @@ NewPart new_solid_part_within(const Run& run, const SolidPart& old) {
           }};
 }
 
-NewPart new_solid_part(const Run& run) {
+NewPart new_solid_part(const Run& run, double share) {
   SolidPart old =
       solid_part(run.part(), run.positions(), touching_tools(run), run.scene.remesh->keep);
-  return welded_where_needed([&] { return new_solid_part_within(run, old); },
+  return welded_where_needed([&] { return new_solid_part_within(run, old, share); },
                              [&](double near, double shortest) {
                                return geometry::flatten_creases(old.boundary, near, shortest);
                              },
@@ -270,8 +271,9 @@ NewPart new_solid_part(const Run& run) {
 
 } // namespace
 
-NewPart new_part(const Run& run, const std::vector<geometry::SizeAt>& at) {
-  NewPart anew = run.mesh().dimension() == 2 ? new_plane_part(run, at) : new_solid_part(run);
+NewPart new_part(const Run& run, const AskedSizes& asked) {
+  NewPart anew =
+      run.mesh().dimension() == 2 ? new_plane_part(run, asked) : new_solid_part(run, asked.share);
   add_inner_nodes(run.part(), run.positions(), anew.part);
   carry_dead_forces(run.part(), run.positions(), anew.part);
   return anew;

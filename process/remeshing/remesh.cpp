@@ -9,6 +9,7 @@
 #include "process/increment/snapshots.h"
 #include "process/increment/symmetry_walls.h"
 #include "process/remeshing/mapped_states.h"
+#include "process/remeshing/mesh_before.h"
 #include "process/remeshing/new_part.h"
 #include "process/remeshing/re_equilibrate.h"
 #include "process/remeshing/remeshing.h"
@@ -20,7 +21,7 @@
 #include "process/state/run.h"
 #include "process/state/state.h"
 
-#include <cstddef>
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -105,6 +106,71 @@ void note_mesh(Run& run) {
     mesh.strain.push_back(point.plastic_strain);
 }
 
+/// The part on a new mesh, with what is on walls held there. Nothing has changed if there is none.
+/// @throws Error(Fault::geometry) if it cannot be meshed
+/// @pre somebody keeps the present part, the model's, until that is built anew
+NewPart meshed_anew(Run& run, const AskedSizes& sizes) {
+  const std::shared_ptr<const Part> before = run.state.part;
+  run.state.part = part_held_on_walls(run);
+  try {
+    return new_part(run, sizes);
+  } catch (const Error&) {
+    run.state.part = before;
+    throw;
+  }
+}
+
+/// Puts a new part in the place of the present one, and goes on there from where the run is.
+///
+/// @param forces  on the tools before [N]
+/// @return time that it took but for balancing [s]
+double carry_over(Run& run, NewPart part, std::span<const double> forces, RemeshReport& report) {
+  const double begun = seconds_now();
+  report.laps = part.laps;
+  MappedStates mapped = map_states(run, part.part);
+  BlowRecord blows = run.model.blows ? run.model.blows->record() : BlowRecord{};
+  mapped.sources = exchange_mesh(run, std::move(part), mapped);
+  const double exchanged = seconds_now();
+  re_equilibrate(run, mapped, forces, report);
+  run.attempt.led.clear();
+  if (run.model.blows)
+    run.model.blows->go_on_from(std::move(blows), run.state.time);
+  return exchanged - begun;
+}
+
+/// Where there is no equilibrium on a new mesh, maybe on one whose nodes lie elsewhere: tries other
+/// sizes, and takes the first mesh after all if there is none on any.
+///
+/// @param first  what is known of the mesh before
+/// @return as `carry_over`
+double carry_over_to_another(Run& run,
+                             const MeshBefore& before,
+                             const std::vector<geometry::SizeAt>& at,
+                             std::span<const double> forces,
+                             const RemeshReport& first,
+                             RemeshReport& report) {
+  constexpr std::array<double, 4> shares{0.93, 0.87, 0.8, 1.0}; // of the sizes asked for
+  double seconds = 0.0;
+  for (const double share : shares) {
+    before.put_back(run);
+    const std::shared_ptr<const Part> of_model = run.state.part; // until it is built anew
+    const double begun = seconds_now();
+    try {
+      NewPart part = meshed_anew(run, {at, share});
+      report = first;
+      seconds += seconds_now() - begun;
+      seconds += carry_over(run, std::move(part), forces, report);
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry)
+        throw;
+      continue; // of other sizes there is one
+    }
+    if (report.balanced)
+      break;
+  }
+  return seconds;
+}
+
 } // namespace
 
 Outcome<Done> remesh(Run& run,
@@ -113,43 +179,38 @@ Outcome<Done> remesh(Run& run,
                      const std::vector<geometry::SizeAt>& at) {
   const double begun = seconds_now();
   RemeshReport report = report_of_old(run, cause);
+  const MeshBefore before(run);
   NewPart part;
-  const std::shared_ptr<const Part> before = run.state.part; // the model's until it is built anew
   try {
-    run.state.part = part_held_on_walls(run);
-    part = new_part(run, at);
+    part = meshed_anew(run, {at});
   } catch (const Error& error) {
-    run.state.part = before;
     run.state.mesh.refused_increment = run.state.increment;
     run.state.mesh.refused_quality = 0.5 * worst_quality(run.mesh(), run.positions());
     run.state.record.refusals.push_back({run.state.time, error.complaints().front().message});
     return Failure{run.state.record.refusals.back().why};
   }
-  const double written = seconds_now();
+  double seconds = seconds_now() - begun; // but for output and balancing
   for (Observer* observer : observers)
     observer->remeshing(run);
-  const double output = seconds_now() - written;
+  const double output = seconds_now() - begun - seconds;
   const double missing = run.state.energy.missing();
   const std::vector<double> forces = forces_on_tools(run);
-  report.laps = part.laps;
-  MappedStates mapped = map_states(run, part.part);
-  BlowRecord blows = run.model.blows ? run.model.blows->record() : BlowRecord{};
-  mapped.sources = exchange_mesh(run, std::move(part), mapped);
-  const double exchanged = seconds_now();
   const long systems = run.solver_work().systems;
+  const int iterations = run.state.counters.remeshing_iterations;
   const int wasted = run.state.counters.wasted_iterations;
-  re_equilibrate(run, mapped, forces, report);
-  run.attempt.led.clear();
-  if (run.model.blows)
-    run.model.blows->go_on_from(std::move(blows), run.state.time);
-  run.state.counters.remeshing_iterations += static_cast<int>(run.solver_work().systems - systems);
+  const RemeshReport of_old = report;
+  seconds += carry_over(run, std::move(part), forces, report);
+  if (!report.balanced)
+    seconds += carry_over_to_another(run, before, at, forces, of_old, report);
+  run.state.counters.remeshing_iterations =
+      iterations + static_cast<int>(run.solver_work().systems - systems);
   run.state.counters.wasted_iterations = wasted; // its failed tries are among them
   note_mesh(run);
   add_new(run, missing, forces, report);
   report.seconds = seconds_now() - begun - output;
   run.clock.times.output += output;
   // The balance counts with the other solutions.
-  run.clock.times.remeshing += exchanged - begun - output;
+  run.clock.times.remeshing += seconds;
   run.attempt.none = true;
   run.state.record.remeshings.push_back(report);
   for (Observer* observer : observers)

@@ -29,6 +29,12 @@ struct NewPart {
   std::vector<Lap> laps = {}; ///< of the old boundary that were welded
 };
 
+/// Of the elements of a new mesh, besides what the scene asks for.
+struct AskedSizes {
+  std::vector<geometry::SizeAt> at; ///< in the plane
+  double share = 1.0;               ///< of what is asked for everywhere [-]
+};
+
 /// A tool that comes to touch on sides too long for what it touches.
 struct FirstTouch {
   std::string cause;                   ///< to say
