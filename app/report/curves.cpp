@@ -84,7 +84,7 @@ NamedChart of_tools_over_time(const ResultsFolder& results,
     for (Vec2& value : curve.values)
       value[1] *= readable.factor;
   named.chart.x_label = with_unit("time", results.units().time);
-  named.chart.y_label = with_unit(what, readable.unit);
+  named.chart.y_label = with_unit(what, results.of_whole(readable.unit));
   return named;
 }
 
@@ -107,8 +107,8 @@ NamedChart energies(const ResultsFolder& results) {
     named.chart.curves.push_back(curve_of(results.history, "time", key, label, factor));
   named.chart.x_label = with_unit("time", results.units().time);
   const bool per_thickness = results.facts.analysis == io::Analysis::plane_strain;
-  named.chart.y_label = with_unit(per_thickness ? "energy per thickness" : "energy",
-                                  per_thickness ? unit + "/" + results.units().length : unit);
+  named.chart.y_label =
+      with_unit(per_thickness ? "energy per thickness" : "energy", results.of_whole(unit));
   return named;
 }
 

@@ -36,6 +36,10 @@ struct ResultsFolder {
   std::vector<std::string> unreadable;          ///< what could not be read, in words
 
   [[nodiscard]] const io::UnitSystem& units() const { return facts.units; }
+  /// Unit of a quantity of the whole part, such as a force: in plane strain it is per thickness.
+  [[nodiscard]] std::string of_whole(const std::string& unit) const {
+    return facts.analysis == io::Analysis::plane_strain ? unit + "/" + units().length : unit;
+  }
   /// "running", "killed", or the status of the summary.
   [[nodiscard]] std::string status() const;
   /// Exit status of the run; none: it has not ended.

@@ -69,10 +69,11 @@ std::string tools_of_history(const ResultsFolder& results) {
   }
   if (rows.empty())
     return {};
-  return section("tools", "Tools",
-                 table({"tool", headed("last force", units.force),
-                        headed("largest force", units.force), headed("way", units.length)},
-                       rows));
+  return section(
+      "tools", "Tools",
+      table({"tool", headed("last force", results.of_whole(units.force)),
+             headed("largest force", results.of_whole(units.force)), headed("way", units.length)},
+            rows));
 }
 
 } // namespace
@@ -91,8 +92,9 @@ std::string tools_section(const ResultsFolder& results) {
   }
   return section(
       "tools", "Tools",
-      table({"tool", headed("last force", units.force), headed("largest force", units.force),
-             headed("at time", units.time), headed("torque", units.force + " " + units.length),
+      table({"tool", headed("last force", results.of_whole(units.force)),
+             headed("largest force", results.of_whole(units.force)), headed("at time", units.time),
+             headed("torque", results.of_whole(units.force + " " + units.length)),
              headed("displacement", units.length), headed("turned", "rad")},
             rows));
 }
@@ -117,7 +119,7 @@ std::string wear_section(const ResultsFolder& results) {
   }
   if (rows.empty())
     return {};
-  const std::string volume = units.length + "³";
+  const std::string volume = results.of_whole(units.length + "³");
   return section(
       "wear", "Wear",
       table({"tool", headed("volume", volume), headed("largest depth", units.length),
@@ -145,10 +147,10 @@ std::string window_section(const ResultsFolder& results) {
         rows.push_back({escaped(label), number(number_in(range, "mean")),
                         number(number_in(range, "lowest")), number(number_in(range, "highest")),
                         number(number_in(range, "last_mean"))});
-    html +=
-        fmt::format("<h3>{}</h3>\n<p>In contact for {} {}, mean area {} {}.</p>\n", escaped(name),
-                    number(number_in(window, "contact_time")), escaped(units.time),
-                    number(number_in(window, "mean_area")), escaped(units.length) + "²");
+    html += fmt::format("<h3>{}</h3>\n<p>In contact for {} {}, mean area {} {}.</p>\n",
+                        escaped(name), number(number_in(window, "contact_time")),
+                        escaped(units.time), number(number_in(window, "mean_area")),
+                        escaped(results.of_whole(units.length + "²")));
     html += table({"quantity", "mean", "lowest", "highest", "mean at the last contact"}, rows);
   };
   const ordered_json& tools = member(results.summary, "tools");
@@ -215,7 +217,7 @@ std::string laps_section(const ResultsFolder& results) {
 
 std::string blows_section(const ResultsFolder& results) {
   const io::UnitSystem units = results.units();
-  const std::string energy = units.force + " " + units.length;
+  const std::string energy = results.of_whole(units.force + " " + units.length);
   std::vector<std::vector<std::string>> rows;
   for (const ordered_json& blow : member(results.summary, "blows"))
     rows.push_back({escaped(blow.value("tool", "")), number(number_in(blow, "begun")),

@@ -143,8 +143,10 @@ ordered_json laps_json(const process::Run& run) {
   for (const process::RemeshReport& report : run.state.record.remeshings)
     for (const process::Lap& lap : report.laps)
       if (!lap.root)
-        all.push_back(
-            {{"at", lap.place}, {"since", report.time}, {"depth", lap.depth}, {"state", "welded"}});
+        all.push_back({{"at", {lap.at[0], lap.at[1], lap.at[2]}},
+                       {"since", report.time},
+                       {"depth", lap.depth},
+                       {"state", "welded"}});
   return all;
 }
 

@@ -43,7 +43,8 @@ std::optional<Bend> bend_within(const Run& run, double dt, double length, double
   constexpr double most = 1e-3;       // of the work of a stage that goes on like this
   constexpr double much = 0.25; // of the flow stress: the force of contact that grows is little yet
   constexpr double nothing = 0.01; // of the work of the increment: what was done before
-  if (run.state.time >= early * run.scene.stages.back().end ||
+  const double flown = run.state.flights.flown; // nothing happens there
+  if (run.state.time - flown >= early * (run.scene.stages.back().end - flown) ||
       dt <= short_share * default_longest(length))
     return std::nullopt;
   const EnergyBalance after = energy_after(run, dt);

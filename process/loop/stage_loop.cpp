@@ -23,6 +23,7 @@
 #include "process/stages/stage_start.h"
 #include "process/stages/striking.h"
 #include "process/stages/tool_activation.h"
+#include "process/stages/turning_tools.h"
 #include "process/stages/unloading.h"
 #include "process/state/run.h"
 
@@ -120,9 +121,14 @@ StageLoop::Step StageLoop::next_step() {
   const IncrementControl& control = progress_.control;
   const double landing = next_landing(run_, stage_.end);
   const double left = landing - run_.state.time;
-  const double whole = control.in_parts()
-                           ? part_towards(left, control.next())
-                           : step_towards(left, std::min(control.next(), longest_for_blows(run_)));
+  const double asked = std::min(control.next(), longest_for_blows(run_));
+  const double longest = up_to_turn(run_, std::min(asked, left));
+  const double whole =
+      control.in_parts()
+          ? part_towards(left, control.next())
+          : step_towards(left, longest < std::min(asked, left)
+                                   ? std::max(longest, std::min(asked, progress_.limits.min))
+                                   : asked);
   const bool ends_before_touches =
       progress_.failures == 0 && progress_.wary > 0 && !control.in_parts();
   const double touching = ends_before_touches ? std::max(up_to_touch(run_, whole),

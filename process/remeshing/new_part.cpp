@@ -173,7 +173,8 @@ std::optional<NewPart> new_plane_part_with_walls(const Run& run, const AskedSize
                         touching_tools(run), run.scene.remesh->keep);
       std::vector<Lap> roots;
       const auto note = [&](const geometry::ClosedFold& fold) {
-        roots.push_back({lap(fold).place, fold.depth(), true});
+        roots.push_back(lap(fold));
+        roots.back().root = true;
       };
       // Nearer to each other than the walls that have been parted.
       for (const geometry::ClosedFold& fold :

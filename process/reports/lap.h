@@ -12,12 +12,13 @@
 namespace billet::process {
 
 struct Lap {
-  std::string place; ///< where the walls met, as messages say it
-  double depth;      ///< of the crease [mm]
+  Vec3 at = Vec3::Zero(); ///< where the walls met [mm]
+  std::string place;      ///< likewise, as messages say it
+  double depth = 0.0;     ///< of the crease [mm]
   /// No more than the root of a crease whose walls go on touching each other. (G.54a)
   bool root = false;
 
-  template <class Archive> void fields(Archive& archive) { archive(place, depth, root); }
+  template <class Archive> void fields(Archive& archive) { archive(at, place, depth, root); }
 };
 
 /// What is said of a fold, or of a crease, that has closed.
