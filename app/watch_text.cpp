@@ -91,7 +91,7 @@ std::string tool_lines(const ResultsFolder& results, int columns) {
     if (forces.empty())
       continue;
     text += fmt::format("{:<{}}  {}  {}", tool, name_width, text_curve(forces, width),
-                        readable_number(forces.back(), units.force));
+                        results.of_whole(readable_number(forces.back(), units.force)));
     if (!ways.empty() && ways.back() > 0.0)
       text += fmt::format("  way {}", readable_number(ways.back(), units.length));
     text += "\n";
@@ -189,7 +189,8 @@ std::string watch_line(const ResultsFolder& results) {
       last_of(results, "increment"), last_of(results, "iterations"), last_of(results, "residual"));
   for (const std::string& tool : results.tools())
     if (const std::vector<double> forces = magnitudes(results, tool + ".force"); !forces.empty())
-      line += fmt::format("  {} {}", tool, readable_number(forces.back(), results.units().force));
+      line += fmt::format("  {} {}", tool,
+                          results.of_whole(readable_number(forces.back(), results.units().force)));
   if (const std::optional<double> left = time_left(results))
     line += fmt::format("  {} left", duration(*left));
   return line;

@@ -138,11 +138,16 @@ std::vector<SymmetryPlane> symmetry_in(vtkFieldData& data) {
     std::string_view text = array == nullptr ? "" : array;
     if (!text.starts_with(note))
       continue;
-    for (text.remove_prefix(note.size()); text.size() > 4; // x = 0
-         text.remove_prefix(std::min(text.size(), text.find_first_of("xyz", 1)))) {
+    text.remove_prefix(note.size());
+    while (!text.empty()) {
+      constexpr std::size_t before_value = 4; // "x = "
       double value = 0.0;
-      std::from_chars(text.data() + 4, text.data() + text.size(), value);
-      planes.push_back({text[0] - 'x', value});
+      if (text.find(" = ") == 1 && text[0] >= 'x' && text[0] <= 'z' &&
+          std::from_chars(text.data() + before_value, text.data() + text.size(), value).ec ==
+              std::errc())
+        planes.push_back({text[0] - 'x', value});
+      const std::size_t comma = text.find(", ");
+      text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 2);
     }
   }
   const std::vector<SymmetryPlane> all = planes;

@@ -13,7 +13,7 @@ namespace {
 /// By pressures under which no metal is left to flow or tools break. Where an increment cannot be
 /// solved less of it is enough.
 EndedBy end_by_pressure(const Run& run, double volume, bool failed) {
-  if (!has_lost_volume(run, volume, failed ? Squeeze::told : Squeeze::little))
+  if (!has_lost_volume(run, volume, failed ? Squeeze::little_at_failure : Squeeze::little))
     return EndedBy::end_of_time;
   const Squeeze squeeze = squeeze_of(run, volume);
   const StopRules& stop = run.scene.stop;

@@ -122,13 +122,9 @@ StageLoop::Step StageLoop::next_step() {
   const double landing = next_landing(run_, stage_.end);
   const double left = landing - run_.state.time;
   const double asked = std::min(control.next(), longest_for_blows(run_));
-  const double longest = up_to_turn(run_, std::min(asked, left));
+  const double turning = std::max(up_to_turn(run_, asked), std::min(asked, progress_.limits.min));
   const double whole =
-      control.in_parts()
-          ? part_towards(left, control.next())
-          : step_towards(left, longest < std::min(asked, left)
-                                   ? std::max(longest, std::min(asked, progress_.limits.min))
-                                   : asked);
+      control.in_parts() ? part_towards(left, control.next()) : step_towards(left, turning);
   const bool ends_before_touches =
       progress_.failures == 0 && progress_.wary > 0 && !control.in_parts();
   const double touching = ends_before_touches ? std::max(up_to_touch(run_, whole),

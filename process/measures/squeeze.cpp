@@ -43,7 +43,7 @@ bool Squeeze::is_full() const {
 
 bool Squeeze::is_nearly_full() const {
   constexpr double open = 5.0; // flow stresses: a sticking disc twenty times as wide as high
-  return volume_lost > told && pressure > open * flow_stress;
+  return volume_lost > little_at_failure && pressure > open * flow_stress;
 }
 
 bool has_lost_volume(const Run& run, double volume, double share) {

@@ -20,8 +20,8 @@ struct Squeeze {
   double tool_pressure = 0.0;
 
   static constexpr double little = 0.01; ///< share of the volume: what does no harm
-  /// What is told of where an increment cannot be solved: soft metal is full with no more.
-  static constexpr double told = 0.5 * little;
+  /// Likewise, where an increment cannot be solved: a cavity of soft metal is full with no more.
+  static constexpr double little_at_failure = 0.5 * little;
 
   /// Whether the metal has no way out, or too little.
   [[nodiscard]] bool is_full() const;

@@ -10,6 +10,7 @@
 #include "process/remeshing/mapped_states.h"
 #include "process/reports/run_reports.h"
 #include "process/stages/stage_start.h"
+#include "process/stages/turning_tools.h"
 #include "process/state/mesh_quality.h"
 #include "process/state/run.h"
 #include "process/state/state.h"
@@ -170,7 +171,7 @@ int solve_again(Run& run, const Snapshot& end) {
   int solved = 0, failures = 0;
   while (run.state.time < end.time && !control.exhausted()) {
     const double landing = next_landing(run, end.time);
-    const double step = step_towards(landing - run.state.time, control.next());
+    const double step = step_towards(landing - run.state.time, up_to_turn(run, control.next()));
     const bool lands = step == landing - run.state.time;
     run.attempt.too_deep = run.attempt.inside_out = false;
     const bool is_shortest = 0.5 * step < shortest * length;

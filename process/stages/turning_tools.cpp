@@ -16,10 +16,12 @@ namespace {
 /// one. With this angle a disc that spins misses 0.03 % of the work of friction, with 3 rad 11 %.
 constexpr double most_turn = 0.5;
 
+/// Whether a tool turns on the part, and it matters what its points slip.
 bool rubs(const Run& run, std::size_t tool) {
   const contact::Tool& each = run.tools()[tool];
-  return contact::lies_on(*run.model.contact, tool) &&
-         (!std::holds_alternative<contact::Frictionless>(each.friction.law) || each.wear);
+  const bool turns = each.motion.rotation || each.motion.torque;
+  const bool slips = !std::holds_alternative<contact::Frictionless>(each.friction.law) || each.wear;
+  return turns && slips && contact::lies_on(*run.model.contact, tool);
 }
 
 /// Turn of a tool in an increment: of one that a torque drives as fast as in the last one [rad].

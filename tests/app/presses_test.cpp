@@ -105,6 +105,34 @@ TEST_F(Presses, ACrankEndsAnIncrementAtItsDeadCentre) {
   EXPECT_NEAR(deepest, 40.0 - from_top(start), 1e-12 * 100.0);
 }
 
+TEST_F(Presses, ACrankThatStartsAboveThePartDoesTheWorkOfOneThatTouches) {
+  const std::string free_block = R"(analysis = "axisymmetric"
+[workpiece]
+element = "quad4"
+material = "metal"
+mesh = { box = [[0, 0], [10, 20]], cells = [3, 3] }
+[material.metal]
+elastic = { young = "210 GPa", poisson = 0.3 }
+flow = { law = "perfect", yield = 300 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "punch"
+surface = { plane = { point = [0, 25], normal = [0, -1] } }
+motion = { press = { kind = "crank", direction = [0, -1], radius = 50, rod = 200, speed = "60 rpm", start = 150 } }
+[time]
+end = 0.2
+)";
+  const std::filesystem::path results = run(free_block);
+  const ResultTable history = read_table(results / "history.csv");
+  const double external = history.values("external_work").back();
+  EXPECT_NEAR(external, history.values("plastic_work").back(), 2e-3 * external);
+}
+
 } // namespace
 
 } // namespace billet::test::presses_test

@@ -226,8 +226,10 @@ TEST_F(RemeshingLong, WallsThatMeetStayApart) {
       whole_file(pipe / "case.toml"), {{"[time]", "[remesh]\nwhen = { interval = 1 }\n[time]"}}));
   const nlohmann::json laps = summary(results).at("laps");
   EXPECT_EQ(laps.at(0).at("state"), "closed");
-  // Of the half pipe's inner wall, 76 mm long when it is flat, and its root.
-  EXPECT_NEAR(laps.at(0).at("depth"), 80.0, 2.0);
+  // Of the half pipe's inner wall, 76 mm long when it is flat, and of its root, 4 mm without new
+  // meshes, what these leave.
+  EXPECT_GT(laps.at(0).at("depth"), 76.0);
+  EXPECT_LT(laps.at(0).at("depth"), 81.0);
   EXPECT_NEAR(laps.at(0).at("since"), 93.3, 0.2);
   for (const nlohmann::json& lap : laps)
     if (lap.at("state") == "welded") {

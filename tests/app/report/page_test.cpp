@@ -44,6 +44,17 @@ TEST_F(Page, ShowsWhatTheResultsHave) {
   EXPECT_FALSE(holds(html, "id=\"blows\"")); // there were none
 }
 
+TEST_F(Page, SaysThatForcesInPlaneStrainArePerThickness) {
+  end_with(test::made_summary);
+  EXPECT_FALSE(holds(page(), "[N/mm]"));
+  std::string plane = test::made_case;
+  plane.replace(plane.find("axisymmetric"), 12, "plane-strain");
+  test::write_text(folder_.path() / "case.resolved.toml", plane);
+  const std::string html = page();
+  for (const char* part : {"last force<br><small>[N/mm]", "torque<br><small>[N mm/mm]", "[kN/mm]"})
+    EXPECT_TRUE(holds(html, part)) << part;
+}
+
 TEST_F(Page, TakesTextsAsTexts) {
   end_with(test::made_summary);
   const std::string html = page(with_view());

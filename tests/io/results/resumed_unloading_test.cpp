@@ -57,21 +57,24 @@ protected:
   test::TemporaryFolder folder_;
 };
 
-std::string disk(double end) {
-  return fmt::format(R"(analysis = "axisymmetric"
-[workpiece]
-element = "quad8"
-material = "metal"
-mesh = {{ box = [[0, 0], [10, 5]], cells = [4, 2] }}
+const std::string metal_on_planes = R"(
 [material.metal]
-elastic = {{ young = "210 GPa", poisson = 0.3 }}
-flow = {{ law = "swift", K = 740, eps0 = 0.01, n = 0.2 }}
+elastic = { young = "210 GPa", poisson = 0.3 }
+flow = { law = "swift", K = 740, eps0 = 0.01, n = 0.2 }
 [[support]]
 where = "x = 0"
 fix = ["x"]
 [[support]]
 where = "y = 0"
 fix = ["y"]
+)";
+
+std::string disk(double end) {
+  return fmt::format(R"(analysis = "axisymmetric"
+[workpiece]
+element = "quad8"
+material = "metal"
+mesh = {{ box = [[0, 0], [10, 5]], cells = [4, 2] }}
 [[tool]]
 name = "die"
 surface = {{ plane = {{ point = [0, 5], normal = [0, -1] }} }}
@@ -85,7 +88,8 @@ name = "off"
 end = {}
 unload = true
 )",
-                     end);
+                     end) +
+         metal_on_planes;
 }
 
 TEST_F(Unloading, StaysDoneIfItsStageIsProlonged) {
@@ -139,15 +143,6 @@ std::string twice(double interval) {
 element = "tri6"
 material = "metal"
 mesh = {{ box = [[0, 0], [10, 5]], cells = [10, 5] }}
-[material.metal]
-elastic = {{ young = "210 GPa", poisson = 0.3 }}
-flow = {{ law = "swift", K = 740, eps0 = 0.01, n = 0.2 }}
-[[support]]
-where = "x = 0"
-fix = ["x"]
-[[support]]
-where = "y = 0"
-fix = ["y"]
 [[tool]]
 name = "punch"
 surface = {{ points = [[-1, 5], [3, 5], [3, 9]] }}
@@ -166,7 +161,8 @@ unload = true
 name = "again"
 end = 2.4
 )",
-                     interval);
+                     interval) +
+         metal_on_planes;
 }
 
 TEST_F(Unloading, LeavesAToolItsCornersOnANewMesh) {

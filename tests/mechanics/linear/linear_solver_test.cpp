@@ -225,21 +225,6 @@ TEST(LinearSolver, a_fair_factorization_in_single_precision_is_iterated_to_the_e
     ASSERT_NEAR(x[i], reference[i], 1e-7 * reference[i]);
 }
 
-TEST(ReusePolicy, says_when_another_system_of_the_kind_would_cost_more_than_the_average) {
-  ReusePolicy reuse;
-  reuse.begin(10);
-  for (const int solves : {4, 5, 6}) { // 14 / 2, 19 / 3, 25 / 4
-    reuse.take(solves);
-    EXPECT_FALSE(reuse.wants_new()) << solves;
-  }
-  reuse.take(7); // 32 / 5
-  EXPECT_TRUE(reuse.wants_new());
-  reuse.take(6);
-  EXPECT_FALSE(reuse.wants_new()); // 38 / 6
-  reuse.begin(10);
-  EXPECT_FALSE(reuse.wants_new());
-}
-
 TEST(LinearSolver, single_precision_waits_longer_each_time_it_has_failed) {
   const BlockPattern pattern =
       block_pattern(box_mesh({.kind = ElementKind::hex8, .cells = {6, 6, 6}}));
@@ -585,21 +570,6 @@ TEST(LinearSolver, factorizes_in_the_thread_that_asks) {
   ASSERT_GE(before, 1);
   ASSERT_TRUE(cholmod->factorize(problem.matrix));
   EXPECT_EQ(threads(), before);
-}
-
-TEST(FillReducingOrder, is_a_permutation_that_keeps_the_unknowns_of_a_node_together) {
-  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad8, ElementKind::hex20}) {
-    const BlockPattern pattern = block_pattern(box_mesh({.kind = kind, .cells = {3, 4, 2}}));
-    const auto order = fill_reducing_order(pattern);
-    std::vector<Index> sorted = order;
-    std::sort(sorted.begin(), sorted.end());
-    ASSERT_EQ(static_cast<Index>(sorted.size()), pattern.n_dofs());
-    for (Index i = 0; i < pattern.n_dofs(); ++i)
-      ASSERT_EQ(sorted[static_cast<std::size_t>(i)], i);
-    for (std::size_t i = 0; i < order.size(); i += static_cast<std::size_t>(pattern.dim))
-      EXPECT_EQ(order[i] + 1, order[i + 1]);
-    EXPECT_EQ(order, fill_reducing_order(pattern)); // repeats
-  }
 }
 
 } // namespace
