@@ -1,8 +1,7 @@
 #include "contact/self/laps.h"
 
+#include "contact/self/lap_depth.h"
 #include "contact/self/wall_groups.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -64,26 +63,23 @@ double depth_in_plane(const Marked& lap, bool axisymmetric) {
   return length;
 }
 
-/// In space: the area over the length of the lap, which is longer than deep.
-double depth_in_space(const Marked& lap) {
-  const Vec3 centre = lap.centre();
-  Mat3 spread = Mat3::Zero();
-  for (std::size_t i = 0; i < lap.at.size(); ++i)
-    spread += lap.areas[i] * (lap.at[i] - centre) * (lap.at[i] - centre).transpose();
-  const Vec3 along = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(2);
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const Vec3& at : lap.at) {
-    low = std::min(low, along.dot(at));
-    high = std::max(high, along.dot(at));
-  }
-  const double area = lap.area();
-  return area / std::max(high - low, std::sqrt(area));
-}
-
-double depth(const ContactSurface& surface, const Marked& lap) {
-  return surface.analysis() == mechanics::Analysis::solid
-             ? depth_in_space(lap)
-             : depth_in_plane(lap, surface.analysis() == mechanics::Analysis::axisymmetric);
+/// Of each lap its depth [mm].
+std::map<int, double> depths_of(const ContactSurface& surface,
+                                const SelfContactState& state,
+                                std::span<const double> x,
+                                const std::map<int, Marked>& found) {
+  std::map<int, double> depths;
+  if (found.empty())
+    return depths;
+  if (surface.analysis() == mechanics::Analysis::solid) {
+    const LapDepth depth(surface, state, x);
+    for (const auto& [number, lap] : found)
+      depths[number] = depth.of(number);
+  } else
+    for (const auto& [number, lap] : found)
+      depths[number] =
+          depth_in_plane(lap, surface.analysis() == mechanics::Analysis::axisymmetric);
+  return depths;
 }
 
 } // namespace
@@ -120,24 +116,24 @@ void mark_laps(const ContactSurface& surface, SelfContactState& state) {
 
 std::vector<Lap>
 laps(const ContactSurface& surface, const SelfContactState& state, std::span<const double> x) {
+  const std::map<int, Marked> all = marked(surface, state, x);
+  const std::map<int, double> depths = depths_of(surface, state, x, all);
   std::vector<Lap> found;
-  for (const auto& [number, lap] : marked(surface, state, x))
+  for (const auto& [number, lap] : all)
     found.push_back({lap.centre(), state.laps_since[static_cast<std::size_t>(number)],
-                     depth(surface, lap), lap.area(), lap.closed});
+                     depths.at(number), lap.area(), lap.closed});
   return found;
 }
 
 std::vector<double> lap_depths(const ContactSurface& surface,
                                const SelfContactState& state,
                                std::span<const double> x) {
-  std::vector<double> depths(state.points.size(), 0.0);
-  std::map<int, double> of_laps;
-  for (const auto& [number, lap] : marked(surface, state, x))
-    of_laps[number] = depth(surface, lap);
-  for (std::size_t k = 0; k < depths.size(); ++k)
+  std::vector<double> at_points(state.points.size(), 0.0);
+  const std::map<int, double> depths = depths_of(surface, state, x, marked(surface, state, x));
+  for (std::size_t k = 0; k < at_points.size(); ++k)
     if (state.points[k].lap >= 0)
-      depths[k] = of_laps.at(state.points[k].lap);
-  return depths;
+      at_points[k] = depths.at(state.points[k].lap);
+  return at_points;
 }
 
 } // namespace billet::contact
