@@ -17,7 +17,7 @@ struct InnerBall {
 
 /// Which balls are asked for.
 struct NarrowSearch {
-  Box window;   ///< endless tools are looked at here [mm]
+  Box window;   ///< large tools are looked at here [mm]
   double width; ///< what is rounder than this is not narrow [mm], > 0
 
   /// Between balls along an edge or a round part [mm].

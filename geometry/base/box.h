@@ -23,6 +23,9 @@ struct Box {
   [[nodiscard]] bool empty() const { return (low.array() > high.array()).any(); }
   /// Length of the diagonal; 0 for an empty box.
   [[nodiscard]] double size() const { return empty() ? 0.0 : (high - low).norm(); }
+  [[nodiscard]] bool contains(const Vec3& point) const {
+    return (low.array() <= point.array()).all() && (point.array() <= high.array()).all();
+  }
   [[nodiscard]] bool overlaps(const Box& other, double margin) const {
     return ((low.array() - margin) <= other.high.array()).all() &&
            ((other.low.array() - margin) <= high.array()).all();

@@ -26,7 +26,10 @@ struct EdgeSide {
 class NarrowEdges {
 public:
   NarrowEdges(const TriangleMesh& mesh, const NarrowSearch& search)
-      : mesh_(mesh), search_(search), taken_(mesh.points.size(), 0) {}
+      : mesh_(mesh), search_(search), taken_(mesh.points.size(), 0) {
+    search_.window.low.array() -= search.step(); // for rounding, and for what is on its faces
+    search_.window.high.array() += search.step();
+  }
 
   std::vector<InnerBall> find() {
     for_each_edge(edge_uses(mesh_), [&](std::span<const EdgeUse> uses) {
@@ -34,7 +37,7 @@ public:
         look(uses[0], uses[1]);
     });
     for (std::size_t i = 0; i < taken_.size(); ++i)
-      if (taken_[i] != 0)
+      if (taken_[i] != 0 && search_.window.contains(mesh_.points[i]))
         balls_.push_back({mesh_.points[i], 0.0});
     return balls_;
   }
@@ -66,10 +69,27 @@ private:
       return;
     for (const std::int32_t end : {one.low, one.high})
       taken_[static_cast<std::size_t>(end)] = 1;
-    const Vec3 way = point(one.high) - point(one.low);
-    const auto parts = static_cast<int>(std::ceil(way.norm() / search_.step()));
-    for (int i = 1; i < parts; ++i)
-      balls_.push_back({point(one.low) + static_cast<double>(i) / parts * way, 0.0});
+    add_along(point(one.low), point(one.high));
+  }
+
+  /// Adds balls at even steps between two points, where these lie in the window.
+  void add_along(const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    double first = 0.0, last = 1.0; // shares of the way that are in the window
+    for (int d = 0; d < 3; ++d) {
+      if (way[d] == 0.0) {
+        if (from[d] < search_.window.low[d] || from[d] > search_.window.high[d])
+          return;
+        continue;
+      }
+      const double a = (search_.window.low[d] - from[d]) / way[d];
+      const double b = (search_.window.high[d] - from[d]) / way[d];
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b));
+    }
+    const double parts = std::ceil(way.norm() / search_.step());
+    for (double i = std::max(1.0, std::ceil(first * parts)); i < parts && i <= last * parts; ++i)
+      balls_.push_back({from + i / parts * way, 0.0});
   }
 
   const TriangleMesh& mesh_;

@@ -31,16 +31,15 @@ constexpr double slender_depth = 0.5, slender_room = 0.325, slender_radius = 0.5
 /// Steps of the way of a tool, in depths of the thinnest parent element of a face.
 constexpr double step_of_way = 0.25;
 
-bool is_bounded(const Box& box) { return box.low.allFinite() && box.high.allFinite(); }
+/// Longest faces: a larger tool is looked at near the part only, like one without an end.
+constexpr double largest_looked_at = 1000.0;
 
-/// The part's box seen from a tool.
-Box in_tool(const Box& box, const geometry::Pose& pose) {
-  Box seen;
+/// Adds the part's box as it is seen from a tool.
+void add_seen(const Box& box, const geometry::Pose& pose, Box& seen) {
   for (int corner = 0; corner < 8; ++corner)
     seen.add(pose.to_tool(Vec3((corner & 1) != 0 ? box.high.x() : box.low.x(),
                                (corner & 2) != 0 ? box.high.y() : box.low.y(),
                                (corner & 4) != 0 ? box.high.z() : box.low.z())));
-  return seen;
 }
 
 /// Longest chord of a face.
@@ -95,7 +94,8 @@ NarrowTools::NarrowTools(const mechanics::Mesh& mesh,
     return;
   for (std::size_t t = 0; t < parts_.size(); ++t) {
     const Box bounds = tools[t].surface->bounds();
-    endless_[t] = is_bounded(bounds) ? 0 : 1;
+    // Not finite, or too many balls.
+    endless_[t] = bounds.size() <= largest_looked_at * width_ ? 0 : 1;
     if (endless_[t] == 0)
       parts_[t] = parts_of(*tools[t].surface, bounds);
   }
@@ -119,13 +119,11 @@ std::vector<NarrowTools::Part> NarrowTools::parts_of(const geometry::RigidSurfac
   return parts;
 }
 
-std::span<const NarrowTools::Part> NarrowTools::parts(std::size_t tool,
-                                                      const geometry::Pose& pose,
-                                                      const Box& part,
-                                                      std::vector<Part>& endless) const {
+std::span<const NarrowTools::Part>
+NarrowTools::parts(std::size_t tool, const Box& window, std::vector<Part>& endless) const {
   if (endless_[tool] == 0)
     return parts_[tool];
-  endless = parts_of(*tools_[tool].surface, in_tool(part, pose));
+  endless = parts_of(*tools_[tool].surface, window);
   return endless;
 }
 
@@ -164,7 +162,9 @@ DeepTool NarrowTools::deepest(const contact::ContactTerm& contact,
     if (!contact.acts(t, trial.time) || contact::draws_back(contact, t))
       continue;
     const geometry::Pose pose = contact.pose(t, trial.time, trial.x);
-    for (const Part& narrow : parts(t, pose, box, endless)) {
+    Box window;
+    add_seen(box, pose, window);
+    for (const Part& narrow : parts(t, window, endless)) {
       if (!narrow.slender && faces < noticed)
         continue;
       Box here;
@@ -208,9 +208,11 @@ public:
     const geometry::Driven to = contact_.driven(tool, trial_.x);
     shift_ = {motion.translation(trial_.time_old, from), motion.translation(trial_.time, to)};
     angle_ = {motion.angle(trial_.time_old, from), motion.angle(trial_.time, to)};
+    Box window;
+    for (const double share : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
+      add_seen(swept_, pose(motion, share), window);
     std::vector<Part> endless;
-    for (const Part& part :
-         narrow_.parts(tool, motion.pose_at(shift_[0], angle_[0]), swept_, endless))
+    for (const Part& part : narrow_.parts(tool, window, endless))
       if (part.slender)
         if (std::optional<DeepTool> found = follow(motion, part)) {
           found->tool = tool;

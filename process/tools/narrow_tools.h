@@ -71,12 +71,10 @@ private:
 
   [[nodiscard]] std::vector<Part> parts_of(const geometry::RigidSurface& tool,
                                            const Box& window) const;
-  /// @param part     box of the workpiece, in space
-  /// @param endless  room for those of an endless tool
-  [[nodiscard]] std::span<const Part> parts(std::size_t tool,
-                                            const geometry::Pose& pose,
-                                            const Box& part,
-                                            std::vector<Part>& endless) const;
+  /// @param window   where the workpiece is and goes, in the tool's frame
+  /// @param endless  room for those of a large or endless tool
+  [[nodiscard]] std::span<const Part>
+  parts(std::size_t tool, const Box& window, std::vector<Part>& endless) const;
   [[nodiscard]] bool none() const;
   /// How deep a narrow part lies in the workpiece; depth 0: hardly, or not at all.
   [[nodiscard]] DeepTool
@@ -88,7 +86,7 @@ private:
   std::vector<double> lengths_; ///< of the faces when the mesh was new [mm]
   double width_ = 0.0;          ///< of the longest [mm]
   double thinnest_;             ///< least depth of a face's parent element [mm]
-  std::vector<char> endless_;   ///< tools that are looked at where the part is, one flag a tool
+  std::vector<char> endless_;   ///< tools that are looked at where the part is, a flag each
   std::vector<std::vector<Part>> parts_; ///< of the others
 };
 

@@ -120,6 +120,22 @@ TEST(NarrowParts, EdgesOfFacetsAreMarkedWhereTheyAreSharpOrTightlyRound) {
   EXPECT_GE(narrow_parts(ball, around_origin(10.0)).size(), ball.points.size());
 }
 
+/// However large the tool is, there are no more than the window has room for.
+TEST(NarrowParts, EdgesOfFacetsAreMarkedInTheWindowOnly) {
+  TriangleMesh large = cube(); // from 0 to 1, now to 1e9
+  for (Vec3& point : large.points)
+    point *= 1e9;
+  const NarrowSearch search = around_origin(0.4);
+  const auto edges = narrow_parts(large, search);
+  std::vector<Vec3> along;
+  for (double t = 0.0; t <= 1.0; t += 0.01)
+    along.insert(along.end(), {Vec3(t, 0, 0), Vec3(0, t, 0), Vec3(0, 0, t)});
+  EXPECT_LE(farthest(along, edges), 0.5 * search.step() * 1.001);
+  EXPECT_LE(edges.size(), 40U);
+  for (const InnerBall& ball : edges)
+    EXPECT_LE(ball.centre.cwiseAbs().maxCoeff(), 1.0 + search.step() * 1.001);
+}
+
 TEST(NarrowParts, HollowEdgesAndRimsHaveNone) {
   for (const InnerBall& ball : narrow_parts(flipped(cube()), around_origin(0.4)))
     ADD_FAILURE() << "in a cavity at " << ball.centre.transpose();
