@@ -136,7 +136,8 @@ void on_elements(const Case& content, const process::PostMortem& post, Lines& li
   if (post.too_deep)
     lines.push_back("[face-too-deep] a face lies too deep in a tool between its contact points: "
                     "smaller elements "
-                    "there follow the tool, a larger contact.max_penetration lets it be");
+                    "there follow the tool, contact.form = \"compatible\" has more points on "
+                    "faces of quadratic elements, a larger contact.max_penetration lets it be");
 }
 
 void on_increments(const process::Run& run, const process::PostMortem& post, Lines& lines) {

@@ -132,7 +132,7 @@ face_of(const Deck& deck, const DeckElement& element, const std::vector<std::siz
   DeckFace face;
   for (const std::size_t corner : side)
     face.corners.push_back(element.nodes[corner]);
-  if (element.nodes.size() == shape.corners + shape.edges.size())
+  if (element.nodes.size() >= shape.corners + shape.edges.size()) // more: inside of faces
     for (std::size_t i = 0; i < (side.size() == 2 ? 1 : side.size()); ++i) {
       const std::size_t from = side[i], to = side[(i + 1) % side.size()];
       for (std::size_t e = 0; e < shape.edges.size(); ++e)

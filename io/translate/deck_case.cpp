@@ -3,6 +3,7 @@
 #include "geometry/base/error.h"
 #include "io/case/toml_text.h"
 #include "io/translate/deck_history.h"
+#include "io/translate/deck_mesh.h"
 #include "io/translate/deck_tool_motions.h"
 
 #include <fmt/format.h>
@@ -17,14 +18,6 @@
 namespace billet::io {
 
 namespace {
-
-/// Elements of a case by those of a deck: letters and number of nodes.
-std::string element_of(const DeckElement& element) {
-  const std::size_t n = element.nodes.size();
-  if (is_plane_type(element.type))
-    return n == 8 ? "quad8" : n == 4 ? "quad4" : n == 6 ? "tri6" : "";
-  return n == 20 ? "hex20" : n == 8 ? "hex8" : n == 10 ? "tet10" : "";
-}
 
 bool deforms(const Deck& deck, const DeckBody& body) {
   const std::string& type = deck.elements.at(body.elements.front()).type;
@@ -60,7 +53,8 @@ public:
 
   DeckCase make(const std::string& name) {
     std::string text =
-        head() + material_text() + supports_text() + loads_text() + tools_text() + time_text();
+        head() + material_text() + supports_text() + loads_text() + tools_text() +
+        contact_text() + time_text();
     const std::string mesh = mesh_text(); // knows by now which sets are asked for
     note_unused_forces();
     note_unused_motions();
@@ -92,14 +86,9 @@ private:
     const DeckElement& first = deck_.elements.at(part().elements.front());
     in_space_ = !is_plane_type(first.type);
     axisymmetric_ = first.type.starts_with("CAX");
-    element_ = element_of(first);
-    for (const DeckNumber number : part().elements)
-      if (element_of(deck_.elements.at(number)) != element_ || element_.empty())
-        throw Error(Fault::geometry, "",
-                    fmt::format("the workpiece has elements of type {}, which are not available{}",
-                                deck_.elements.at(number).type,
-                                element_.empty() ? "" : " together with others"),
-                    "mesh it with one of CPE4, CPE8, CPE6, CAX4, CAX8, CAX6, C3D8, C3D20, C3D10");
+    mesh_ = mesh_of(deck_, part());
+    if (!mesh_.remark.empty())
+      remark(mesh_.remark);
     if (first.type.starts_with("CPS"))
       remark("plane stress is not available: the case is in plane strain, forces are higher");
     if (!in_space_ && !axisymmetric_ && deck_.thickness.value_or(1.0) != 1.0)
@@ -145,7 +134,7 @@ private:
                        in_space_       ? "3d"
                        : axisymmetric_ ? "axisymmetric"
                                        : "plane-strain",
-                       temperature_text(), element_);
+                       temperature_text(), mesh_.element);
   }
 
   [[nodiscard]] std::string temperature_text() const {
@@ -238,26 +227,55 @@ private:
     return text + "\n";
   }
 
+  /// Nodes that are held one by one.
+  struct SingleNodes {
+    DeckMotion motion;
+    std::vector<DeckNumber> nodes;
+  };
+
+  /// Of each component the nodes that move alike in it, and components of the same nodes together:
+  /// so a node in the middle of an edge goes with both of its ends, whatever else holds one of
+  /// them.
+  static std::vector<SingleNodes> grouped(const std::vector<SingleNodes>& all) {
+    std::map<std::pair<int, DeckHistory>, SingleNodes> by_component;
+    for (const SingleNodes& one : all)
+      for (const auto& [component, history] : one.motion.components) {
+        SingleNodes& group = by_component[{component, history}];
+        group.nodes.push_back(one.nodes.front());
+        std::string& place = group.motion.place;
+        place = place.empty() ? one.motion.place : std::min(place, one.motion.place);
+      }
+    std::map<std::vector<DeckNumber>, SingleNodes> by_nodes;
+    for (auto& [key, group] : by_component) {
+      std::sort(group.nodes.begin(), group.nodes.end());
+      SingleNodes& together = by_nodes[group.nodes];
+      together.nodes = group.nodes;
+      together.motion.components[key.first] = key.second;
+      together.motion.place = group.motion.place;
+    }
+    std::vector<SingleNodes> groups;
+    for (auto& [nodes, group] : by_nodes)
+      groups.push_back(std::move(group));
+    return groups;
+  }
+
   std::string supports_text() {
     std::string text;
-    std::map<std::map<int, DeckHistory>, std::pair<std::vector<DeckNumber>, std::string>> single;
+    std::vector<SingleNodes> single;
     for (const auto& [target, motion] : motions_) {
       std::vector<DeckNumber> nodes = own_nodes(target);
       if (nodes.empty())
         continue;
-      if (!deck_.node_sets.contains(target)) { // one by its number: all alike become one set
-        auto& [members, place] = single[motion.components];
-        members.push_back(nodes.front());
-        place = place.empty() ? motion.place : std::min(place, motion.place);
-        continue;
-      }
-      text += support_text(set_named(target, std::move(nodes)), motion);
+      if (deck_.node_sets.contains(target))
+        text += support_text(set_named(target, std::move(nodes)), motion);
+      else
+        single.push_back({motion, {nodes.front()}});
     }
     int n_single = 0;
-    for (auto& [components, group] : single) {
+    for (SingleNodes& group : grouped(single)) {
       const std::string set = fmt::format("nodes-{}", ++n_single);
-      sets_[set] = std::move(group.first);
-      text += support_text(set, {components, group.second});
+      sets_[set] = std::move(group.nodes);
+      text += support_text(set, group.motion);
     }
     for (const DeckRigidBody& rigid : deck_.rigid_bodies)
       text += clamped_nodes(rigid);
@@ -508,6 +526,12 @@ private:
     return false;
   }
 
+  /// The outline of a mesh that was linear has corners, which tools meet first: more points of a
+  /// face are near them.
+  [[nodiscard]] std::string contact_text() const {
+    return mesh_.added.empty() ? "" : "[contact]\nform = \"compatible\"\n\n";
+  }
+
   // --- time, mesh, remarks -----------------------------------------------------------------------
 
   std::string time_text() {
@@ -525,15 +549,13 @@ private:
 
   std::string mesh_text() {
     std::string text = "*NODE\n";
-    for (const DeckNumber node : part().nodes) {
-      const Vec3& p = deck_point(deck_, node);
+    for (const auto& [node, p] : mesh_.nodes)
       text += fmt::format("{}, {:.17g}, {:.17g}, {:.17g}\n", node, p[0], p[1], p[2]);
-    }
-    text += fmt::format("*ELEMENT, TYPE={}\n", deck_.elements.at(part().elements.front()).type);
-    for (const DeckNumber number : part().elements)
-      text += numbers_text({number}, deck_.elements.at(number).nodes);
+    text += fmt::format("*ELEMENT, TYPE={}\n", mesh_.type);
+    for (const auto& [number, nodes] : mesh_.elements)
+      text += numbers_text({number}, nodes);
     for (const auto& [name, nodes] : sets_)
-      text += fmt::format("*NSET, NSET={}\n{}", name, numbers_text({}, nodes));
+      text += fmt::format("*NSET, NSET={}\n{}", name, numbers_text({}, mesh_.set_of(nodes)));
     return text;
   }
 
@@ -566,7 +588,7 @@ private:
   std::size_t workpiece_ = bodies_.size() + 1;
   bool in_space_ = false;
   bool axisymmetric_ = false;
-  std::string element_;
+  DeckMesh mesh_;
   DeckSurroundings around_;
   std::map<std::string, DeckMotion> motions_, forces_;
   std::optional<DeckToolMotions> tool_motions_;
