@@ -2,7 +2,7 @@
 
 #include "geometry/base/error.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -42,18 +42,21 @@ public:
   }
 
   [[nodiscard]] Misfit operator()(std::span<const double> parameters) const {
-    const Eigen::VectorXd left = measured_ - model_.values(parameters);
-    // (D + F F^T)^-1 and its determinant by the few columns of F. (Woodbury)
+    // chi^2 = min_z |D^-1/2 (left - F z)|^2 + |z|^2: least squares by an orthogonal factorization,
+    // in which small uncertainties of the measured values do not cancel.
+    const Eigen::VectorXd weights = variances_.cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXd factors = model_.error_factors(parameters);
-    const Eigen::MatrixXd scaled = variances_.cwiseInverse().asDiagonal() * factors;
-    const Eigen::Index n = factors.cols();
-    const Eigen::LLT<Eigen::MatrixXd> shared(Eigen::MatrixXd::Identity(n, n) +
-                                             factors.transpose() * scaled);
-    const Eigen::VectorXd taken = scaled.transpose() * left;
-    const double chi_squared =
-        left.cwiseQuotient(variances_).dot(left) - taken.dot(shared.solve(taken));
+    const Eigen::Index rows = factors.rows(), n = factors.cols();
+    Eigen::MatrixXd columns(rows + n, n);
+    columns << weights.asDiagonal() * factors, Eigen::MatrixXd::Identity(n, n);
+    Eigen::VectorXd left(rows + n);
+    left << weights.cwiseProduct(measured_ - model_.values(parameters)), Eigen::VectorXd::Zero(n);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
+    left.applyOnTheLeft(qr.householderQ().transpose());
+    const double chi_squared = left.tail(rows).squaredNorm();
     const double log_determinant =
-        variances_.array().log().sum() + 2.0 * shared.matrixLLT().diagonal().array().log().sum();
+        variances_.array().log().sum() +
+        2.0 * qr.matrixQR().diagonal().head(n).array().abs().log().sum();
     return {chi_squared + log_determinant, chi_squared};
   }
 
@@ -98,6 +101,11 @@ Scan scan(const Likelihood& likelihood, const std::vector<std::array<double, 2>>
     if (found.misfits.back().deviance < found.misfits[found.best].deviance)
       found.best = point;
   }
+  if (!std::isfinite(found.misfits[found.best].deviance))
+    throw Error(Fault::case_file, "",
+                "the measured values are too far from the chart for their uncertainties: their "
+                "distance in uncertainties is no number any more",
+                "look at the values, at their uncertainties and at the units of both");
   return found;
 }
 

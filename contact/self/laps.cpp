@@ -119,6 +119,7 @@ laps(const ContactSurface& surface, const SelfContactState& state, std::span<con
   const std::map<int, Marked> all = marked(surface, state, x);
   const std::map<int, double> depths = depths_of(surface, state, x, all);
   std::vector<Lap> found;
+  found.reserve(all.size());
   for (const auto& [number, lap] : all)
     found.push_back({lap.centre(), state.laps_since[static_cast<std::size_t>(number)],
                      depths.at(number), lap.area(), lap.closed});

@@ -53,7 +53,7 @@ public:
 
   DeckCase make(const std::string& name) {
     std::string text =
-        head() + material_text() + supports_text() + loads_text() + tools_text() +
+        head(name) + material_text() + supports_text() + loads_text() + tools_text() +
         contact_text() + time_text();
     const std::string mesh = mesh_text(); // knows by now which sets are asked for
     note_unused_forces();
@@ -127,10 +127,11 @@ private:
   [[nodiscard]] const DeckBody& part() const { return bodies_[workpiece_]; }
   [[nodiscard]] int dimension() const { return in_space_ ? 3 : 2; }
 
-  [[nodiscard]] std::string head() const {
+  /// A deck without a heading has the name of its file as the title.
+  [[nodiscard]] std::string head(const std::string& name) const {
     return fmt::format("title = {}\nunits = \"{}\"\nanalysis = \"{}\"\n{}\n[workpiece]\nelement = "
                        "\"{}\"\nmaterial = \"workpiece\"\nmesh = {{ file = \"part.inp\" }}\n\n",
-                       toml_text(std::string_view(deck_.title)), units_.system,
+                       toml_text(std::string_view(deck_.title.empty() ? name : deck_.title)), units_.system,
                        in_space_       ? "3d"
                        : axisymmetric_ ? "axisymmetric"
                                        : "plane-strain",
@@ -254,6 +255,7 @@ private:
       together.motion.place = group.motion.place;
     }
     std::vector<SingleNodes> groups;
+    groups.reserve(by_nodes.size());
     for (auto& [nodes, group] : by_nodes)
       groups.push_back(std::move(group));
     return groups;
@@ -297,36 +299,38 @@ private:
     return support_text(set_named(rigid.nodes, std::move(nodes)), motion);
   }
 
-  /// The nodes of a surface, or of faces of elements, on the workpiece.
-  [[nodiscard]] std::vector<DeckNumber> face_nodes(const DeckPressure& pressure) const {
+  /// The corners of the faces of a surface, or of elements, on the workpiece.
+  [[nodiscard]] std::vector<std::set<DeckNumber>> loaded_faces(const DeckPressure& pressure) const {
     std::vector<std::pair<std::string, std::string>> members{{pressure.elements, pressure.face}};
     if (const auto surface = deck_.surfaces.find(in_capitals(pressure.surface));
         surface != deck_.surfaces.end())
       members = surface->second.members;
-    std::set<DeckNumber> nodes;
+    std::vector<std::set<DeckNumber>> faces;
     for (const auto& [set, label] : members)
       for (const DeckNumber number : deck_.elements_of(set))
         if (const auto element = deck_.elements.find(number); element != deck_.elements.end())
           for (const DeckFace& face : faces_of(deck_, element->second, label)) {
-            nodes.insert(face.corners.begin(), face.corners.end());
-            nodes.insert(face.middles.begin(), face.middles.end());
+            std::set<DeckNumber> corners(face.corners.begin(), face.corners.end());
+            if (std::all_of(corners.begin(), corners.end(),
+                            [&](DeckNumber node) { return part().nodes.contains(node); }))
+              faces.push_back(std::move(corners));
           }
-    std::erase_if(nodes, [&](DeckNumber node) { return !part().nodes.contains(node); });
-    return {nodes.begin(), nodes.end()};
+    return faces;
   }
 
   std::string loads_text() {
     std::string text;
     for (const DeckPressureHistory& one : pressure_histories(deck_)) {
-      std::vector<DeckNumber> nodes = face_nodes(one.pressure);
-      if (nodes.empty()) {
+      const std::vector<std::vector<DeckNumber>> sets =
+          mesh_.sets_of_faces(loaded_faces(one.pressure));
+      if (sets.empty())
         remark("the pressure does not act on the workpiece: left out", one.pressure.place);
-        continue;
+      for (const std::vector<DeckNumber>& nodes : sets) {
+        const std::string set = fmt::format("pressure-{}", ++n_pressures_);
+        sets_[set] = nodes;
+        text += fmt::format("[[load]] # {}\nwhere = \"set:{}\"\npressure = {}\n\n",
+                            one.pressure.place, set, toml_text(one.history));
       }
-      const std::string set = fmt::format("pressure-{}", ++n_pressures_);
-      sets_[set] = std::move(nodes);
-      text += fmt::format("[[load]] # {}\nwhere = \"set:{}\"\npressure = {}\n\n",
-                          one.pressure.place, set, toml_text(one.history));
     }
     return text + gravity_text();
   }

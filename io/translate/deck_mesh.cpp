@@ -77,6 +77,7 @@ public:
     for (auto& [key, side] : sides)
       if (side.second == 1)
         mesh_.boundary.push_back(std::move(side.first));
+    mesh_.middles = std::move(middles_);
     return std::move(mesh_);
   }
 
@@ -250,6 +251,63 @@ std::vector<DeckNumber> DeckMesh::set_of(const std::vector<DeckNumber>& wanted) 
   return {members.begin(), members.end()};
 }
 
+std::vector<std::vector<DeckNumber>>
+DeckMesh::sets_of_faces(const std::vector<std::set<DeckNumber>>& faces) const {
+  using Set = std::set<DeckNumber>;
+  std::map<DeckNumber, std::vector<std::size_t>> at_node; // faces of the surface
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+    for (const DeckNumber node : boundary[i])
+      at_node[node].push_back(i);
+  std::map<DeckNumber, std::vector<const Set*>> asked_at;
+  for (const Set& face : faces)
+    for (const DeckNumber node : face)
+      asked_at[node].push_back(&face);
+  const auto is_asked_for = [&](const std::vector<DeckNumber>& face) {
+    const auto around = asked_at.find(face.front());
+    return around != asked_at.end() &&
+           std::any_of(around->second.begin(), around->second.end(), [&](const Set* asked) {
+             return std::all_of(face.begin(), face.end(),
+                                [&](DeckNumber node) { return asked->contains(node); });
+           });
+  };
+  std::vector<char> wanted(boundary.size());
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+    wanted[i] = is_asked_for(boundary[i]) ? 1 : 0;
+  // Whether a set with a face's nodes would hold a face of the surface that is not asked for.
+  const auto takes_another = [&](const Set& set, const Set& face) {
+    const auto is_in = [&](DeckNumber node) { return set.contains(node) || face.contains(node); };
+    return std::any_of(face.begin(), face.end(), [&](DeckNumber node) {
+      const auto around = at_node.find(node);
+      return around != at_node.end() &&
+             std::any_of(around->second.begin(), around->second.end(), [&](std::size_t i) {
+               return wanted[i] == 0 && std::all_of(boundary[i].begin(), boundary[i].end(), is_in);
+             });
+    });
+  };
+  std::vector<Set> sets;
+  for (const Set& face : faces) {
+    auto place = std::find_if(sets.begin(), sets.end(),
+                              [&](const Set& set) { return !takes_another(set, face); });
+    if (place == sets.end())
+      place = sets.insert(sets.end(), Set{});
+    place->insert(face.begin(), face.end());
+  }
+  std::vector<std::vector<DeckNumber>> lists;
+  lists.reserve(sets.size());
+  for (Set& set : sets) {
+    Set with_middles = set;
+    for (std::size_t i = 0; i < boundary.size(); ++i)
+      if (const std::vector<DeckNumber>& face = boundary[i];
+          std::all_of(face.begin(), face.end(), [&](DeckNumber node) { return set.contains(node); }))
+        for (std::size_t c = 0; c < face.size(); ++c)
+          if (const auto middle = middles.find(edge_between(face[c], face[(c + 1) % face.size()]));
+              middle != middles.end())
+            with_middles.insert(middle->second);
+    lists.emplace_back(with_middles.begin(), with_middles.end());
+  }
+  return lists;
+}
+
 DeckMesh mesh_of(const Deck& deck, const DeckBody& body) {
   require_solids(deck, body);
   const Census census(deck, body);
@@ -260,8 +318,16 @@ DeckMesh mesh_of(const Deck& deck, const DeckBody& body) {
     mesh.type = first.type;
     for (const DeckNumber node : body.nodes)
       mesh.nodes[node] = deck_point(deck, node);
-    for (const DeckNumber number : body.elements)
-      mesh.elements.emplace_back(number, deck.elements.at(number).nodes);
+    for (const DeckNumber number : body.elements) {
+      const DeckElement& element = deck.elements.at(number);
+      mesh.elements.emplace_back(number, element.nodes);
+      for (const DeckFace& face : faces_of(deck, element, ""))
+        for (std::size_t i = 0; i < face.middles.size(); ++i)
+          mesh.middles[edge_between(face.corners[i], face.corners[(i + 1) % face.corners.size()])] =
+              face.middles[i];
+    }
+    for (const DeckFace& face : boundary_of(deck, body))
+      mesh.boundary.push_back(face.corners);
     return mesh;
   }
   const bool plane = is_plane_type(first.type);

@@ -9,6 +9,7 @@
 #include "io/translate/deck_bodies.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,9 +28,16 @@ struct DeckMesh {
   /// whole face, of edges on the surface.
   [[nodiscard]] std::vector<DeckNumber> set_of(const std::vector<DeckNumber>& nodes) const;
 
+  /// Sets of nodes for faces of the deck, by their corners. A load on a set of nodes acts on every
+  /// face of the surface that is all in it, so faces that would take in another one with them are in
+  /// different sets.
+  [[nodiscard]] std::vector<std::vector<DeckNumber>>
+  sets_of_faces(const std::vector<std::set<DeckNumber>>& faces) const;
+
   using Edge = std::pair<DeckNumber, DeckNumber>; ///< the lower number first
-  std::map<Edge, DeckNumber> added;               ///< nodes that the deck does not have
-  std::vector<std::vector<DeckNumber>> boundary;  ///< corners of faces; where nodes were added
+  std::map<Edge, DeckNumber> middles;             ///< nodes between two corners
+  std::map<Edge, DeckNumber> added;               ///< those that the deck does not have
+  std::vector<std::vector<DeckNumber>> boundary;  ///< corners of faces
 };
 
 /// @throws Error (Fault::geometry) for elements that are none of a solid's

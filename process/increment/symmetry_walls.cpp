@@ -117,8 +117,46 @@ bool stands(const Support& support) {
                      [](const auto& point) { return point.second == 0.0; });
 }
 
+/// Area of a face by its corners; in the plane its length.
+double size_of(const mechanics::Mesh& mesh, const mechanics::Face& face) {
+  const auto at = [&](std::size_t corner) { return mesh.points[idx(face.nodes[corner])]; };
+  if (mesh.dimension() == 2)
+    return (at(1) - at(0)).norm();
+  const double half = 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+  const bool triangle = face.nodes.size() % 3 == 0;
+  return triangle ? half : half + 0.5 * (at(2) - at(0)).cross(at(3) - at(0)).norm();
+}
+
+/// Whether the part ends at a plane and is held there over its faces, as at a plane of symmetry,
+/// and not at single nodes, an edge, or a foot of a side that goes on: of what may be free a crack
+/// is the most.
+bool ends_at(const mechanics::Mesh& mesh, const std::vector<char>& held, const Wall& plane) {
+  constexpr double least_share = 0.3;
+  double low = plane.at, high = plane.at;
+  for (const Vec3& point : mesh.points) {
+    low = std::min(low, point[plane.component]);
+    high = std::max(high, point[plane.component]);
+  }
+  const double near = 1e-6 * (high - low);
+  double on_plane = 0.0, of_support = 0.0;
+  for (const mechanics::Face& face : mechanics::boundary_faces(mesh)) {
+    const auto all = [&](auto&& is) {
+      return std::all_of(face.nodes.begin(), face.nodes.end(), is);
+    };
+    if (!all([&](Index node) {
+          return std::abs(mesh.points[idx(node)][plane.component] - plane.at) <= near;
+        }))
+      continue;
+    const double size = size_of(mesh, face);
+    on_plane += size;
+    if (all([&](Index node) { return held[idx(node)] != 0; }))
+      of_support += size;
+  }
+  return of_support > 0.0 && of_support >= least_share * on_plane;
+}
+
 /// The plane on which a support holds the part as a plane of symmetry does, if it is one: all of
-/// the part lies on one side, and the metal may slide along it.
+/// the part lies on one side and ends there, and the metal may slide along it.
 std::optional<Wall> plane_of(const Run& run, const Support& support, const Held& held) {
   const std::vector<Vec3>& points = run.mesh().points;
   if (support.nodes.empty() || !stands(support))
@@ -136,7 +174,11 @@ std::optional<Wall> plane_of(const Run& run, const Support& support, const Held&
   });
   if (!flat || !lets_slide(points, support.nodes, c, held) || (low < -rounding && high > rounding))
     return std::nullopt;
-  return Wall{c, at, high > rounding ? 1.0 : -1.0, false, {}, {}, {}, {}};
+  const Wall wall{c, at, high > rounding ? 1.0 : -1.0, false, {}, {}, {}, {}};
+  std::vector<char> held_across(points.size());
+  for (std::size_t node = 0; node < points.size(); ++node)
+    held_across[node] = held[node][idx(c)];
+  return ends_at(run.mesh(), held_across, wall) ? std::optional(wall) : std::nullopt;
 }
 
 /// Area that a node of the surface stands for, about [mm^2].
@@ -238,6 +280,8 @@ void hold_where_on_walls(Run& run) {
     for (std::size_t i = 0; i < wall.off.size(); ++i)
       if (gap(run, wall, wall.off[i], run.state.x) < wall.near[i])
         wall.held.push_back(wall.off[i]);
+    if (!wall.held.empty())
+      note_meeting(run, wall.held, wall); // a new mesh may be what brings them there
   }
 }
 

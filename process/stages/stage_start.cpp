@@ -19,8 +19,10 @@ void start_stage(Run& run, const Stage& stage) {
     run.model.stabilization->set_share(1.0); // it held what forces that faded could turn over
   if (run.model.contact && stage.unload)
     draw_tools_back(run, stage.end);
-  else if (run.model.contact)
+  else if (run.model.contact) {
+    set_tools_going(run);
     run.model.contact->activity().enable(stage.tools);
+  }
 }
 
 Outcome<Done> begin_stage(Run& run, const Stage& stage, double start) {

@@ -32,6 +32,17 @@ bool is_squeezed(const Run& run) {
                      mechanics::yield_stress(material.flow, {0.0, 0.0, material.temperature});
 }
 
+/// Tools have their own surfaces again, and rest where they are.
+void put_tools_back(Run& run) {
+  for (const Retreating& each : run.model.retreating) {
+    run.model.tools[each.tool].surface = run.scene.tools[each.tool].surface;
+    run.model.contact->retreat(each.tool, 0.0, 0.0);
+    run.model.contact->activity().rest(each.tool, false);
+  }
+  run.model.retreating.clear();
+  run.state.leaving.retreating.clear();
+}
+
 } // namespace
 
 void put_on_retreating_surface(Run& run, std::size_t tool) {
@@ -80,16 +91,9 @@ void draw_back_to(Run& run, double time) {
   }
 }
 
-void put_tools_back(Run& run) {
-  for (const Retreating& each : run.model.retreating) {
-    contact::Tool& tool = run.model.tools[each.tool];
-    tool.surface = run.scene.tools[each.tool].surface;
+void set_tools_going(Run& run) {
+  for (contact::Tool& tool : run.model.tools)
     tool.motion.rests_from = std::numeric_limits<double>::infinity();
-    run.model.contact->retreat(each.tool, 0.0, 0.0);
-    run.model.contact->activity().rest(each.tool, false);
-  }
-  run.model.retreating.clear();
-  run.state.leaving.retreating.clear();
 }
 
 void let_tools_go(Run& run) {

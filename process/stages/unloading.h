@@ -19,10 +19,10 @@ void draw_tools_back(Run& run, double until);
 /// Draws back as far as at a time of the attempt.
 void draw_back_to(Run& run, double time);
 
-/// Ends that: tools have their own surfaces again.
-void put_tools_back(Run& run);
+/// Tools that rest are where their motions take them again: a stage begins in which they work.
+void set_tools_going(Run& run);
 
-/// Ends it at the end of the stage: none acts until a stage says which.
+/// Ends drawing back at the end of the stage: none acts until a stage says which.
 void let_tools_go(Run& run);
 
 /// Hastens what has begun, to be done by then: a run that is resumed may end its stage earlier.

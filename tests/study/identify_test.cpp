@@ -120,6 +120,21 @@ TEST(Identify, GoesOnWhereRunsOfWhatIsUncertainFailed) {
   EXPECT_LT(none.high - none.low, all.laws[0].parameters[0].high - all.laws[0].parameters[0].low);
 }
 
+/// However small the uncertainty of what was measured is, that of the chart stays.
+TEST(Identify, BearsTinyUncertaintiesAndRefusesWhatIsNoNumber) {
+  Chart chart = two_laws();
+  chart.laws.pop_back();
+  for (std::vector<double>& row : chart.laws[0].quantities[0].model_error)
+    row.assign(row.size(), 0.004);
+  const Found with = identify(chart, {{0, 0.4, saturating(0.2, 0.4), 1e-6}}).laws[0].parameters[0];
+  for (const double tiny : {1e-9, 1e-12, 1e-100}) {
+    const Found m = identify(chart, {{0, 0.4, saturating(0.2, 0.4), tiny}}).laws[0].parameters[0];
+    EXPECT_NEAR(m.value, with.value, 1e-4) << tiny;
+    EXPECT_NEAR(m.high - m.low, with.high - with.low, 1e-4) << tiny;
+  }
+  EXPECT_THROW((void)identify(chart, {{0, 0.4, 1e300, 1.0}}), Error);
+}
+
 TEST(Identify, WarnsOfWhatLiesOutsideOfAllCurves) {
   Chart chart = two_laws();
   chart.laws.pop_back();

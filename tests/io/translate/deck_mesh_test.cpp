@@ -112,6 +112,32 @@ TEST(DeckMesh, KeepsTheMiddleNodesOfTheDeck) {
   EXPECT_EQ(mesh.nodes.at(6), Vec3(0.5, -0.1, 0));
 }
 
+/// A load on nodes acts on every face between them: both sides of a column one element wide take
+/// its top with them.
+TEST(DeckMesh, PutsFacesThatWouldTakeInAnotherIntoDifferentSets) {
+  std::vector<Vec3> points;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 2; ++x)
+      points.emplace_back(x, y, 0);
+  const DeckMesh column =
+      only_body(deck_of(points, {{"CPE4", {1, 2, 4, 3}}, {"CPE4", {3, 4, 6, 5}}}));
+  const auto sets = column.sets_of_faces({{2, 4}, {1, 3}, {4, 6}, {3, 5}});
+  ASSERT_EQ(sets.size(), 2U);
+  EXPECT_EQ(sets[0], (Numbers{2, 4, 6}));
+  EXPECT_EQ(sets[1], (Numbers{1, 3, 5}));
+  EXPECT_EQ(column.sets_of_faces({{2, 4}, {4, 6}, {5, 6}}).size(), 1U);
+
+  const DeckMesh brick = only_body(deck_of(brick_and_wedge, {{"C3D8", {2, 1, 3, 4, 6, 5, 7, 8}}}));
+  EXPECT_EQ(brick.sets_of_faces({{2, 1, 3, 4}, {6, 5, 7, 8}}).size(), 2U);
+  const DeckMesh quadratic =
+      only_body(deck_of(brick_and_wedge, {{"C3D8I", {2, 1, 3, 4, 6, 5, 7, 8}}}));
+  EXPECT_EQ(quadratic.sets_of_faces({{2, 1, 3, 4}}).at(0).size(), 8U);
+  const DeckMesh divided = only_body(deck_of(
+      brick_and_wedge, {{"C3D8", {2, 1, 3, 4, 6, 5, 7, 8}}, {"C3D6", {1, 9, 3, 5, 10, 7}}}));
+  EXPECT_EQ(divided.sets_of_faces({{2, 1, 3, 4}}).at(0).size(), 9U) << "the diagonal's too";
+  EXPECT_TRUE(divided.sets_of_faces({}).empty());
+}
+
 TEST(DeckMesh, RefusesWhatIsNoSolid) {
   const Deck deck = deck_of(brick_and_wedge, {{"C3D8", {2, 1, 3, 4, 6, 5, 7, 8}},
                                               {"S4", {2, 1, 3, 4}}});

@@ -134,6 +134,46 @@ TEST(SymmetryWall, is_known_on_a_coarse_quarter_whose_planes_share_most_nodes) {
                            [](const Wall& wall) { return wall.component == 2; }));
 }
 
+/// Supports that hold a part against rigid motion, or at its feet, are no planes of symmetry: the
+/// metal between them is free to come to that height.
+TEST(SymmetryWall, is_no_single_node_edge_or_foot) {
+  Scene beam;
+  beam.part.analysis = Analysis::plane_strain;
+  beam.part.mesh = mechanics::box_mesh(
+      {ElementKind::quad8, Vec3::Zero(), Vec3(20, 1, 0), {20, 2, 1}, {1, 1, 1}});
+  beam.material = billet_steel();
+  beam.stages = {{"rest", 1.0, {}, false}};
+  beam.contact.self = contact::Frictionless{};
+  const auto n_walls = [&](double foot) {
+    Scene scene = beam;
+    Support feet = held(scene.part.mesh, 1, 0.0);
+    std::erase_if(feet.nodes, [&](Index node) {
+      const double x = scene.part.mesh.points[as_size(node)].x();
+      return x > foot && x < 20.0 - foot;
+    });
+    scene.part.supports = {feet, {{0}, 0, TimeFunction(0.0)}};
+    return Process(std::move(scene)).view().state.walls.size();
+  };
+  EXPECT_EQ(n_walls(0.0), 0u);
+  EXPECT_EQ(n_walls(2.0), 0u);
+  EXPECT_EQ(n_walls(10.0), 1u);
+
+  Scene edge; // of a block in space
+  edge.part.analysis = Analysis::solid;
+  edge.part.mesh =
+      mechanics::box_mesh({ElementKind::hex8, Vec3::Zero(), Vec3(4, 4, 4), {2, 2, 2}, {1, 1, 1}});
+  Support one = held(edge.part.mesh, 0, 0.0);
+  std::erase_if(one.nodes,
+                [&](Index node) { return edge.part.mesh.points[as_size(node)].y() > 0.0; });
+  edge.part.supports = {one};
+  for (const int axis : {1, 2})
+    edge.part.supports.push_back({{0, 2, 6}, axis, TimeFunction(0.0)});
+  edge.material = billet_steel();
+  edge.stages = beam.stages;
+  edge.contact.self = contact::Frictionless{};
+  EXPECT_TRUE(Process(std::move(edge)).view().state.walls.empty());
+}
+
 /// Half of a block with a crack that is open to one side, pressed down by 0.4 mm in a second.
 Scene cracked_block(double crack, bool is_wall) {
   Scene scene;
