@@ -24,7 +24,7 @@ study::Conduct conduct_of(const Arguments& arguments, const std::filesystem::pat
           .stopped = [] { return stop_signal() != 0; },
           .say =
               [quiet = arguments.quiet](const std::string& line) {
-                if (!quiet)
+                if (!quiet || line.starts_with("warning"))
                   fmt::print(stderr, "{}\n", line);
               }};
 }

@@ -45,7 +45,9 @@ std::string file_name(std::string text) {
   std::replace_if(
       text.begin(), text.end(),
       [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_';
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_ascii = byte < 0x80; // letters of other alphabets stay
+        return is_ascii && std::isalnum(byte) == 0 && c != '-' && c != '_';
       },
       '_');
   return text;

@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkTriangleFilter.h>
 #include <vtkUnstructuredGridGeometryFilter.h>
 
 #include <array>
@@ -83,7 +84,11 @@ Outside outside_of(const vtkSmartPointer<vtkUnstructuredGrid>& grid,
   surface->SetInputConnection(faces->GetOutputPort());
   surface->SetNonlinearSubdivisionLevel(3);
   surface->Update();
-  Outside outside{grid, surface->GetOutput(), nullptr};
+  // Mirror images of quadrilaterals would be drawn along the other diagonal.
+  const vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(surface->GetOutputPort());
+  triangles->Update();
+  Outside outside{grid, triangles->GetOutput(), nullptr};
   if (options.flow_lines)
     outside.lines = flow_lines(*outside.faces, *options.flow_lines);
   else if (options.mesh)

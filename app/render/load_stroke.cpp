@@ -128,7 +128,10 @@ Loads loads_of(const std::filesystem::path& results) {
     for (const Record& record : records)
       loads.curves.push_back(over_time(record, times));
   }
-  if (loads.curves.empty() || history.rows.empty())
+  if (history.rows.empty())
+    throw Error(Fault::input_output, file.string(), "the run has no increments: there is no curve",
+                "summary.json says how it ended");
+  if (loads.curves.empty())
     throw Error(Fault::input_output, file.string(), "the table has no forces of tools",
                 "billet render RESULTS --curve time:plastic_work draws any of its columns");
   return loads;

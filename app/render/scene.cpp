@@ -228,7 +228,7 @@ void Scene::draw_tools(Stage& stage, const Frame& frame) const {
       stage.add_plain(*faces, steel);
     if (tool.lines != nullptr && !(of_plane && has_values))
       stage.add_lines(*tool.lines, of_plane ? Pen{3.5F, {0.1, 0.1, 0.1}, 1.0, lift}
-                                            : Pen{1.5F, {0.3, 0.3, 0.3}});
+                                            : Pen{1.5F, {0.3, 0.3, 0.3}, 1.0, 0.0, 12.0});
   }
 }
 

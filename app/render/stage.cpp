@@ -70,6 +70,9 @@ void Stage::add_plain(vtkPolyData& faces, const std::array<double, 3>& colour) {
   const vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&faces);
   mapper->ScalarVisibilityOff();
+  // A tool lies in the faces that it touches, to the softness of contact: it hides them.
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-8.0, -64.0);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   const vtkNew<vtkProperty> property;
   property->SetColor(colour[0], colour[1], colour[2]);
@@ -93,7 +96,7 @@ void Stage::add_lines(vtkPolyData& lines, const Pen& pen) {
   mapper->SetInputData(&lines);
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -8.0);
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0 * pen.ahead, -8.0 * pen.ahead);
   const vtkNew<vtkProperty> property;
   property->SetColor(pen.colour[0], pen.colour[1], pen.colour[2]);
   property->SetLineWidth(samples * pen.width);

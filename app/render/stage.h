@@ -25,7 +25,8 @@ struct Pen {
   float width = 1.0F; ///< [pixels]
   std::array<double, 3> colour{0.15, 0.15, 0.15};
   double opacity = 1.0;
-  double lift = 0.0; ///< towards the viewer of a scene of the plane [mm]
+  double lift = 0.0;  ///< towards the viewer of a scene of the plane [mm]
+  double ahead = 1.0; ///< multiple of the usual offset before faces that it lies in
 };
 
 class Stage {

@@ -98,6 +98,7 @@ std::vector<std::string> field_names() {
           "plastic_strain",
           "contact_pressure",
           "plastic_strain_rate",
+          "temperature",
           "friction_stress",
           "gap",
           "lap_depth",

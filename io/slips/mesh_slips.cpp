@@ -7,6 +7,8 @@
 #include "io/slips/slips.h"
 #include "mechanics/mesh/mesh_edges.h"
 #include "process/setup/tool_reach.h"
+#include "process/state/model.h"
+#include "process/state/state.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <variant>
@@ -36,6 +39,23 @@ Slip odd_size(const Case& content, const Mesh& mesh) {
       "the workpiece is {:.3g} {} long, which is {:.3g} m: are its numbers in another "
       "unit of length?",
       box.size(), content.units.length, size);
+}
+
+/// Linear elements make a cylinder a prism, inside of it.
+Slip angular_cylinder(const Case& content, const process::Run& run) {
+  constexpr double least = 0.99; // of the volume
+  const auto* const cylinder = std::get_if<CylinderMesh>(&content.workpiece.mesh);
+  if (cylinder == nullptr)
+    return std::nullopt;
+  const double whole = std::numbers::pi * cylinder->radius * cylinder->radius * cylinder->height *
+                       cylinder->sector / 360.0;
+  const double share = run.model.bulk->volume(run.state.x) / whole;
+  if (share >= least)
+    return std::nullopt;
+  return fmt::format("the edges of {} elements make the cylinder a prism with {:.1f} % of its "
+                     "volume, and forces fall short by as much: more cells along the radius, or "
+                     "hex20",
+                     mechanics::name(run.mesh().kind), 100.0 * share);
 }
 
 /// Faces of a cell that have no corner in common; simplices have none.
@@ -212,6 +232,7 @@ std::vector<std::string> mesh_slips(const Case& content, const process::Run& run
   const process::Scene& scene = run.scene;
   std::vector<std::string> slips;
   add_slip(slips, "part-size", odd_size(content, scene.part.mesh));
+  add_slip(slips, "angular-cylinder", angular_cylinder(content, run));
   add_slip(slips, "one-element", one_element_high(scene));
   if (scene.remesh || scene.part.contact_faces.empty()) // new meshes fit the tools
     return slips;

@@ -41,6 +41,37 @@ Slip odd_modulus(const std::string& name, const Material& material, const UnitSy
                      material.elastic.young, units.stress, young < least ? "less" : "more", likely);
 }
 
+/// Solids that are formed have 900 (polyethylene) to 22 600 kg/m^3 (osmium).
+Slip odd_density(const std::string& name, const Material& material, const UnitSystem& units) {
+  constexpr double least = 500.0, most = 25e3;
+  if (!material.density)
+    return std::nullopt;
+  // In units of the case a density is a force times time squared over length to the fourth.
+  const double density = *material.density * std::pow(10.0, -4 * units.length_power);
+  if (density >= least && density <= most)
+    return std::nullopt;
+  return fmt::format("material '{}': density = {:g} is {:.3g} kg/m^3, {} than any metal has{}", name,
+                     *material.density, density, density < least ? "less" : "more",
+                     *material.density >= least && *material.density <= most
+                         ? fmt::format(": is it \"{:g} kg/m^3\"?", *material.density)
+                         : "");
+}
+
+/// Metals have 120 (gold, lead) to 2000 J/(kg K) (beryllium), plastics up to 2500.
+Slip odd_heat_capacity(const std::string& name, const Material& material, const UnitSystem& units) {
+  constexpr double least = 50.0, most = 5e3;
+  if (!material.heat_capacity)
+    return std::nullopt;
+  const double capacity = *material.heat_capacity * std::pow(10.0, 2 * units.length_power);
+  if (capacity >= least && capacity <= most)
+    return std::nullopt;
+  return fmt::format("material '{}': heat_capacity = {:g} is {:.3g} J/(kg K), {} than any metal has{}",
+                     name, *material.heat_capacity, capacity, capacity < least ? "less" : "more",
+                     *material.heat_capacity >= least && *material.heat_capacity <= most
+                         ? fmt::format(": is it \"{:g} J/kg/K\"?", *material.heat_capacity)
+                         : "");
+}
+
 /// A stress of a flow law and the key that gives it.
 struct KeyedStress {
   std::string_view key;
@@ -190,7 +221,9 @@ std::vector<std::string> number_slips(const Case& content) {
   const std::string& name = content.workpiece.material;
   if (const auto material = content.materials.find(name); material != content.materials.end()) {
     add_slip(slips, "modulus", odd_modulus(name, material->second, content.units));
-    if (slips.empty()) // else it is the modulus that the strength is far from
+    add_slip(slips, "density", odd_density(name, material->second, content.units));
+    add_slip(slips, "heat-capacity", odd_heat_capacity(name, material->second, content.units));
+    if (!odd_modulus(name, material->second, content.units)) // else it is the modulus that the strength is far from
       add_slip(slips, "strength", odd_strength(name, material->second, content.units));
   }
   add_slip(slips, "radians", turned_in_radians("the workpiece", content.workpiece.place));

@@ -163,6 +163,8 @@ private:
     else if (!material->plastic.empty())
       text +=
           fmt::format("flow = {{ law = \"table\", points = {} }}\n", toml_text(material->plastic));
+    if (material->density)
+      text += fmt::format("density = {:.10g}\n", *material->density);
     return text + "\n";
   }
 
