@@ -16,7 +16,7 @@ namespace {
 void print_whole(const Explanation& one) {
   fmt::print("{} ({})\n\n{}\n", one.code, one.kind, one.meaning);
   if (!one.causes.empty())
-    fmt::print("\nAs a rule: {}\n", one.causes);
+    fmt::print("\nUsual cause: {}\n", one.causes);
   if (!one.remedy.empty())
     fmt::print("\nWhat may help: {}\n", one.remedy);
 }

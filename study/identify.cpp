@@ -261,12 +261,12 @@ void warn_of_law(const Chart& chart,
     const bool cannot_tell = found.high - found.low > wide * (model.high(p) - model.low(p));
     if (!cannot_tell)
       continue;
-    std::string text = fmt::format("law '{}': the data hardly tell {}: from {:.3g} to {:.3g}",
+    std::string text = fmt::format("law '{}': the data barely determine {}: {:.3g} to {:.3g}",
                                    law.name, found.name, found.low, found.high);
     for (std::size_t q = 0; q < chart.laws.front().quantities.size(); ++q)
       if (const double step = parameter_of_percent(model, law, p, data, q); std::isfinite(step))
-        text += fmt::format("; 1 % of {} is at least {:.2g} in {}",
-                            chart.laws.front().quantities[q].name, step, found.name);
+        text += fmt::format("; 1 % of {} changes {} by at least {:.2g}",
+                            chart.laws.front().quantities[q].name, found.name, step);
     into.warnings.push_back(std::move(text));
   }
   constexpr double hardly = 0.01;

@@ -225,7 +225,7 @@ void Scene::draw_tools(Stage& stage, const Frame& frame) const {
     else if (faces != nullptr && style == ToolStyle::glass)
       stage.add_glass(*faces);
     else if (faces != nullptr && style == ToolStyle::solid)
-      stage.add_plain(*faces, steel);
+      stage.add_plain(*faces, steel, true);
     if (tool.lines != nullptr && !(of_plane && has_values))
       stage.add_lines(*tool.lines, of_plane ? Pen{3.5F, {0.1, 0.1, 0.1}, 1.0, lift}
                                             : Pen{1.5F, {0.3, 0.3, 0.3}, 1.0, 0.0, 12.0});

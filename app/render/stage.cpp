@@ -66,13 +66,16 @@ void Stage::add_coloured(vtkPolyData& data, vtkLookupTable& map, float line_widt
   add(*before_, *mapper, *property, lift);
 }
 
-void Stage::add_plain(vtkPolyData& faces, const std::array<double, 3>& colour) {
+void Stage::add_plain(vtkPolyData& faces,
+                      const std::array<double, 3>& colour,
+                      bool hides) {
   const vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&faces);
   mapper->ScalarVisibilityOff();
-  // A tool lies in the faces that it touches, to the softness of contact: it hides them.
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-8.0, -64.0);
+  if (hides) {
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-8.0, -64.0);
+  }
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   const vtkNew<vtkProperty> property;
   property->SetColor(colour[0], colour[1], colour[2]);

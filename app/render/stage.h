@@ -41,7 +41,10 @@ public:
   /// Faces or lines in the colours of their array `Shown::values`.
   void add_coloured(vtkPolyData& data, vtkLookupTable& map, float line_width, double lift);
   /// Faces in one colour.
-  void add_plain(vtkPolyData& faces, const std::array<double, 3>& colour);
+  ///
+  /// @param hides  what lies in them: a tool lies in the faces that it touches, to the softness of
+  ///               contact
+  void add_plain(vtkPolyData& faces, const std::array<double, 3>& colour, bool hides = false);
   void add_glass(vtkPolyData& faces);
   void add_lines(vtkPolyData& lines, const Pen& pen);
 

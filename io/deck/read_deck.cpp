@@ -309,10 +309,6 @@ private:
   }
 
   void add_rigid_body(const DeckRigidBody& body, const DeckKeyword& keyword) {
-    if (keyword.value("REFNODE").empty())
-      throw Error(Fault::geometry, keyword.place,
-                  fmt::format("*{}: the rigid body has no REF NODE", keyword.written),
-                  "name the node whose motion it follows");
     deck_.rigid_bodies.push_back(body);
     for (const bool rotation : {false, true})
       if (const std::string name = keyword.value(rotation ? "ROTNODE" : "REFNODE"); !name.empty())

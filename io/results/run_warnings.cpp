@@ -54,7 +54,7 @@ void on_work_missing(const process::Run& run,
     lines.push_back(fmt::format(
         "warning: [energy-missing] the balance of energy misses {:.1f} % ({:.3g} {} {}), most in "
         "the increment that "
-        "ends at t = {:.6g} {} ({:.3g}): a part that snaps off an edge or buckles loses energy, "
+        "ends at t = {:.6g} {} ({:.3g}): a part that slips off an edge or buckles loses energy, "
         "and forces that change much within an increment are integrated badly; a shorter "
         "time.increments.max shows which",
         100.0 * energy.error(), energy.missing(), units.force, units.length, most.at, units.time,
@@ -298,9 +298,8 @@ void RunWriter::warn_of_penetration(std::vector<std::string>& lines) const {
 void RunWriter::warn_of_elements(const process::Run& run, std::vector<std::string>& lines) const {
   if (record_.worn)
     lines.push_back(
-        fmt::format("warning: [bad-elements] from t = {:.6g} {} on elements are bad (quality "
-                    "{:.2g}, at the end {:.2g}), and "
-                    "what they say with them; {}",
+        fmt::format("warning: [bad-elements] from t = {:.6g} {} on elements are badly distorted "
+                    "(quality {:.2g}, at the end {:.2g}): their results cannot be trusted; {}",
                     record_.worn->time, content_->units.time, record_.worn->min_quality,
                     record_.last->min_quality,
                     !content_->remesh ? "a [remesh] section would have replaced the mesh"
@@ -330,7 +329,7 @@ std::string RunWriter::early_end(const process::Run& run) const {
   };
   switch (run.state.ended_by) {
   case process::EndedBy::full_cavity:
-    return ended("full-cavity", squeezed("the cavity is full, or leaves too little way out"),
+    return ended("full-cavity", squeezed("the cavity is full, or its outlet is too small"),
                  "on_full_cavity");
   case process::EndedBy::tools_overloaded:
     return ended("tools-overloaded", squeezed("no tool bears what the tools would have to"),
@@ -367,7 +366,7 @@ void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>&
         "warning: [metal-squeezed] from t = {:.6g} {} on the metal is squeezed by more than 1 % of "
         "its volume, at "
         "the end by {:.2g} %, under {:.3g} {} on average, {:.2g} times its flow stress: the cavity "
-        "is full, or leaves too little way out",
+        "is full, or its outlet is too small",
         *record_.squeezed_at, content_->units.time, 100.0 * now.volume_lost, now.pressure,
         content_->units.stress, now.pressure / now.flow_stress));
   }

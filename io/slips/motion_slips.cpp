@@ -83,7 +83,7 @@ Slip never_arrives(const MotionScene& m, std::size_t t) {
   const bool only_lifts = reach->touches && reach->least.gap > -m.closed; // not once in the part
   if (leaves && brought == 0.0 && (only_lifts || !reach->touches))
     return fmt::format("tool '{}' moves away from the workpiece: it is {:.3g} {} off at t = {:.6g} "
-                       "{} and {:.3g} {} at t = {:.6g} {}; turn its motion round",
+                       "{} and {:.3g} {} at t = {:.6g} {}; reverse its motion",
                        name, std::max(reach->first.gap, 0.0), units.length, reach->first.time,
                        units.time, reach->last.gap, units.length, reach->last.time, units.time);
   if (reach->touches || reach->least.gap <= brought)

@@ -61,8 +61,8 @@ std::optional<Bend> bend_within(const Run& run, double dt, double length, double
                            : half;
   if (std::min(share, 1.0 - share) * dt < shortest)
     return std::nullopt;
-  return Bend{share, fmt::format("its balance of energy misses {:.2g} % of a stage that goes on "
-                                 "like it: in two parts",
+  return Bend{share, fmt::format("at this rate the balance of energy would miss {:.2g} % of the "
+                                 "stage: solved in two parts",
                                  100.0 * std::abs(missed) / expected)};
 }
 

@@ -218,7 +218,7 @@ TEST(Identify, WarnsWhereDataCannotTell) {
   chart.laws = {charted("law", "m", 0.5, {blunt}, chart.stations)};
   const Identification found = identify(chart, {{0, 0.5, blunt(0.2, 0.5), 1.5}});
   ASSERT_FALSE(found.warnings.empty());
-  EXPECT_NE(found.warnings[0].find("1 % of q0 is at least 0.2 in m"), std::string::npos)
+  EXPECT_NE(found.warnings[0].find("1 % of q0 changes m by at least 0.2"), std::string::npos)
       << found.warnings[0];
   EXPECT_TRUE(found.laws[0].parameters[0].from_end);
   EXPECT_TRUE(found.laws[0].parameters[0].to_end);

@@ -144,10 +144,21 @@ TEST(SceneSlips, an_axis_of_revolution_and_a_cut_that_nothing_holds) {
               {"axis of revolution, which nothing holds in x", "where = \"x = 0\""});
   const std::string sector =
       edited(brick, {{"{ box = [[0, 0, 0], [10, 10, 10]], cells = [3, 3, 3] }",
-                      "{ cylinder = { radius = 5, height = 10 }, cells = [3, 4], sector = 90 }"}});
+                      "{ cylinder = { radius = 5, height = 10 }, cells = [8, 4], sector = 90 }"}});
   const std::string half_held = sector + "[[support]]\nwhere = \"x = 0\"\nfix = [\"x\"]\n";
   expect_told(half_held, {"a sector of 90 degrees", "where = \"set:y-min\" and fix = [\"y\"]"});
   EXPECT_TRUE(told_of(half_held + "[[support]]\nwhere = \"y = 0\"\nfix = [\"y\"]\n").empty());
+}
+
+TEST(SceneSlips, a_cylinder_of_linear_elements_that_is_a_prism) {
+  const auto disk = [](const std::string& element, const std::string& cells) {
+    return edited(brick, {{"hex8", element},
+                          {"{ box = [[0, 0, 0], [10, 10, 10]], cells = [3, 3, 3] }",
+                           "{ cylinder = { radius = 5, height = 10 }, cells = " + cells + " }"}});
+  };
+  expect_told(disk("hex8", "[2, 4]"), {"a prism with 90.0 % of its volume"});
+  EXPECT_TRUE(told_of(disk("hex20", "[2, 4]")).empty());
+  EXPECT_TRUE(told_of(disk("hex8", "[8, 4]")).empty());
 }
 
 TEST(SceneSlips, one_element_over_the_height) {
