@@ -52,7 +52,8 @@ std::string progress_line(const ResultsFolder& results) {
                                  100.0 * share, last_of(results, "time"));
   if (const std::optional<double> end = results.facts.end)
     line += fmt::format(" of {:.5g}", *end);
-  line += fmt::format(" {}  running for {}", results.units().time,
+  line += fmt::format(" {}  {} {}", results.units().time,
+                      results.state == RunState::running ? "running for" : "ran for",
                       duration(last_of(results, "wall_time")));
   if (const std::optional<double> left = time_left(results))
     line += fmt::format("  {} left", duration(*left));
@@ -128,13 +129,24 @@ std::string status_line(const ResultsFolder& results) {
 /// A terminal's line must not wrap: what is written over is counted in lines. The blocks of curves
 /// are three bytes of one column.
 std::string cut(const std::string& text, int columns) {
+  const auto is_first_byte = [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+  };
   std::string result;
-  int column_of_line = 0;
-  for (const char c : text) {
-    const bool continues = (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
-    column_of_line = c == '\n' ? 0 : column_of_line + (continues ? 0 : 1);
-    if (column_of_line < columns || c == '\n')
-      result += c;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string line = text.substr(begin, end - begin);
+    if (std::count_if(line.begin(), line.end(), is_first_byte) >= columns) {
+      std::size_t at = 0;
+      for (int column = 0; at < line.size(); ++at)
+        if (is_first_byte(line[at]) && ++column == columns - 1)
+          break;
+      line = line.substr(0, at) + "…";
+    }
+    result += line;
+    if (end < text.size())
+      result += '\n';
+    begin = end + 1;
   }
   return result;
 }

@@ -54,9 +54,8 @@ public:
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
     left.applyOnTheLeft(qr.householderQ().transpose());
     const double chi_squared = left.tail(rows).squaredNorm();
-    const double log_determinant =
-        variances_.array().log().sum() +
-        2.0 * qr.matrixQR().diagonal().head(n).array().abs().log().sum();
+    const double log_determinant = variances_.array().log().sum() +
+                                   2.0 * qr.matrixQR().diagonal().head(n).array().abs().log().sum();
     return {chi_squared + log_determinant, chi_squared};
   }
 

@@ -134,6 +134,22 @@ bool is_value_of(const std::string& option, const std::string& word) {
       near.starts_with("did you mean") ? near : "billet render --help lists what can be asked for");
 }
 
+/// Lets an option take its value; what it says against it names the option.
+void take_value(const std::string& name,
+                const Setter& setter,
+                Options& options,
+                const std::string& value) {
+  try {
+    setter(options, value);
+  } catch (const Error& error) {
+    std::vector<Complaint> complaints = error.complaints();
+    for (Complaint& one : complaints)
+      if (one.place.empty() && one.message.find(name) == std::string::npos)
+        one.message = fmt::format("{}: {}", name, one.message);
+    throw Error(error.fault(), std::move(complaints));
+  }
+}
+
 /// Whether a picture's name is that of a film.
 bool names_film(const std::filesystem::path& file) {
   return file.extension() == ".gif" || file.extension() == ".mp4" ||
@@ -161,7 +177,9 @@ void check_scene(const Options& options) {
   if (options.results.empty())
     fail_usage("no results are given");
   if (options.results.size() > 1)
-    fail_usage(fmt::format("\"{}\" is one argument too many", options.results[1].string()));
+    throw Error(Fault::usage, "",
+                fmt::format("\"{}\" is one argument too many", options.results[1].string()),
+                "billet render RESULTS --compare OTHER draws two next to each other");
   if (options.film.wanted && !scene.times.empty())
     fail_usage("--animate shows all frames: --time is not for films, --frames chooses");
   if (scene.times.size() > 1 && scene.compare)
@@ -259,11 +277,13 @@ Options parse(const std::vector<std::string>& arguments) {
     if (const auto setter = setters().find(name); setter != setters().end()) {
       if (!joined && i + 1 == arguments.size())
         fail_usage(fmt::format("{} needs a value", argument));
-      setter->second(options, joined ? argument.substr(equals + 1) : arguments[++i]);
+      take_value(name, setter->second, options,
+                 joined ? argument.substr(equals + 1) : arguments[++i]);
     } else if (const auto value = optional_values().find(name);
                value != optional_values().end() &&
                (joined || (i + 1 < arguments.size() && is_value_of(name, arguments[i + 1])))) {
-      value->second(options, joined ? argument.substr(equals + 1) : arguments[++i]);
+      take_value(name, value->second, options,
+                 joined ? argument.substr(equals + 1) : arguments[++i]);
       if (name == "--curve")
         options.chart.wanted = true;
     } else if (const auto change = switches().find(argument); change != switches().end()) {

@@ -66,9 +66,7 @@ void Stage::add_coloured(vtkPolyData& data, vtkLookupTable& map, float line_widt
   add(*before_, *mapper, *property, lift);
 }
 
-void Stage::add_plain(vtkPolyData& faces,
-                      const std::array<double, 3>& colour,
-                      bool hides) {
+void Stage::add_plain(vtkPolyData& faces, const std::array<double, 3>& colour, bool hides) {
   const vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&faces);
   mapper->ScalarVisibilityOff();

@@ -77,8 +77,7 @@ std::map<int, double> depths_of(const ContactSurface& surface,
       depths[number] = depth.of(number);
   } else
     for (const auto& [number, lap] : found)
-      depths[number] =
-          depth_in_plane(lap, surface.analysis() == mechanics::Analysis::axisymmetric);
+      depths[number] = depth_in_plane(lap, surface.analysis() == mechanics::Analysis::axisymmetric);
   return depths;
 }
 

@@ -486,7 +486,8 @@ void note_keys_without_effect(const Case& content, std::vector<std::string>& not
           tool.name));
   const Material& material = content.materials.at(content.workpiece.material);
   if (material.library.empty() && material.density && !material.heating)
-    notes.push_back("density serves advice alone: without heating the run does not need it, and there is no inertia");
+    notes.push_back("density serves advice alone: without heating the run does not need it, and "
+                    "there is no inertia");
   if (material.library.empty() && material.heat_capacity && !material.heating)
     notes.push_back("heat_capacity has no effect without heating");
 }

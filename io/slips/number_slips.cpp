@@ -50,8 +50,8 @@ Slip odd_density(const std::string& name, const Material& material, const UnitSy
   const double density = *material.density * std::pow(10.0, -4 * units.length_power);
   if (density >= least && density <= most)
     return std::nullopt;
-  return fmt::format("material '{}': density = {:g} is {:.3g} kg/m^3, {} than any metal has{}", name,
-                     *material.density, density, density < least ? "less" : "more",
+  return fmt::format("material '{}': density = {:g} is {:.3g} kg/m^3, {} than any metal has{}",
+                     name, *material.density, density, density < least ? "less" : "more",
                      *material.density >= least && *material.density <= most
                          ? fmt::format(": is it \"{:g} kg/m^3\"?", *material.density)
                          : "");
@@ -65,11 +65,12 @@ Slip odd_heat_capacity(const std::string& name, const Material& material, const 
   const double capacity = *material.heat_capacity * std::pow(10.0, 2 * units.length_power);
   if (capacity >= least && capacity <= most)
     return std::nullopt;
-  return fmt::format("material '{}': heat_capacity = {:g} is {:.3g} J/(kg K), {} than any metal has{}",
-                     name, *material.heat_capacity, capacity, capacity < least ? "less" : "more",
-                     *material.heat_capacity >= least && *material.heat_capacity <= most
-                         ? fmt::format(": is it \"{:g} J/kg/K\"?", *material.heat_capacity)
-                         : "");
+  return fmt::format(
+      "material '{}': heat_capacity = {:g} is {:.3g} J/(kg K), {} than any metal has{}", name,
+      *material.heat_capacity, capacity, capacity < least ? "less" : "more",
+      *material.heat_capacity >= least && *material.heat_capacity <= most
+          ? fmt::format(": is it \"{:g} J/kg/K\"?", *material.heat_capacity)
+          : "");
 }
 
 /// A stress of a flow law and the key that gives it.
@@ -223,7 +224,8 @@ std::vector<std::string> number_slips(const Case& content) {
     add_slip(slips, "modulus", odd_modulus(name, material->second, content.units));
     add_slip(slips, "density", odd_density(name, material->second, content.units));
     add_slip(slips, "heat-capacity", odd_heat_capacity(name, material->second, content.units));
-    if (!odd_modulus(name, material->second, content.units)) // else it is the modulus that the strength is far from
+    if (!odd_modulus(name, material->second,
+                     content.units)) // else it is the modulus that the strength is far from
       add_slip(slips, "strength", odd_strength(name, material->second, content.units));
   }
   add_slip(slips, "radians", turned_in_radians("the workpiece", content.workpiece.place));

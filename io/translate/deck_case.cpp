@@ -52,9 +52,8 @@ public:
   }
 
   DeckCase make(const std::string& name) {
-    std::string text =
-        head(name) + material_text() + supports_text() + loads_text() + tools_text() +
-        contact_text() + time_text();
+    std::string text = head(name) + material_text() + supports_text() + loads_text() +
+                       tools_text() + contact_text() + time_text();
     const std::string mesh = mesh_text(); // knows by now which sets are asked for
     note_unused_forces();
     note_unused_motions();
@@ -131,7 +130,8 @@ private:
   [[nodiscard]] std::string head(const std::string& name) const {
     return fmt::format("title = {}\nunits = \"{}\"\nanalysis = \"{}\"\n{}\n[workpiece]\nelement = "
                        "\"{}\"\nmaterial = \"workpiece\"\nmesh = {{ file = \"part.inp\" }}\n\n",
-                       toml_text(std::string_view(deck_.title.empty() ? name : deck_.title)), units_.system,
+                       toml_text(std::string_view(deck_.title.empty() ? name : deck_.title)),
+                       units_.system,
                        in_space_       ? "3d"
                        : axisymmetric_ ? "axisymmetric"
                                        : "plane-strain",

@@ -46,7 +46,9 @@ public:
 
   void add(const DeckElement& element) {
     const std::size_t corners = corner_count();
-    if (faces_of(deck_, element, "").size() == (corners == 8 ? 6 : corners == 3 ? 3 : 4) &&
+    if (faces_of(deck_, element, "").size() == (corners == 8   ? 6
+                                                : corners == 3 ? 3
+                                                               : 4) &&
         distinct_corners(element).size() == corners)
       take(Numbers(element.nodes.begin(),
                    element.nodes.begin() + static_cast<std::ptrdiff_t>(corners)));
@@ -114,7 +116,8 @@ private:
 
   void take(Numbers nodes) {
     for (const auto& [a, b] : mechanics::element_edges(kind_))
-      nodes.push_back(middle(nodes[static_cast<std::size_t>(a)], nodes[static_cast<std::size_t>(b)]));
+      nodes.push_back(
+          middle(nodes[static_cast<std::size_t>(a)], nodes[static_cast<std::size_t>(b)]));
     mesh_.elements.emplace_back(static_cast<DeckNumber>(mesh_.elements.size() + 1),
                                 std::move(nodes));
   }
@@ -130,8 +133,7 @@ private:
           corners.push_back(corner);
       if (corners.size() < 3 || std::find(corners.begin(), corners.end(), apex) != corners.end())
         continue;
-      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
-                  corners.end());
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
       for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         Numbers tetrahedron{corners[0], corners[i], corners[i + 1], apex};
         if (volume(tetrahedron) < 0.0)
@@ -297,8 +299,8 @@ DeckMesh::sets_of_faces(const std::vector<std::set<DeckNumber>>& faces) const {
   for (Set& set : sets) {
     Set with_middles = set;
     for (std::size_t i = 0; i < boundary.size(); ++i)
-      if (const std::vector<DeckNumber>& face = boundary[i];
-          std::all_of(face.begin(), face.end(), [&](DeckNumber node) { return set.contains(node); }))
+      if (const std::vector<DeckNumber>& face = boundary[i]; std::all_of(
+              face.begin(), face.end(), [&](DeckNumber node) { return set.contains(node); }))
         for (std::size_t c = 0; c < face.size(); ++c)
           if (const auto middle = middles.find(edge_between(face[c], face[(c + 1) % face.size()]));
               middle != middles.end())

@@ -17,8 +17,8 @@
 namespace billet::io {
 
 struct DeckMesh {
-  std::string element;             ///< of the case: "hex20"
-  std::string type;                ///< of the mesh's file: "C3D20"
+  std::string element; ///< of the case: "hex20"
+  std::string type;    ///< of the mesh's file: "C3D20"
   std::map<DeckNumber, Vec3> nodes;
   std::vector<std::pair<DeckNumber, std::vector<DeckNumber>>> elements; ///< numbers, nodes
   std::string remark; ///< how it differs from the deck's; empty: it does not
@@ -29,8 +29,8 @@ struct DeckMesh {
   [[nodiscard]] std::vector<DeckNumber> set_of(const std::vector<DeckNumber>& nodes) const;
 
   /// Sets of nodes for faces of the deck, by their corners. A load on a set of nodes acts on every
-  /// face of the surface that is all in it, so faces that would take in another one with them are in
-  /// different sets.
+  /// face of the surface that is all in it, so faces that would take in another one with them are
+  /// in different sets.
   [[nodiscard]] std::vector<std::vector<DeckNumber>>
   sets_of_faces(const std::vector<std::set<DeckNumber>>& faces) const;
 

@@ -30,8 +30,8 @@ struct Slit {
 
 mechanics::Mesh slit_block(ElementKind kind, const Slit& slit) {
   const std::array<int, 3> cells{static_cast<int>(slit.mouth), 2, static_cast<int>(slit.width)};
-  mechanics::Mesh both = mechanics::box_mesh(
-      {kind, Vec3(0, 0, 0), Vec3(slit.mouth, 2, slit.width), cells, {1, 1, 1}});
+  mechanics::Mesh both =
+      mechanics::box_mesh({kind, Vec3(0, 0, 0), Vec3(slit.mouth, 2, slit.width), cells, {1, 1, 1}});
   const mechanics::Mesh below = mechanics::box_mesh(
       {kind, Vec3(0, -2, 0), Vec3(slit.mouth, 0, slit.width), cells, {1, 1, 1}});
   std::vector<Index> number;
@@ -144,8 +144,7 @@ TEST_P(LapDepthInSpace, DoesNotGoAlongALongLap) {
 
 INSTANTIATE_TEST_SUITE_P(Elements,
                          LapDepthInSpace,
-                         testing::Values(ElementKind::hex8, ElementKind::hex20,
-                                         ElementKind::tet10),
+                         testing::Values(ElementKind::hex8, ElementKind::hex20, ElementKind::tet10),
                          [](const auto& kind) { return std::string(mechanics::name(kind.param)); });
 
 } // namespace

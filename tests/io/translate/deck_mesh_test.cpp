@@ -52,8 +52,8 @@ const std::vector<Vec3> brick_and_wedge{{2, 0, 0}, {0, 0, 0}, {2, 1, 0}, {0, 1, 
                                         {0, 0, 1}, {2, 1, 1}, {0, 1, 1}, {3, 0, 0}, {3, 0, 1}};
 
 TEST(DeckMesh, DividesWedgesAndBricksIntoTetrahedraThatFit) {
-  const Deck deck = deck_of(brick_and_wedge, {{"C3D8", {2, 1, 3, 4, 6, 5, 7, 8}},
-                                              {"C3D6", {1, 9, 3, 5, 10, 7}}});
+  const Deck deck =
+      deck_of(brick_and_wedge, {{"C3D8", {2, 1, 3, 4, 6, 5, 7, 8}}, {"C3D6", {1, 9, 3, 5, 10, 7}}});
   const DeckMesh mesh = only_body(deck);
   EXPECT_EQ(mesh.element, "tet10");
   EXPECT_EQ(mesh.type, "C3D10");
@@ -101,9 +101,9 @@ TEST(DeckMesh, GivesLinearTrianglesAndTetrahedraMiddleNodes) {
 
 /// Curved edges of quadratic elements keep their own nodes.
 TEST(DeckMesh, KeepsTheMiddleNodesOfTheDeck) {
-  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0},
-                                 {0.5, -0.1, 0}, {1, 0.5, 0}, {0.5, 1, 0}, {0, 0.5, 0},
-                                 {1.5, 0, 0}, {1.5, 0.6, 0}};
+  const std::vector<Vec3> points{{0, 0, 0},   {1, 0, 0},      {1, 1, 0},    {0, 1, 0},
+                                 {2, 0, 0},   {0.5, -0.1, 0}, {1, 0.5, 0},  {0.5, 1, 0},
+                                 {0, 0.5, 0}, {1.5, 0, 0},    {1.5, 0.6, 0}};
   const DeckMesh mesh = only_body(
       deck_of(points, {{"CPE8", {1, 2, 3, 4, 6, 7, 8, 9}}, {"CPE6", {2, 5, 3, 10, 11, 7}}}));
   EXPECT_EQ(mesh.element, "tri6");
@@ -139,8 +139,8 @@ TEST(DeckMesh, PutsFacesThatWouldTakeInAnotherIntoDifferentSets) {
 }
 
 TEST(DeckMesh, RefusesWhatIsNoSolid) {
-  const Deck deck = deck_of(brick_and_wedge, {{"C3D8", {2, 1, 3, 4, 6, 5, 7, 8}},
-                                              {"S4", {2, 1, 3, 4}}});
+  const Deck deck =
+      deck_of(brick_and_wedge, {{"C3D8", {2, 1, 3, 4, 6, 5, 7, 8}}, {"S4", {2, 1, 3, 4}}});
   try {
     (void)only_body(deck);
     ADD_FAILURE();

@@ -74,6 +74,16 @@ TEST(Unloading, LeavesABilletInEquilibriumWithoutTools) {
   EXPECT_GT(done.last().report.energy.elastic, 0.0) << "residual stresses remain";
 }
 
+/// A tool that has let go stays where it was, also for what is said of the run at its end.
+TEST(Unloading, LeavesToolsWhereTheyWere) {
+  const Scene scene = bar(ElementKind::quad8, 0.2, contact::Frictionless{});
+  const FinishedRun done = run(scene);
+  ASSERT_EQ(done.status, RunStatus::done);
+  const auto& end = done.process->view();
+  EXPECT_DOUBLE_EQ(end.tools()[0].motion.translation(end.state.time, end.driven(0)).norm(),
+                   scene.tools[0].motion.translation(scene.stages[0].end).norm());
+}
+
 TEST(Stages, LetToolsComeAndGo) {
   // A block is pressed from above, then, without the die, from the side.
   Scene scene = block(0.1);
