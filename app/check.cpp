@@ -76,8 +76,10 @@ void print_material(const io::Case& content) {
 
 /// What depends on rate and temperature.
 std::string describe(const process::Scene& scene, const io::Case& content) {
-  std::string text =
-      mechanics::follows_rate(scene.material.flow) ? "rate-dependent" : "rate-independent";
+  const bool flows = content.materials.at(content.workpiece.material).flow.has_value();
+  std::string text = !flows ? "elastic (the material has no flow law)"
+                     : mechanics::follows_rate(scene.material.flow) ? "rate-dependent"
+                                                                    : "rate-independent";
   if (scene.material.heating > 0.0)
     text += fmt::format(", adiabatic heating from {} {}", scene.material.temperature,
                         content.units.temperature);
@@ -126,6 +128,45 @@ std::string names_of(const process::FreeMotions& free) {
   return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
 }
 
+/// What a tool does until the end of the run.
+std::string motion_in_words(const contact::Tool& tool, double end, const io::UnitSystem& units) {
+  const geometry::Motion& motion = tool.motion;
+  std::vector<std::string> parts;
+  const auto text = [](const Vec3& v) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", v[0], v[1], v[2]);
+  };
+  if (motion.force && motion.force->blow)
+    parts.push_back(fmt::format("strikes with {:.4g} {}/{}, an energy of {:.4g} {} {}",
+                                motion.force->blow->speed, units.length, units.time,
+                                motion.force->blow->energy(), units.force, units.length));
+  else if (motion.force)
+    parts.emplace_back("is driven by a force");
+  else if (const Vec3 way = motion.translation(end) - motion.translation(0.0); !way.isZero(0.0))
+    parts.push_back(fmt::format("moves by {} {} until t = {:.4g} {}", text(way), units.length, end,
+                                units.time));
+  if (motion.torque)
+    parts.emplace_back("is turned by a torque");
+  else if (const double turned = motion.angle(end); turned != 0.0)
+    parts.push_back(fmt::format("turns by {:.4g} rad", turned));
+  return parts.empty() ? "rests" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void print_trapped(const process::Scene& scene, const io::UnitSystem& units) {
+  if (const auto& trapped = scene.contact.trapped)
+    fmt::print("trapped in pockets: {}\n",
+               std::visit(
+                   [&](const auto& medium) {
+                     if constexpr (std::is_same_v<std::decay_t<decltype(medium)>,
+                                                  contact::TrappedGas>)
+                       return fmt::format("a gas of {:g} {}, exponent {:g}", medium.ambient,
+                                          units.stress, medium.exponent);
+                     else
+                       return fmt::format("a lubricant with a bulk modulus of {:g} {}",
+                                          medium.bulk, units.stress);
+                   },
+                   *trapped));
+}
+
 void print_activity(const process::Scene& scene, const process::Run& run, const io::Case& content) {
   fmt::print("active: {} unknowns a node, {}, {}wear, {}remeshing\n", scene.part.mesh.dimension(),
              describe(scene, content), run.model.wear.get() != nullptr ? "" : "no ",
@@ -140,7 +181,10 @@ void print_activity(const process::Scene& scene, const process::Run& run, const 
             ? ""
             : fmt::format(", brought to touch by ({:.6g}, {:.6g}, {:.6g})", tool.motion.offset[0],
                           tool.motion.offset[1], tool.motion.offset[2]));
+    fmt::print("  '{}' {}\n", tool.name,
+               motion_in_words(tool, scene.stages.back().end, content.units));
   }
+  print_trapped(scene, content.units);
   if (scene.contact.self)
     fmt::print("contact pair: workpiece - itself, friction {}\n", describe(*scene.contact.self));
   if (!scene.tools.empty())

@@ -312,9 +312,8 @@ void check_keys(const At& root, const Study& study) {
       if (const auto [known, is_new] = setters.emplace(key, axis.name); !is_new)
         root.complain(fmt::format("axes '{}' and '{}' both set {}", known->second, axis.name, key),
                       "only one of them would count");
-  if (study.sample && std::none_of(study.axes.begin(), study.axes.end(),
-                                   [](const Axis& axis) { return axis.range.has_value(); }))
-    root.complain("[sample] has nothing to draw from", "give [[vary]] key, from and to");
+  if (study.sample && study.axes.empty())
+    root.complain("[sample] has nothing to draw from", "give [[vary]] key, from and to, or values");
 }
 
 void check_axes(const At& root, const Study& study) {
