@@ -153,18 +153,18 @@ std::string motion_in_words(const contact::Tool& tool, double end, const io::Uni
 
 void print_trapped(const process::Scene& scene, const io::UnitSystem& units) {
   if (const auto& trapped = scene.contact.trapped)
-    fmt::print("trapped in pockets: {}\n",
-               std::visit(
-                   [&](const auto& medium) {
-                     if constexpr (std::is_same_v<std::decay_t<decltype(medium)>,
-                                                  contact::TrappedGas>)
-                       return fmt::format("a gas of {:g} {}, exponent {:g}", medium.ambient,
-                                          units.stress, medium.exponent);
-                     else
-                       return fmt::format("a lubricant with a bulk modulus of {:g} {}",
-                                          medium.bulk, units.stress);
-                   },
-                   *trapped));
+    fmt::print(
+        "trapped in pockets: {}\n",
+        std::visit(
+            [&](const auto& medium) {
+              if constexpr (std::is_same_v<std::decay_t<decltype(medium)>, contact::TrappedGas>)
+                return fmt::format("a gas of {:g} {}, exponent {:g}", medium.ambient, units.stress,
+                                   medium.exponent);
+              else
+                return fmt::format("a lubricant with a bulk modulus of {:g} {}", medium.bulk,
+                                   units.stress);
+            },
+            *trapped));
 }
 
 void print_activity(const process::Scene& scene, const process::Run& run, const io::Case& content) {

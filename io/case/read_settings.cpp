@@ -263,9 +263,10 @@ std::optional<SolverSettings> as_solver(const At& at) {
     at_flag->complain("results are the same to the bit for any number of threads, always",
                       "take the line out");
   table.optional("accuracy", solver.accuracy, as_one_of<accuracies>);
-  solver.tolerance = preset_of(solver.accuracy).tolerance;
-  table.optional("tolerance", solver.tolerance, as_number,
+  std::optional<double> tolerance; // its default is that of the accuracy
+  table.optional("tolerance", tolerance, as_number,
                  Number{quantity::number, {0.0, 1.0, true, true}});
+  solver.tolerance = tolerance.value_or(preset_of(solver.accuracy).tolerance);
   table.finish();
   return solver;
 }
