@@ -61,7 +61,7 @@ std::string progress_line(const ResultsFolder& results) {
 }
 
 std::string increment_lines(const ResultsFolder& results) {
-  const io::UnitSystem units = results.units();
+  const io::UnitSystem& units = results.units();
   std::string text =
       fmt::format("increment {:.0f}  dt {:.3g} {}  iterations {:.0f}  residual {:.1e}",
                   last_of(results, "increment"), last_of(results, "dt"), units.time,
@@ -77,7 +77,7 @@ std::string increment_lines(const ResultsFolder& results) {
 }
 
 std::string tool_lines(const ResultsFolder& results, int columns) {
-  const io::UnitSystem units = results.units();
+  const io::UnitSystem& units = results.units();
   const std::vector<std::string> tools = results.tools();
   std::size_t name_width = 0;
   for (const std::string& tool : tools)

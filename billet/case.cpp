@@ -161,6 +161,7 @@ void Case::set(std::string_view key, std::string_view value) {
 
 void Case::set(const std::vector<std::string>& assignments) {
   std::vector<Change> changes;
+  changes.reserve(assignments.size());
   for (const std::string& text : assignments)
     changes.push_back(assignment(text));
   translated([&] { inside_->change(std::move(changes)); });

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "study/identify.h"
 
@@ -61,7 +62,7 @@ void check_columns(const io::CsvTable& table,
   for (const ChartedQuantity& quantity : chart.laws.front().quantities)
     for (const char* ending : {"", "_standard", "_uncertainty"})
       known.push_back(quantity.name + ending);
-  for (const std::string& column : table.columns) {
+  for (const std::string& column : std::set(table.columns.begin(), table.columns.end())) {
     if (std::find(known.begin(), known.end(), column) == known.end())
       complaints.push_back({file, fmt::format("the chart knows no column '{}'", column),
                             io::suggestion(column, known)});
@@ -104,14 +105,20 @@ std::vector<Measured> read_measurements(const std::filesystem::path& file, const
     for (std::size_t r = 0; r < values.size(); ++r) {
       if (table.rows[r][each.value].empty())
         continue; // not measured there
-      const bool has_uncertainty = each.standard || each.uncertainty;
-      if (!std::isfinite(places[r]) || !std::isfinite(values[r]) ||
-          (has_uncertainty && !(standards[r] > 0.0 && std::isfinite(standards[r]))))
+      const auto complain = [&](std::size_t column, const char* allowed) {
         complaints.push_back({file.string(),
-                              fmt::format("row {}: {}, {} and its uncertainty must be numbers, the "
-                                          "uncertainty above 0",
-                                          r + 1, chart.x, table.columns[each.value]),
+                              fmt::format("row {}: {} is \"{}\", allowed is {}", r + 1,
+                                          table.columns[column], table.rows[r][column], allowed),
                               {}});
+      };
+      if (!std::isfinite(places[r]))
+        complain(*x, "a number");
+      if (!std::isfinite(values[r]))
+        complain(each.value, "a number");
+      if (const std::optional<std::size_t> uncertainty =
+              each.standard ? each.standard : each.uncertainty;
+          uncertainty && !(standards[r] > 0.0 && std::isfinite(standards[r])))
+        complain(*uncertainty, "a number above 0");
       data.push_back({each.quantity, places[r], values[r], standards[r]});
     }
   }
@@ -121,6 +128,9 @@ std::vector<Measured> read_measurements(const std::filesystem::path& file, const
     complaints.push_back({file.string(),
                           "some measured values have an uncertainty and some have none",
                           "give all of them one"});
+  if (data.empty())
+    complaints.push_back({file.string(), "nothing has been measured: there is no row with a value",
+                          {}});
   if (!complaints.empty())
     throw Error(Fault::case_file, std::move(complaints));
   return data;
