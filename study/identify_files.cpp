@@ -129,8 +129,8 @@ std::vector<Measured> read_measurements(const std::filesystem::path& file, const
                           "some measured values have an uncertainty and some have none",
                           "give all of them one"});
   if (data.empty())
-    complaints.push_back({file.string(), "nothing has been measured: there is no row with a value",
-                          {}});
+    complaints.push_back(
+        {file.string(), "nothing has been measured: there is no row with a value", {}});
   if (!complaints.empty())
     throw Error(Fault::case_file, std::move(complaints));
   return data;
