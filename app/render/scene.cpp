@@ -227,8 +227,10 @@ void Scene::draw_tools(Stage& stage, const Frame& frame) const {
     else if (faces != nullptr && style == ToolStyle::solid)
       stage.add_plain(*faces, steel, true);
     if (tool.lines != nullptr && !(of_plane && has_values))
-      stage.add_lines(*tool.lines, of_plane ? Pen{3.5F, {0.1, 0.1, 0.1}, 1.0, lift}
-                                            : Pen{1.5F, {0.3, 0.3, 0.3}, 1.0, 0.0, 12.0});
+      stage.add_lines(
+          *tool.lines,
+          of_plane ? Pen{3.5F, {0.1, 0.1, 0.1}, 1.0, lift}
+                   : Pen{1.5F, {0.3, 0.3, 0.3}, 1.0, 0.0, style == ToolStyle::solid ? 12.0 : 1.0});
   }
 }
 

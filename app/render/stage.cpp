@@ -70,11 +70,9 @@ void Stage::add_plain(vtkPolyData& faces, const std::array<double, 3>& colour, b
   const vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&faces);
   mapper->ScalarVisibilityOff();
-  if (hides) {
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-8.0, -64.0);
-  }
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  if (hides)
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-8.0, -64.0);
   const vtkNew<vtkProperty> property;
   property->SetColor(colour[0], colour[1], colour[2]);
   property->SetAmbient(0.4);

@@ -32,6 +32,14 @@ bool is_solid_type(const std::string& type) {
 /// With incompatible modes: C3D8I, CPE4I.
 bool bends(const DeckElement& element) { return element.type.ends_with('I'); }
 
+/// Fewer than the element has where it collapses.
+std::set<DeckNumber> distinct_corners(const Deck& deck, const DeckElement& element) {
+  std::set<DeckNumber> corners;
+  for (const DeckFace& face : faces_of(deck, element, ""))
+    corners.insert(face.corners.begin(), face.corners.end());
+  return corners;
+}
+
 DeckMesh::Edge edge_between(DeckNumber a, DeckNumber b) { return std::minmax(a, b); }
 
 /// Makes the mesh of elements of another kind than the deck's.
@@ -49,7 +57,7 @@ public:
     if (faces_of(deck_, element, "").size() == (corners == 8   ? 6
                                                 : corners == 3 ? 3
                                                                : 4) &&
-        distinct_corners(element).size() == corners)
+        distinct_corners(deck_, element).size() == corners)
       take(Numbers(element.nodes.begin(),
                    element.nodes.begin() + static_cast<std::ptrdiff_t>(corners)));
     else if (corners == 3)
@@ -96,13 +104,6 @@ private:
             face.middles[i];
   }
 
-  [[nodiscard]] std::set<DeckNumber> distinct_corners(const DeckElement& element) const {
-    std::set<DeckNumber> corners;
-    for (const DeckFace& face : faces_of(deck_, element, ""))
-      corners.insert(face.corners.begin(), face.corners.end());
-    return corners;
-  }
-
   DeckNumber middle(DeckNumber a, DeckNumber b) {
     const DeckMesh::Edge edge = edge_between(a, b);
     if (const auto known = middles_.find(edge); known != middles_.end())
@@ -125,7 +126,7 @@ private:
   /// Into tetrahedra from the corner with the lowest number, and faces likewise: so neighbours
   /// divide the face between them in the same way.
   void divide(const DeckElement& element) {
-    const DeckNumber apex = *distinct_corners(element).begin();
+    const DeckNumber apex = *distinct_corners(deck_, element).begin();
     for (const DeckFace& face : faces_of(deck_, element, "")) {
       Numbers corners;
       for (const DeckNumber corner : face.corners)
@@ -144,7 +145,7 @@ private:
   }
 
   void divide_in_plane(const DeckElement& element) {
-    const DeckNumber apex = *distinct_corners(element).begin();
+    const DeckNumber apex = *distinct_corners(deck_, element).begin();
     for (const DeckFace& side : faces_of(deck_, element, "")) {
       const DeckNumber a = side.corners[0], b = side.corners[1];
       if (a != b && a != apex && b != apex)
@@ -169,7 +170,7 @@ private:
 /// The types of a body's elements, and whether they are of one shape and one available kind.
 struct Census {
   std::set<std::string> types, kinds;
-  std::set<std::size_t> n_faces;
+  std::set<std::size_t> n_corners; ///< that are distinct
   bool bend = false;
 
   Census(const Deck& deck, const DeckBody& body) {
@@ -177,26 +178,29 @@ struct Census {
       const DeckElement& element = deck.elements.at(number);
       types.insert(element.type);
       kinds.insert(kind_of(element));
-      n_faces.insert(faces_of(deck, element, "").size());
+      n_corners.insert(distinct_corners(deck, element).size());
       bend = bend || bends(element);
     }
   }
   [[nodiscard]] bool is_available() const {
-    return kinds.size() == 1 && !kinds.begin()->empty() && !bend;
+    if (kinds.size() != 1 || bend)
+      return false;
+    const std::string& kind = *kinds.begin();
+    return all_have(kind.starts_with("hex") ? 8 : kind.starts_with("tri") ? 3 : 4) && !kind.empty();
   }
   /// The kind that all become.
   [[nodiscard]] ElementKind becomes(bool plane) const {
-    const bool alike = n_faces.size() == 1;
     if (plane)
-      return alike && *n_faces.begin() == 4 ? ElementKind::quad8 : ElementKind::tri6;
-    return alike && *n_faces.begin() == 6 ? ElementKind::hex20 : ElementKind::tet10;
+      return all_have(4) ? ElementKind::quad8 : ElementKind::tri6;
+    return all_have(8) ? ElementKind::hex20 : ElementKind::tet10;
   }
   /// Elements are divided, not only given more nodes.
   [[nodiscard]] bool is_divided(ElementKind kind) const {
-    if (kind == ElementKind::tri6 || kind == ElementKind::tet10)
-      return n_faces.size() > 1 || *n_faces.begin() > (kind == ElementKind::tri6 ? 3U : 4U);
-    return false;
+    return !all_have(static_cast<std::size_t>(mechanics::corners_per_element(kind)));
   }
+
+private:
+  [[nodiscard]] bool all_have(std::size_t corners) const { return n_corners == std::set{corners}; }
 };
 
 /// @throws Error (Fault::geometry)

@@ -99,6 +99,19 @@ TEST(DeckMesh, GivesLinearTrianglesAndTetrahedraMiddleNodes) {
   EXPECT_EQ(mixed.boundary.size(), 5U);
 }
 
+/// Bricks that collapse, into wedges and quadrilaterals into triangles.
+TEST(DeckMesh, DividesElementsThatCollapse) {
+  const DeckMesh bricks =
+      only_body(deck_of(brick_and_wedge, {{"C3D8I", {2, 1, 3, 4, 6, 5, 7, 8}},
+                                          {"C3D8I", {1, 9, 3, 3, 5, 10, 7, 7}}}));
+  EXPECT_EQ(bricks.element, "tet10");
+  EXPECT_NEAR(size_of(bricks, false), 2.5, 1e-12);
+  const DeckMesh plane = only_body(deck_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}},
+                                           {{"CPE4I", {1, 2, 3, 4}}, {"CPE4I", {2, 5, 3, 3}}}));
+  EXPECT_EQ(plane.element, "tri6");
+  EXPECT_NEAR(size_of(plane, true), 1.5, 1e-12);
+}
+
 /// Curved edges of quadratic elements keep their own nodes.
 TEST(DeckMesh, KeepsTheMiddleNodesOfTheDeck) {
   const std::vector<Vec3> points{{0, 0, 0},   {1, 0, 0},      {1, 1, 0},    {0, 1, 0},
