@@ -288,6 +288,8 @@ TEST_F(RenderPictures, mistakes_in_views_and_planes_say_what_is_right) {
                             {{"tiny", "--mirror", "z"}, "no plane of symmetry across z"},
                             {{"tiny", "--tools", "glas"}, "did you mean 'glass'?"},
                             {{"tiny", "--bands", "1"}, "is not a number of colours from 2 to 64"},
+                            {{"tiny", "--time", "abc"}, "--time: \"abc\" is not a number"},
+                            {{"tiny", "solid"}, "--compare OTHER draws two next to each other"},
                             {{"tiny", "--compare", "nothing"}, "there are no such results"},
                             {{"tiny", "--range", "1:0"}, "a low value below the high one"},
                             {{"tiny", "--animate", "-o", "a.png"}, ".gif or .mp4"}})

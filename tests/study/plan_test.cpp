@@ -71,6 +71,25 @@ levels = [ { label = "linear", set = { "workpiece.element" = "quad4", "workpiece
   EXPECT_EQ(rows[5].labels, (std::vector<std::string>{"10000", "quadratic"}));
 }
 
+TEST_F(StudyFile, DrawsSamplesOfValuesAlone) {
+  const std::vector<Row> rows = rows_of(read(R"(
+[sample]
+method = "sobol"
+count = 8
+[[vary]]
+key = "a"
+values = [1, 2]
+)"));
+  ASSERT_EQ(rows.size(), 8U);
+  for (const char* const label : {"1", "2"})
+    EXPECT_EQ(std::count_if(rows.begin(), rows.end(),
+                            [&](const Row& row) { return row.labels[0] == label; }),
+              4)
+        << label;
+  EXPECT_NE(refusal("[sample]\nmethod = \"sobol\"\ncount = 8\n").find("nothing to draw from"),
+            std::string::npos);
+}
+
 TEST_F(StudyFile, DrawsSamplesThatFillRanges) {
   for (const std::string method : {"latin-hypercube", "sobol"}) {
     const std::vector<Row> rows = rows_of(read(R"(
