@@ -119,6 +119,9 @@ int show_info(const Arguments& arguments) {
     return info_stl(path, arguments.unit);
   if (suffix == ".checkpoint")
     return info_checkpoint(path);
+  if (suffix == ".toml")
+    throw Error(Fault::geometry, path.string(), "is a case, a study or a chart, not a file of shapes",
+                "billet check CASE.toml shows what a case makes");
   const bool is_step = suffix == ".step" || suffix == ".stp";
   if (is_step && arguments.unit)
     throw Error(Fault::usage, "", "--unit is for STL files: a STEP file knows its unit");

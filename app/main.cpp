@@ -117,6 +117,9 @@ int program(int argc, char** argv) {
   } catch (const std::system_error& error) { // of std::filesystem and of output
     if (error.code() == std::errc::not_enough_memory)
       return app::report_no_memory();
+    if (std::ferror(stdout) != 0)
+      return report(static_cast<int>(Fault::input_output),
+                    fmt::format("standard output cannot be written: {}", error.code().message()));
     return report(static_cast<int>(Fault::input_output), error.what());
   } catch (const std::exception& error) {
     return report(internal_error, std::string("internal error: ") + error.what());

@@ -65,10 +65,11 @@ void print_summary(const process::Run& run,
                    const std::vector<io::LargestForce>& largest,
                    const io::RunEnd& end,
                    const std::filesystem::path& folder) {
-  fmt::print("{}: {} at time {:.6g} {}, {} increments, {} iterations, {} cut-backs\n",
+  fmt::print("{}: {} at time {:.6g} {}, {} increment{}, {} iterations, {} cut-back{}\n",
              content.title.empty() ? "run" : content.title, end.status, run.state.time,
-             content.units.time, run.state.increment, run.state.counters.iterations,
-             run.state.counters.cutbacks);
+             content.units.time, run.state.increment, run.state.increment == 1 ? "" : "s",
+             run.state.counters.iterations, run.state.counters.cutbacks,
+             run.state.counters.cutbacks == 1 ? "" : "s");
   for (std::size_t t = 0; t < run.tools().size(); ++t) {
     const Vec3& force = run.contact()->loads()[t].force;
     fmt::print("tool {}: force ({:.6g}, {:.6g}, {:.6g}) {}{}\n", run.tools()[t].name, force[0],

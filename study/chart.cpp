@@ -197,7 +197,10 @@ std::optional<Chart> conduct_chart(const ChartFile& file, const Conduct& how) {
   std::vector<Row> rows(chart_rows.size());
   std::transform(chart_rows.begin(), chart_rows.end(), rows.begin(),
                  [](const ChartRow& row) { return row.row; });
-  const std::vector<PlannedRun> runs = make_runs_of(file.study, rows, how);
+  std::vector<std::string> read_off{file.x.of};
+  for (const auto& y : file.y)
+    read_off.push_back(y.of);
+  const std::vector<PlannedRun> runs = make_runs_of(file.study, rows, read_off, how);
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::optional<EndedRun> end = ended(runs[r]);
     if (!end)

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <thread>
 
+#include "study/expression.h"
 #include "study/local_engine.h"
 #include "study/slurm_engine.h"
 
@@ -117,14 +118,41 @@ void make_runs(const Study& study,
   run_by_slurm(list, lines.size(), study.engine);
 }
 
+/// Names that no run will have are told before the runs are made.
+void require_names(const std::string& expression, const std::vector<PlannedRun>& runs) {
+  std::string mistake;
+  for (const PlannedRun& run : runs)
+    if (run.refused.empty()) {
+      mistake = Expression::mistake_in(expression, run.columns);
+      if (mistake.empty())
+        return;
+    }
+  if (!mistake.empty())
+    throw Error(Fault::case_file, "", mistake);
+}
+
+std::vector<std::string> read_off(const Study& study) {
+  std::vector<std::string> expressions;
+  for (const Quantity& quantity : study.quantities)
+    if (quantity.expression.empty()) {
+      expressions.push_back(quantity.of);
+      expressions.push_back(quantity.over);
+    }
+  return expressions;
+}
+
 } // namespace
 
-std::vector<PlannedRun>
-make_runs_of(const Study& study, const std::vector<Row>& rows, const Conduct& how) {
+std::vector<PlannedRun> make_runs_of(const Study& study,
+                                     const std::vector<Row>& rows,
+                                     const std::vector<std::string>& read_off,
+                                     const Conduct& how) {
   std::vector<PlannedRun> runs;
   runs.reserve(rows.size());
   for (const Row& row : rows)
     runs.push_back(plan_run(study, row, how.folder / "runs", how.program));
+  for (const std::string& expression : read_off)
+    require_names(expression, runs);
   const std::vector<Pending> pending = pending_of(runs, how.again);
   how.say(fmt::format("{} rows, {} runs to be made", rows.size(), pending.size()));
   make_runs(study, rows, pending, how);
@@ -135,7 +163,7 @@ Conducted conduct(const Study& study, const Conduct& how) {
   io::make_folder(how.folder);
   const io::FolderLock lock(how.folder);
   const std::vector<Row> rows = rows_of(study);
-  const std::vector<PlannedRun> runs = make_runs_of(study, rows, how);
+  const std::vector<PlannedRun> runs = make_runs_of(study, rows, read_off(study), how);
   Conducted result;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     result.rows.push_back(outcome_of(study, rows[r], runs[r]));

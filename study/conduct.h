@@ -23,9 +23,13 @@ struct Conduct {
 };
 
 /// Makes the runs of rows that have not been made, in FOLDER/runs.
+/// @param read_off  expressions of columns of history.csv and numbers of summary.json
 /// @return of every row its run, which may be left to be made
-[[nodiscard]] std::vector<PlannedRun>
-make_runs_of(const Study& study, const std::vector<Row>& rows, const Conduct& how);
+/// @throws Error (Fault::case_file) before any run, for a column that no run will have
+[[nodiscard]] std::vector<PlannedRun> make_runs_of(const Study& study,
+                                                   const std::vector<Row>& rows,
+                                                   const std::vector<std::string>& read_off,
+                                                   const Conduct& how);
 
 struct Conducted {
   std::vector<OutcomeRow> rows;

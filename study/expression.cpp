@@ -141,6 +141,19 @@ std::string Expression::mistake_in(const std::string& text) {
   }
 }
 
+std::string Expression::mistake_in(const std::string& text, std::span<const std::string> columns) {
+  std::vector<std::string> names(columns.begin(), columns.end());
+  for (std::string& name : possible_names(text))
+    if (name.starts_with("summary."))
+      names.push_back(std::move(name));
+  try {
+    (void)Expression(text, names);
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 double Expression::operator()(std::span<const double> values) const {
   try {
     mu::Parser parser;

@@ -24,6 +24,10 @@ public:
   /// What is wrong with a text whatever names there will be; empty: nothing. Words with blanks
   /// between them are taken for one name.
   [[nodiscard]] static std::string mistake_in(const std::string& text);
+  /// As before, where the columns of history.csv are known; numbers of summary.json are not, and
+  /// any name that begins with `summary.` is taken for one.
+  [[nodiscard]] static std::string mistake_in(const std::string& text,
+                                              std::span<const std::string> columns);
 
   /// @param values  of the names that occur, shape (used().size())
   [[nodiscard]] double operator()(std::span<const double> values) const;

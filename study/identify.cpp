@@ -270,9 +270,9 @@ void warn_of_law(const Chart& chart,
   }
   constexpr double hardly = 0.01;
   if (law.p && *law.p < hardly)
-    into.warnings.push_back(fmt::format("law '{}' does not fit: what is left would be as large by "
-                                        "chance once in {:.0f} times",
-                                        law.name, 1.0 / std::max(*law.p, 1e-12)));
+    into.warnings.push_back(fmt::format(
+        "law '{}' does not fit: the probability that chance leaves as much is {}", law.name,
+        *law.p < 1e-9 ? std::string("below 1e-9") : fmt::format("{:.1g}", *law.p)));
   for (const Found& found : law.parameters)
     if (found.from_end || found.to_end)
       into.warnings.push_back(fmt::format(

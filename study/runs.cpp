@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/case/document.h"
+#include "io/case/history_columns.h"
 #include "io/case/read_case.h"
 #include "io/deck/deck_lines.h"
 
@@ -113,6 +114,7 @@ plan_run(const Study& study, const Row& row, const fs::path& runs, const Program
       overrides.push_back(fmt::format("output.every={}", content.time.end));
     }
     run.identity = identity_of(content, case_file, program.version);
+    run.columns = io::history_columns(content);
   } catch (const Error& error) {
     run.refused = error.what();
     return run;

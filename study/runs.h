@@ -28,6 +28,7 @@ struct PlannedRun {
   std::filesystem::path folder;
   std::vector<std::string> command; ///< program and its arguments; empty: it cannot be run
   std::string refused;              ///< why not; else empty
+  std::vector<std::string> columns; ///< that its history.csv will have
 };
 
 /// How a run that has ended, ended.

@@ -60,7 +60,7 @@ std::string write_series(const Scene& scene, const Options& options, const Serie
 std::string encode(const Scene& scene, const Options& options, const std::filesystem::path& file) {
   const Display display;
   const auto window = window_of(options.size());
-  Encoder encoder(file, options.size(), options.film.fps);
+  Encoder encoder(file, options.size(), options.film.rate());
   vtkNew<vtkImageData> last;
   for (const Picture& picture : scene.pictures()) {
     scene.draw(picture, *window);
@@ -68,12 +68,12 @@ std::string encode(const Scene& scene, const Options& options, const std::filesy
     encoder.add(*last);
   }
   // The end is what one wants to look at: it stays for a second.
-  const int more = std::clamp(static_cast<int>(std::lround(options.film.fps)), 1, 60);
+  const int more = std::clamp(static_cast<int>(std::lround(options.film.rate())), 1, 60);
   for (int i = 0; i < more; ++i)
     encoder.add(*last);
   encoder.finish();
   return fmt::format("frames: {}, {:.4g} a second, {:.3g} MB\n{}", scene.pictures().size(),
-                     options.film.fps, 1e-6 * static_cast<double>(std::filesystem::file_size(file)),
+                     options.film.rate(), 1e-6 * static_cast<double>(std::filesystem::file_size(file)),
                      scene.in_words());
 }
 

@@ -182,6 +182,8 @@ void check_scene(const Options& options) {
                 "billet render RESULTS --compare OTHER draws two next to each other");
   if (options.film.wanted && !scene.times.empty())
     fail_usage("--animate shows all frames: --time is not for films, --frames chooses");
+  if (!options.film.wanted && (options.film.slice || options.film.fps))
+    fail_usage("--frames and --fps are of films: --animate makes one, --time T draws one frame");
   if (scene.times.size() > 1 && scene.compare)
     fail_usage("--compare takes one --time");
   if (scene.range && !(scene.range->at(0) < scene.range->at(1)))

@@ -104,8 +104,10 @@ struct FrameSlice {
 
 struct FilmOptions {
   bool wanted = false;
-  double fps = 10.0; ///< frames a second
-  FrameSlice slice;
+  std::optional<double> fps;       ///< frames a second; empty: the usual rate
+  std::optional<FrameSlice> slice; ///< empty: all frames
+
+  [[nodiscard]] double rate() const { return fps.value_or(10.0); } ///< frames a second
 };
 
 struct ChartOptions {

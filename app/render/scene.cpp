@@ -94,6 +94,9 @@ Scene::Scene(const Options& options) : options_(options) {
                 "--mirror completes a part with planes of symmetry, --copies a sector");
   if (options.scene.flow_lines && !planar)
     throw Error(Fault::usage, "--flow-lines", "only scenes of the plane have them");
+  if (options.scene.copies > 1 && planar)
+    throw Error(Fault::usage, "--copies", "copies complete a sector of a part in space",
+                "--mirror completes a part of the plane, --revolve an axisymmetric one");
   flat_ = planar && !options.scene.revolve;
   sight_ = sight_of(options.scene.view, flat_, options.scene.revolve.has_value());
   extent_ = Extent(sight_);
@@ -109,7 +112,7 @@ void Scene::choose_pictures() {
     return picture;
   };
   if (options_.film.wanted) {
-    const FrameSlice& slice = options_.film.slice;
+    const FrameSlice slice = options_.film.slice.value_or(FrameSlice());
     const auto n = static_cast<int>(results.times().size());
     for (int i = slice.first; i < n && i <= slice.last; i += slice.step)
       pictures_.push_back(with_others(results.times()[static_cast<std::size_t>(i)]));
@@ -354,6 +357,17 @@ std::string Scene::in_words() const {
                      range_.all[0], range_.all[1], unit);
 }
 
+std::string Scene::times_outside() const {
+  const std::vector<double>& known = results_.front()->times();
+  std::string lines;
+  for (const AskedTime& time : options_.scene.times)
+    if (time && (*time < known.front() || *time > known.back()))
+      lines += fmt::format("\ntime {:g} s lies outside of the results, from {:g} to {:g} s: the "
+                           "frame at {:g} s is drawn",
+                           *time, known.front(), known.back(), results_.front()->nearest(time));
+  return lines;
+}
+
 vtkSmartPointer<vtkRenderWindow> window_of(const std::array<int, 2>& size) {
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);
@@ -369,7 +383,7 @@ std::string draw_scene(const Options& options, const std::filesystem::path& pict
   const auto window = window_of(options.size());
   scene.draw(scene.pictures().front(), *window);
   write_picture(*window, picture);
-  return scene.in_words();
+  return scene.in_words() + scene.times_outside();
 }
 
 } // namespace billet::render

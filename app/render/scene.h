@@ -42,6 +42,8 @@ public:
   void draw(const Picture& picture, vtkRenderWindow& window) const;
   /// What the colours are, in words.
   [[nodiscard]] std::string in_words() const;
+  /// A line for each time asked for that lies outside of the results; empty where none does.
+  [[nodiscard]] std::string times_outside() const;
 
 private:
   void choose_pictures();

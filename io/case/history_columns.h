@@ -1,11 +1,17 @@
-// The columns that history.csv has in every run, before those of tools and measures.
+// The columns of history.csv: those of every run, then those of tools, of what is trapped and of
+// measures.
 
 #pragma once
 
 #include <array>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace billet::io {
+
+struct Case;
 
 inline constexpr std::array<std::string_view, 17> fixed_columns{"increment",
                                                                 "time",
@@ -29,5 +35,13 @@ inline constexpr std::array<std::string_view, 17> fixed_columns{"increment",
 /// and the highest pressure in them.
 inline constexpr std::array<std::string_view, 3> trapped_columns{
     "trapped.pockets", "trapped.volume", "trapped.pressure"};
+
+/// All of them in their order, of tools and measures by their names.
+[[nodiscard]] std::vector<std::string> history_columns(std::span<const std::string> tools,
+                                                       bool has_trapped,
+                                                       std::span<const std::string> measures);
+
+/// Those that a run of a case will have.
+[[nodiscard]] std::vector<std::string> history_columns(const Case& content);
 
 } // namespace billet::io

@@ -212,7 +212,8 @@ FoundCheckpoint latest_checkpoint(const fs::path& results, std::optional<double>
       notes.push_back(error.what());
     }
   }
-  std::string why = "has no checkpoint to go on from";
+  std::string why = fs::exists(results) ? "has no checkpoint to go on from"
+                                        : "no such folder; there is nothing to go on from";
   if (earliest)
     why = fmt::format("has no checkpoint at time {:.6g} or before; the first is at {:.6g}", *time,
                       *earliest);

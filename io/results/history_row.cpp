@@ -21,16 +21,12 @@ void add_trapped(const contact::TrappedState& state, std::vector<double>& row) {
 } // namespace
 
 std::vector<std::string> history_columns(const process::Scene& scene) {
-  std::vector<std::string> columns(fixed_columns.begin(), fixed_columns.end());
+  std::vector<std::string> tools, measures;
   for (const contact::Tool& tool : scene.tools)
-    for (const char* what : {"force", "torque", "displacement"})
-      for (const char* axis : {"_x", "_y", "_z"})
-        columns.push_back(tool.name + "." + what + axis);
-  if (scene.contact.trapped && !scene.tools.empty())
-    columns.insert(columns.end(), trapped_columns.begin(), trapped_columns.end());
+    tools.push_back(tool.name);
   for (const process::Measure& measure : scene.measures)
-    columns.push_back(measure.name);
-  return columns;
+    measures.push_back(measure.name);
+  return history_columns(tools, scene.contact.trapped.has_value(), measures);
 }
 
 std::vector<double> history_row(const process::Run& run, const process::IncrementReport& r) {

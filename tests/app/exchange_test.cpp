@@ -179,6 +179,12 @@ TEST_F(Exchange, every_warning_has_a_code) {
       }
 }
 
+TEST_F(Exchange, every_code_stands_on_the_page_of_messages) {
+  const std::string page = whole_file(fs::path(BILLET_SOURCE_DIR) / "docs/guide/messages.md");
+  for (const std::string& code : explained_codes(run({"explain"}).out))
+    EXPECT_NE(page.find("`" + code + "`"), std::string::npos) << code;
+}
+
 TEST_F(Exchange, explains_a_code_as_it_is_copied_from_a_message) {
   for (const char* word : {"tool-misses", "[tool-misses]", "5", "exit-5", "exit status 5"}) {
     const Outcome outcome = run({"explain", word});

@@ -126,6 +126,9 @@ TEST_F(Render, puts_pictures_into_the_results_and_names_their_colours) {
   EXPECT_EQ(asked.status, 0) << asked.err;
   EXPECT_TRUE(asked.prints("colours: displacement:y from -0.1 to 0 mm, as asked")) << asked.out;
   EXPECT_GT(size_of("tiny/displacement_y.png")[0], 0);
+  const Outcome late = render({"tiny", "--time", "99"});
+  EXPECT_EQ(late.status, 0) << late.err;
+  EXPECT_TRUE(late.prints("time 99 s lies outside of the results")) << late.out;
 }
 
 TEST_F(Render, draws_pictures_side_by_side) {
@@ -166,6 +169,8 @@ TEST_F(Render, mistakes_end_with_status_2_and_say_what_to_do) {
            {{"tiny", "--filed", "x"}, "the option --filed is not known (did you mean '--field'?"},
            {{"tiny", "-o", "a.jpg"}, "should have the suffix .png"},
            {{"tiny", "--curve", "tiny/history.csv:time:dt"}, "results or of series, not of both"},
+           {{"tiny", "--copies", "4"}, "copies complete a sector of a part in space"},
+           {{"tiny", "--frames", "0:3:1"}, "--frames and --fps are of films"},
            {{"tiny", "--output=~bob/a.png"}, "only '~/' stands for a home folder"}}) {
     const Outcome outcome = without_display(words);
     EXPECT_EQ(outcome.status, 2) << outcome.err;

@@ -127,7 +127,7 @@ TEST_F(Resume, TakesTheCheckpointBeforeADamagedOne) {
 TEST_F(Resume, SaysWhereThereIsNothingToGoOnFrom) {
   const Outcome outcome = start(stored_often, {"-o", "nowhere", "--resume"});
   EXPECT_EQ(outcome.status, 6);
-  EXPECT_NE(outcome.err.find("no checkpoint to go on from"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("there is nothing to go on from"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Resume, InfoTellsWhatACheckpointHolds) {

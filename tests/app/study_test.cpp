@@ -128,6 +128,7 @@ TEST_F(StudyRun, HasAReasonForAQuantityThatIsNoNumber) {
 TEST_F(StudyRun, SaysBeforeTheRunsWhatIsWrong) {
   for (const auto& [with, says] : std::vector<std::pair<std::string, std::string>>{
            {edited(study_text, {{"punch.force_y", "punch.force_y +"}}), "expression"},
+           {edited(study_text, {{"punch.force_y", "punch.forec_y"}}), "did you mean"},
            {edited(study_text, {{"[4, 2, 1]", "[1, 1, 2]"}}), "two values have the same size"},
            {edited(study_text, {{"workpiece.mesh.cells", "tool.punch.friction.m"}}),
             "both set tool.punch.friction.m"}}) {
