@@ -131,6 +131,10 @@ constexpr std::array table{
                 "Sticking friction where metal leaves a tool; a large coefficient.",
                 "Smaller elements, or a law that ends at the shear yield stress, tell by how much "
                 "forces are off."},
+    Explanation{"blow-cut", "warning",
+                "The stage of a press ended before its blow had used up its energy.",
+                "An end of the stage that was guessed too early.",
+                "A later end: nothing happens after the blow, so it costs little."},
     Explanation{"fading-forces", "warning",
                 "Metal flowed while the forces of tools that had left faded out.",
                 "A stage ends without unload on a thin part.",

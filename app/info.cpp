@@ -120,7 +120,8 @@ int show_info(const Arguments& arguments) {
   if (suffix == ".checkpoint")
     return info_checkpoint(path);
   if (suffix == ".toml")
-    throw Error(Fault::geometry, path.string(), "is a case, a study or a chart, not a file of shapes",
+    throw Error(Fault::geometry, path.string(),
+                "is a case, a study or a chart, not a file of shapes",
                 "billet check CASE.toml shows what a case makes");
   const bool is_step = suffix == ".step" || suffix == ".stp";
   if (is_step && arguments.unit)

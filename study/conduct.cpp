@@ -115,7 +115,7 @@ void make_runs(const Study& study,
     return;
   }
   how.say(fmt::format("{} runs go to Slurm", lines.size()));
-  run_by_slurm(list, lines.size(), study.engine);
+  run_by_slurm(list, lines.size(), study.engine, how.stopped);
 }
 
 /// Names that no run will have are told before the runs are made.

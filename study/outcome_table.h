@@ -2,9 +2,11 @@
 
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/plan.h"
@@ -35,6 +37,10 @@ struct OutcomeRow {
 /// Reads quantities and costs of a run that has ended. A quantity that cannot be read off is the
 /// row's reason.
 [[nodiscard]] OutcomeRow outcome_of(const Study& study, const Row& row, const PlannedRun& run);
+
+/// Columns of study.csv besides those of axes and quantities.
+inline constexpr std::array<std::string_view, 8> columns_of_every_study{
+    "row", "status", "reason", "processor_time", "iterations", "memory_mb", "error", "folder"};
 
 /// study.csv: rows, what was varied, how the run ended, quantities, costs, and further columns.
 struct FurtherColumn {

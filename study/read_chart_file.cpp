@@ -6,6 +6,7 @@
 #include <set>
 
 #include "study/chart.h"
+#include "study/setters.h"
 #include "study/study_reader.h"
 
 namespace billet::study {
@@ -97,6 +98,32 @@ void read_x(TableReader& root, ChartFile& file) {
   x->finish();
 }
 
+/// What sets keys of the case, in the order in which the runs of a law get them.
+std::vector<Setter> setters_of(const ChartFile& file, const Law& law) {
+  std::vector<Setter> setters;
+  std::vector<std::string> of_law;
+  for (const Assignment& assignment : law.set)
+    of_law.push_back(assignment.key);
+  setters.push_back({fmt::format("law '{}'", law.name), std::move(of_law)});
+  for (const Parameter& parameter : law.parameters)
+    setters.push_back({fmt::format("parameter '{}'", parameter.name), parameter.keys});
+  setters.push_back({"refinement", keys_of(file.refinement)});
+  for (const Uncertain& uncertain : file.uncertain)
+    setters.push_back({fmt::format("uncertain '{}'", uncertain.name), {uncertain.key}});
+  return setters;
+}
+
+/// A measurement's bar stands in a column called after the quantity.
+void refuse_names_of_bars(const At& root, const ChartFile& file) {
+  for (const Reading& y : file.y)
+    for (const char* ending : {"_standard", "_uncertainty"})
+      for (const Reading& other : file.y)
+        if (other.name == y.name + ending)
+          root.complain(fmt::format("a [[y]] is called '{}', which the table of measurements has "
+                                    "for the uncertainty of '{}'",
+                                    other.name, y.name));
+}
+
 /// Coarse first; an extrapolation needs to know which is fine.
 void check_refinement(const At& root, ChartFile& file) {
   std::vector<Level>& levels = file.refinement;
@@ -131,7 +158,10 @@ void read_root_of_chart(TableReader& root, ChartFile& file) {
     if (y.name == file.x.name)
       root.at().complain(fmt::format("[x] and a [[y]] have the same name '{}'", y.name));
   refuse_same(root.at(), "law", file.laws);
+  refuse_names_of_bars(root.at(), file);
   check_refinement(root.at(), file);
+  for (const Law& law : file.laws)
+    refuse_overruled(root.at(), file.study.case_file, setters_of(file, law));
 }
 
 } // namespace

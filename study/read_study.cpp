@@ -11,6 +11,8 @@
 #include <set>
 
 #include "study/node_text.h"
+#include "study/outcome_table.h"
+#include "study/setters.h"
 #include "study/study.h"
 #include "study/study_reader.h"
 
@@ -49,6 +51,11 @@ void read_levels(const At& at, Axis& axis) {
   for (std::size_t i = 0; i < list->size(); ++i)
     if (std::optional<Level> level = io::read_value_of(at.item((*list)[i], i), as_level))
       axis.levels.push_back(std::move(*level));
+  std::set<double> sizes;
+  for (const Level& level : axis.levels)
+    if (level.size && !sizes.insert(*level.size).second)
+      at.complain(fmt::format("two levels have the same size {}", *level.size),
+                  "the smallest size is that of the finest");
 }
 
 void read_values(const At& at, const std::string& key, Axis& axis) {
@@ -294,34 +301,60 @@ void check_convergence(const At& root, Study& study) {
     require_known(at, "quantity", name, names_of(study.quantities));
 }
 
-/// Keys that an axis sets.
-std::set<std::string> keys_of(const Axis& axis) {
-  std::set<std::string> keys;
-  for (const Level& level : axis.levels)
-    for (const Assignment& assignment : level.set)
-      keys.insert(assignment.key);
-  if (axis.range)
-    keys.insert(axis.range->key);
+std::vector<std::string> keys_of_overrides(const Study& study) {
+  std::vector<std::string> keys(study.overrides.size());
+  std::transform(study.overrides.begin(), study.overrides.end(), keys.begin(),
+                 [](const std::string& text) { return text.substr(0, text.find('=')); });
   return keys;
 }
 
+bool takes_other_cases(const Axis& axis) {
+  return std::any_of(axis.levels.begin(), axis.levels.end(),
+                     [](const Level& level) { return level.case_file.has_value(); });
+}
+
 void check_keys(const At& root, const Study& study) {
-  std::map<std::string, std::string> setters;
-  for (const Axis& axis : study.axes)
-    for (const std::string& key : keys_of(axis))
-      if (const auto [known, is_new] = setters.emplace(key, axis.name); !is_new)
-        root.complain(fmt::format("axes '{}' and '{}' both set {}", known->second, axis.name, key),
-                      "only one of them would count");
+  std::vector<Setter> setters{{"set", keys_of_overrides(study)}};
+  const Axis* with_cases = nullptr;
+  for (const Axis& axis : study.axes) {
+    std::vector<std::string> keys = keys_of(axis.levels);
+    if (axis.range && axis.levels.empty())
+      keys.push_back(axis.range->key);
+    setters.push_back({fmt::format("axis '{}'", axis.name), std::move(keys)});
+    if (!takes_other_cases(axis))
+      continue;
+    if (with_cases != nullptr)
+      root.complain(
+          fmt::format("axes '{}' and '{}' both take other cases", with_cases->name, axis.name),
+          "only one of them would count");
+    with_cases = &axis;
+  }
+  refuse_overruled(root, study.case_file, setters);
   if (study.sample && study.axes.empty())
     root.complain("[sample] has nothing to draw from", "give [[vary]] key, from and to, or values");
 }
 
+/// Axes and quantities are columns of study.csv.
+void check_names(const At& root, const Study& study) {
+  std::map<std::string, std::string> known;
+  for (const std::string_view column : columns_of_every_study)
+    known.emplace(column, fmt::format("study.csv has a column '{}'", column));
+  const auto take = [&](const std::string& name, const std::string& what) {
+    const auto [before, is_new] =
+        known.emplace(name, fmt::format("there is {} '{}' already", what, name));
+    if (!is_new)
+      root.complain(fmt::format("{}, {} needs another name", before->second, what));
+  };
+  for (const Axis& axis : study.axes)
+    take(axis.name, "an axis");
+  for (const Quantity& quantity : study.quantities)
+    take(quantity.name, "a quantity");
+}
+
 void check_axes(const At& root, const Study& study) {
   check_keys(root, study);
-  std::set<std::string> names;
+  check_names(root, study);
   for (const Axis& axis : study.axes) {
-    if (!names.insert(axis.name).second)
-      root.complain(fmt::format("there is an axis '{}' already, names must differ", axis.name));
     std::set<std::string> labels;
     for (const Level& level : axis.levels)
       if (!labels.insert(level.label).second)
@@ -330,11 +363,6 @@ void check_axes(const At& root, const Study& study) {
       root.complain(fmt::format("axis '{}' needs a count of steps", axis.name),
                     "give [[vary]] count = N, or draw from it with [sample]");
   }
-  names.clear();
-  for (const Quantity& quantity : study.quantities)
-    if (!names.insert(quantity.name).second)
-      root.complain(
-          fmt::format("there is a quantity '{}' already, names must differ", quantity.name));
 }
 
 Study read_root(TableReader& root) {

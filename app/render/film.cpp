@@ -72,9 +72,9 @@ std::string encode(const Scene& scene, const Options& options, const std::filesy
   for (int i = 0; i < more; ++i)
     encoder.add(*last);
   encoder.finish();
-  return fmt::format("frames: {}, {:.4g} a second, {:.3g} MB\n{}", scene.pictures().size(),
-                     options.film.rate(), 1e-6 * static_cast<double>(std::filesystem::file_size(file)),
-                     scene.in_words());
+  return fmt::format(
+      "frames: {}, {:.4g} a second, {:.3g} MB\n{}", scene.pictures().size(), options.film.rate(),
+      1e-6 * static_cast<double>(std::filesystem::file_size(file)), scene.in_words());
 }
 
 } // namespace

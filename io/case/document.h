@@ -122,6 +122,10 @@ void erase_key(Node& root, const std::string& key, Complaints& complaints);
 /// form.
 [[nodiscard]] std::optional<std::vector<std::string>> key_parts(std::string_view text);
 
+/// The item of a list that a part of a key means: by its name, else by its index from 0. None:
+/// there is no such item.
+[[nodiscard]] std::optional<std::size_t> index_of_item(const List& list, const std::string& part);
+
 /// The tree as the text of a case file, without comments: parsing it gives the same tree.
 /// @pre root is a table and holds no Date
 [[nodiscard]] std::string toml_file(const Node& root);

@@ -85,13 +85,8 @@ std::optional<std::string> name_of(const Node& item) {
 }
 
 Node* item_of(List& list, const std::string& part) {
-  for (Node& item : list)
-    if (name_of(item) == part)
-      return &item;
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-  const bool is_index = error == std::errc{} && end == part.data() + part.size();
-  return is_index && index < list.size() ? &list[index] : nullptr;
+  const std::optional<std::size_t> index = index_of_item(list, part);
+  return index ? &list[*index] : nullptr;
 }
 
 std::string remedy_for(const List& list, const std::string& part) {
@@ -152,6 +147,16 @@ Node* existing(Node& from, const std::string& part) {
 } // namespace
 
 std::optional<std::vector<std::string>> key_parts(std::string_view text) { return take_key(text); }
+
+std::optional<std::size_t> index_of_item(const List& list, const std::string& part) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (name_of(list[i]) == part)
+      return i;
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+  const bool is_index = error == std::errc{} && end == part.data() + part.size();
+  return is_index && index < list.size() ? std::optional(index) : std::nullopt;
+}
 
 void apply_override(Node& root, const std::string& text, Complaints& complaints) {
   const TextPlace place{0, 0, complaints.add_override(text)};

@@ -116,6 +116,21 @@ void on_limited_friction(const process::Run& run, Lines& lines) {
         increments, run.state.increment));
 }
 
+/// A stage or the run that ended before a blow did.
+void on_cut_blows(const process::Run& run, const UnitSystem& units, Lines& lines) {
+  constexpr double little = 0.01; // of the energy
+  const double end = run.scene.stages.back().end;
+  for (const process::BlowReport& blow : run.blows())
+    if (!blow.over && blow.left > little * blow.energy &&
+        (blow.time < run.state.time || run.state.time == end))
+      lines.push_back(
+          fmt::format("warning: [blow-cut] the blow of {} that began at t = {:.6g} {} had {:.3g} % "
+                      "of its energy "
+                      "left when its stage ended, at {:.6g} {}: give the stage a later end",
+                      run.tools()[blow.tool].name, blow.begun, units.time,
+                      100.0 * blow.left / blow.energy, blow.time, units.time));
+}
+
 void on_fading_forces(const process::Run& run, Lines& lines) {
   constexpr double springback = 0.01; // of the plastic work: reverse flow of a bend is less
   if (const double flow = run.state.leaving.flow_in_decay;
@@ -397,6 +412,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   on_limited_friction(run, lines);
   on_multigrid(run, lines);
   on_fading_forces(run, lines);
+  on_cut_blows(run, content_->units, lines);
   on_resolution(run, *content_, lines);
   on_overlapping_tools(run, content_->units, lines);
   on_initial_penetrations(run, content_->units, lines);

@@ -20,6 +20,7 @@
 #include "process/reports/run_reports.h"
 #include "process/scene/scene.h"
 #include "process/stages/driven_tools.h"
+#include "process/stages/fading.h"
 #include "process/stages/stage_start.h"
 #include "process/stages/striking.h"
 #include "process/stages/tool_activation.h"
@@ -74,6 +75,7 @@ RunStatus StageLoop::go(double start) {
       write_checkpoint(run_, observers_, CheckpointReason::due);
     if (should_stop())
       return RunStatus::stopped;
+    begin_fading();
     if (goes_through_flight())
       continue;
     if (has_ended(run_) || comes_to_rest())
@@ -95,6 +97,17 @@ bool StageLoop::should_stop() const {
   return (run_.attempt.none || progress_.failures >= long_to_wait) &&
          std::any_of(observers_.begin(), observers_.end(),
                      [](const Observer* observer) { return observer->stop_requested(); });
+}
+
+/// The forces of tools that leave now fade in as many increments as a twentieth of a stage has, and
+/// a stage goes on as it begins.
+void StageLoop::begin_fading() {
+  constexpr double fewest = 5.0;
+  if (stage_.unload || !tools_leave(run_, stage_))
+    return;
+  const double gone = faded_at(run_, stage_);
+  release_tools(run_, gone, gone);
+  progress_.control.set_next(std::min(progress_.control.next(), (gone - run_.state.time) / fewest));
 }
 
 bool StageLoop::goes_through_flight() {
@@ -143,9 +156,8 @@ bool StageLoop::is_last_way(double length) const {
 
 Outcome<Done> StageLoop::solve(const Step& step) {
   const double time = run_.state.time;
-  const double gone =
-      stage_.unload ? stage_.end : std::min(time + fade_share * progress_.length, stage_.end);
-  release_tools(run_, time + step.length, gone);
+  if (stage_.unload)
+    release_tools(run_, time + step.length, stage_.end);
   activate_tools(run_, stage_, time + step.length);
   run_.attempt.too_deep = run_.attempt.inside_out = false;
   if (Outcome<Done> near = check_leaps(run_, stage_, time, time + step.length); !near)
@@ -189,6 +201,8 @@ void StageLoop::remesh_for(const std::string& cause, const std::vector<geometry:
 
 void StageLoop::take(const Step& step) {
   const EnergyBalance before = run_.state.energy;
+  const double faded = run_.state.leaving.decay_until;
+  const bool fades = !stage_.unload && run_.state.time < faded;
   accept(run_, step.length);
   if (step.lands)
     run_.state.time = step.landing;
@@ -203,6 +217,8 @@ void StageLoop::take(const Step& step) {
   const double gone = (run_.state.time - progress_.start) / progress_.length;
   progress_.control.accepted(step.length, run_.attempt.iterations,
                              missed_since(run_, before, gone));
+  if (fades && run_.state.time >= faded)
+    progress_.control = IncrementControl(progress_.limits);
   // An increment has been refused lately: for so many more they end before touches, and in so many
   // more points may part in rows.
   constexpr int increments_wary = 20, remembered = 3;

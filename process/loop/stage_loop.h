@@ -37,6 +37,8 @@ private:
   [[nodiscard]] bool should_stop() const;
   /// Whether nothing moves any more, and the run ends here.
   [[nodiscard]] bool comes_to_rest();
+  /// Lets the forces of tools that leave now fade.
+  void begin_fading();
   /// Through a flight, if there is one.
   /// @return whether there was
   [[nodiscard]] bool goes_through_flight();

@@ -58,6 +58,12 @@ Outcome<Done> Blows::begin(const Stage& stage,
   return Done{};
 }
 
+void Blows::end_all() {
+  for (const CurrentBlow& blow : current_)
+    term_.stop(blow.tool);
+  current_.clear();
+}
+
 /// Nothing resists the ram on its way there, so its speed stays what it is.
 Outcome<Done> Blows::bring_to_touch(std::size_t tool,
                                     double time,

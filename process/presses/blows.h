@@ -67,6 +67,9 @@ public:
   /// The inertia of the rams, to be assembled after contact.
   [[nodiscard]] mechanics::ForceTerm& term() { return term_; }
 
+  /// Ends the blows that are under way, with the energy that they have left.
+  void end_all();
+
   /// Begins the blows of a stage: moves its rams to first contact.
   ///
   /// @param points  surface of the workpiece, in space [mm]

@@ -1,6 +1,8 @@
 #include "process/remeshing/re_equilibrate.h"
 
 #include "process/control/increment_control.h"
+#include "process/energy/balance.h"
+#include "process/increment/bent_increment.h"
 #include "process/increment/commit.h"
 #include "process/increment/fallbacks.h"
 #include "process/increment/increment_report.h"
@@ -171,11 +173,18 @@ int solve_again(Run& run, const Snapshot& end) {
   int solved = 0, failures = 0;
   while (run.state.time < end.time && !control.exhausted()) {
     const double landing = next_landing(run, end.time);
-    const double step = step_towards(landing - run.state.time, up_to_turn(run, control.next()));
+    const double left = landing - run.state.time;
+    const double step = control.in_parts() ? part_towards(left, control.next())
+                                           : step_towards(left, up_to_turn(run, control.next()));
     const bool lands = step == landing - run.state.time;
     run.attempt.too_deep = run.attempt.inside_out = false;
     const bool is_shortest = 0.5 * step < shortest * length;
     if (solve_by_any_way(run, step, {.failed_before = failures > 0 || is_shortest})) {
+      if (const std::optional<Bend> bend =
+              bend_within(run, step, run.state.progress.length, shortest * length)) {
+        control.split(step, bend->share, run.attempt.iterations);
+        continue;
+      }
       commit(run, step);
       hold_on_walls(run);
       if (lands)
@@ -191,10 +200,6 @@ int solve_again(Run& run, const Snapshot& end) {
   run.attempt.iterations = iterations;
   return run.state.time == end.time ? solved : 0;
 }
-
-/// What the shortest way may let a tool's force jump by, as a share of the budget: its forces are a
-/// little too low as a rule.
-constexpr double of_budget_at_once = 0.5;
 
 /// States to begin from in the order in which they are tried: in the plane the two latest, which
 /// are the least work, then the earliest on; in space, where forces jump by more after a short way,
@@ -218,7 +223,10 @@ bool goes_through(Run& run,
                   RemeshReport& report) {
   start_from(run, from, mapped.now.state, mapped.sources, report);
   run.state.last_dt = mapped.now.state.last_dt; // the way ends at the pace that there is now
-  report.again = restore_balance(run, report) ? solve_again(run, mapped.now.state) : 0;
+  if (!restore_balance(run, report))
+    return false;
+  update_energy(run); // increments on the way are compared with that
+  report.again = solve_again(run, mapped.now.state);
   return report.again > 0;
 }
 
@@ -254,9 +262,7 @@ void re_equilibrate(Run& run,
     const double jump = jump_from(run, forces);
     // How metal finds its way into a gap is partly chance: from another beginning it goes
     // otherwise.
-    const bool at_once = plane && from == ways.front() && ways.size() > 1;
-    const bool meets = jump <= (at_once ? of_budget_at_once : 1.0) * force_budget;
-    const bool last = !distorted && (!plane || meets);
+    const bool last = !distorted && (!plane || jump <= force_budget);
     if (!best || std::pair(distorted, jump) < std::pair(best->distorted, best->jump))
       best = WayGone{distorted, jump, way, last ? std::string() : present(run)};
     if (last)

@@ -8,6 +8,7 @@
 #include "process/state/run.h"
 #include "process/state/state.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace billet::process {
@@ -50,10 +51,12 @@ void begin_increments(Run& run, const Stage& stage, double start) {
 double next_landing(const Run& run, double stage_end) {
   // Times closer than rounding count as reached.
   const double slack = 1e-9 * stage_end;
+  const double faded = run.state.leaving.decay_until;
+  const double end = faded > run.state.time + slack ? std::min(faded, stage_end) : stage_end;
   for (const double t : run.scene.landing_times)
-    if (t > run.state.time + slack && t < stage_end - slack)
+    if (t > run.state.time + slack && t < end - slack)
       return t;
-  return stage_end;
+  return end;
 }
 
 } // namespace billet::process

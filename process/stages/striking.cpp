@@ -41,8 +41,12 @@ bool constant(const LoadSpec& load, double from, double to) {
 } // namespace
 
 Outcome<Done> begin_blows(Run& run, const Stage& stage) {
-  if (!run.model.blows || stage.unload)
+  if (!run.model.blows)
     return Done{};
+  if (stage.unload) { // tools that touch stay where they are
+    run.model.blows->end_all();
+    return Done{};
+  }
   std::vector<Vec3> points(run.model.surface->n_points());
   run.model.surface->positions(run.state.x, points);
   const int dim = run.mesh().dimension();

@@ -30,7 +30,9 @@ class CaseReport(NamedTuple):
 
 
 def _assignments(changes: Mapping[str, Any] | None, above: Path = ()) -> list[str]:
-    """ "KEY=VALUE" of each change."""
+    """ "KEY=VALUE" of each change. Raises billet.Error for what is no mapping."""
+    if changes is not None and not isinstance(changes, Mapping):
+        raise Error(f"changes are a dictionary, {{'time.end': 2.0}}, not {changes!r:.60}")
     dotted = {_dotted((*above, *key_parts(key))): value for key, value in (changes or {}).items()}
     return [f"{key}={toml_text(value)}" for key, value in dotted.items()]
 

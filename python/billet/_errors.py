@@ -1,5 +1,7 @@
 """What is raised: every error of this package is a billet.Error."""
 
+from __future__ import annotations
+
 from ._native import Error as Error
 
 Error.__module__ = "billet"
@@ -27,9 +29,13 @@ class NotConverged(Error):
 class ProgramError(Error):
     """The program billet has ended with an error; the message is what it said.
 
-    status   its exit status: docs/guide/results.md, "How a run ends"
+    status   its exit status: docs/guide/results.md, "Exit statuses"
     """
 
     def __init__(self, message: str, status: int) -> None:
         super().__init__(message)
         self.status = status
+
+    def __reduce__(self) -> tuple[type[ProgramError], tuple[str, int]]:
+        """For pickle and copy, as between processes."""
+        return type(self), (str(self), self.status)

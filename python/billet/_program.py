@@ -47,19 +47,27 @@ def program() -> Path:
     return Path(found)
 
 
+RUNS_ARE_LEFT = 1  # of a study or a chart that a queue makes
+
+
 def run_program(*words: FilePath, accepted: tuple[int, ...] = (0,)) -> str:
     """Calls the program; returns what it printed.
 
-    Ctrl-C ends it as in a terminal: after a whole increment, with what it has so far on disk.
-    Raises billet.ProgramError with what it said, KeyboardInterrupt.
+    Ctrl-C, or whatever else a handler of signals raises, ends it as in a terminal: after a whole
+    increment, with what it has so far on disk. Raises billet.ProgramError with what it said.
     """
     command = [os.fsdecode(word) for word in (program(), *words)]
     with subprocess.Popen(
-        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+        errors="surrogateescape",  # names of files may be anything
     ) as process:
         try:
             said, complained = process.communicate()
-        except KeyboardInterrupt:
+        except BaseException:
             process.send_signal(signal.SIGINT)
             process.communicate()
             raise
@@ -87,7 +95,7 @@ def options(
     """Words of the command line."""
     words: list[str] = []
     if output is not None:
-        words += ["-o", os.fsdecode(output)]
+        words += ["-o", as_operand(output)]
     for assignment in _assignments(set):
         words += ["--set", assignment]
     if processes is not None:
@@ -97,8 +105,21 @@ def options(
     return [*words, "--again"] if again else words
 
 
-def folder_of(said: str) -> Path:
-    """The folder that the program says its results are in."""
+def expanded(path: FilePath) -> Path:
+    """A path whose ~/ is the home folder, as the program takes it."""
+    return Path(os.fsdecode(path)).expanduser()
+
+
+def as_operand(file: FilePath) -> str:
+    """A file's name as the program takes it for one, though it begins with '-'."""
+    name = os.fsdecode(file)
+    return os.path.join(os.curdir, name) if name.startswith("-") else name
+
+
+def folder_of(said: str, output: FilePath | None = None) -> Path:
+    """The folder of results: as asked for, or where the program says they are."""
+    if output is not None:
+        return expanded(output)
     lines = [line for line in said.splitlines() if line.startswith("results: ")]
     if not lines:
         raise Error(f"billet does not say where its results are:\n{said}")
@@ -136,12 +157,12 @@ def simulate(
             case.update(set)
             set = None  # the file has it
         allow_outside = allow_outside or case._allow_outside
-        case = _written(case, Path(os.fsdecode(output)))
+        case = _written(case, expanded(output))
     words = options(output=output, set=set, threads=threads)
     if allow_outside:
         words.append("--allow-outside")
-    said = run_program("run", case, "--quiet", *words, accepted=(0, FAILED_CHECKS))
-    return results(folder_of(said))
+    said = run_program("run", as_operand(case), "--quiet", *words, accepted=(0, FAILED_CHECKS))
+    return results(folder_of(said, output))
 
 
 _WRITTEN = "# Written by billet.simulate for "

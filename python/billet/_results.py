@@ -15,7 +15,7 @@ import numpy as np
 
 from ._arrays import Floats, Integers, Values
 from ._errors import Error, MissingKey, MissingPackage
-from ._program import FilePath
+from ._program import FilePath, expanded
 from ._studies import read_json
 from ._table import Table, no_such, read_csv
 
@@ -158,7 +158,7 @@ class Results:
 
 def results(folder: FilePath) -> Results:
     """The results of a run, by its folder. Raises billet.Error if there are none."""
-    return Results(folder)
+    return Results(expanded(folder))
 
 
 # --- readers of frames --------------------------------------------------------------------------

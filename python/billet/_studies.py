@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,7 +13,7 @@ import numpy as np
 
 from ._arrays import Floats
 from ._errors import Error, MissingKey
-from ._program import FilePath, folder_of, options, run_program
+from ._program import RUNS_ARE_LEFT, FilePath, as_operand, folder_of, options, run_program
 from ._table import no_such
 
 
@@ -30,6 +31,18 @@ def read_json(file: Path, *needed: str) -> dict[str, Any]:
         if key not in found:
             raise Error(f"{file}: has no '{key}'")
     return found
+
+
+def _folder_when_made(command: str, file: FilePath, output: FilePath | None, words: list[str]) -> Path:
+    """The folder of results whose runs have all been made. Raises billet.Error if some are left."""
+    said = run_program(command, as_operand(file), "--quiet", *words, accepted=(0, RUNS_ARE_LEFT))
+    folder = folder_of(said, output)
+    if re.search("left to be (run|made)$", said, re.MULTILINE):
+        raise Error(
+            f"{folder}: runs are left to be made; each line of {folder / 'commands.txt'} is one, "
+            f"then call billet.{command} again"
+        )
+    return folder
 
 
 class Study:
@@ -87,10 +100,11 @@ def study(
     threads     of each run, by default 1
     again       makes runs that failed again
 
-    Ctrl-C ends it; the same call goes on. Raises billet.ProgramError.
+    Ctrl-C ends it; the same call goes on. Raises billet.ProgramError; billet.Error if runs are left
+    to be made by a queue.
     """
     words = options(output=output, set=set, processes=processes, threads=threads, again=again)
-    return Study(folder_of(run_program("study", file, "--quiet", *words)))
+    return Study(_folder_when_made("study", file, output, words))
 
 
 @dataclass(frozen=True)
@@ -173,7 +187,4 @@ def chart(
     made by a queue.
     """
     words = options(output=output, set=set, processes=processes, threads=threads, again=again)
-    said = run_program("chart", file, "--quiet", *words)
-    if "left to be made" in said:
-        raise Error(f"{folder_of(said)}: {said.strip().splitlines()[0]}")
-    return Chart(folder_of(said))
+    return Chart(_folder_when_made("chart", file, output, words))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import os
+import pickle
 import signal
 import threading
 import time
@@ -200,3 +202,47 @@ def test_measurements_that_do_not_fit_the_chart_are_refused(made_chart: billet.C
         (tmp_path / "chart.json").write_text(text)
         with pytest.raises(billet.Error, match=f"chart.json: {what}"):
             billet.Chart(tmp_path)
+
+
+def test_an_error_of_the_program_goes_between_processes() -> None:
+    error = billet.ProgramError("why", 3)
+    for again in (pickle.loads(pickle.dumps(error)), copy.copy(error)):
+        assert (str(again), again.status) == ("why", 3)
+
+
+@pytest.mark.parametrize("name", [b"r\xe9s", "a\nb", "-r", "~/r"])
+def test_results_go_to_folders_of_any_name(
+    case_file: Path, tmp_path: Path, name: str | bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    case = billet.Case.load(case_file, {"time.end": 0.05})
+    assert billet.simulate(case, os.fsdecode(name), threads=1).summary["status"] == "done"
+    assert not (tmp_path / "~").exists()
+    assert (tmp_path / "home" / "r").exists() == (name == "~/r")
+
+
+def test_a_signal_whose_handler_raises_ends_the_run(case_file: Path, tmp_path: Path) -> None:
+    def leave(number: int, frame: object) -> None:
+        raise SystemExit
+
+    before = signal.signal(signal.SIGALRM, leave)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.5)
+        begun = time.monotonic()
+        with pytest.raises(SystemExit):
+            changes = {"time.increments.max": 1e-4}  # long enough to be ended
+            billet.simulate(case_file, tmp_path / "r", set=changes, threads=1)
+        assert time.monotonic() - begun < 10.0
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_runs_that_a_queue_makes_are_left(study_file: Path) -> None:
+    with pytest.raises(billet.Error, match=r"commands\.txt is one, then call billet\.study again"):
+        billet.study(study_file, study_file.parent / "queue", set={"run.engine": "commands"})
+
+
+def test_changes_are_a_dictionary(case_file: Path) -> None:
+    with pytest.raises(billet.Error, match="changes are a dictionary"):
+        billet.Case.load(case_file, [("time.end", 1.0)])  # type: ignore[arg-type]

@@ -189,6 +189,47 @@ tools = ["anvil", "press"]
   EXPECT_NEAR(table.value(last, "external_work"), elastic, 0.01 * elastic);
 }
 
+TEST_F(LeavingTools, DoNotPressOnWhileTheNextOneWorks) {
+  // The same motions whenever the run ends: so are the forces.
+  const auto force = [&](const std::string& end) {
+    const Outcome outcome = run(R"(
+analysis = "plane-strain"
+workpiece = { element = "quad8", material = "steel", mesh = { box = [[0, 0], [10, 8]], cells = [8, 6] } }
+[material.steel]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "linear", yield = 300, hardening = 100 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "flat"
+surface = { plane = { point = [0, 8], normal = [0, -1] } }
+active = [0, 1]
+motion = { displacement = [[0, 0, 0], [1, 0, -0.8]] }
+[[tool]]
+name = "round"
+surface = { circle = { centre = [0, 11.2], radius = 4 } }
+active = [1, 40]
+motion = { displacement = [[0, 0, 0], [1, 0, 0], [2, 0, -0.3], [3, 0, -0.3]] }
+[time]
+increments = { max = 0.05 }
+end = )" + end);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const ResultTable table = history();
+    std::size_t row = 0;
+    while (table.value(row, "time") < 2.0)
+      ++row;
+    EXPECT_NEAR(table.value(row, "time"), 2.0, 1e-9);
+    return table.value(row, "round.force_y");
+  };
+  const double early = force("2"), late = force("20");
+  EXPECT_GT(early, 100.0);
+  EXPECT_NEAR(late, early, 5e-3 * early); // increments differ; forces that faded took 13 %
+}
+
 TEST_F(LeavingTools, ThatComeBackInsideThePartAreNamed) {
   const auto late = [&](double deep) {
     return run(R"(

@@ -5,6 +5,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -54,6 +55,75 @@ unload = true
 name = "blow 2"
 end = 0.3
 )";
+
+/// A frictionless block, 5 x 4 x 6 mm, pressed by 0.6 mm and then struck with 8 J mm.
+std::string pressed_and_struck(double stage) {
+  return fmt::format(R"(
+analysis = "3d"
+[workpiece]
+element = "hex8"
+material = "m"
+mesh = {{ box = [[0, 0, 0], [5, 4, 6]], cells = [2, 2, 2] }}
+[material.m]
+elastic = {{ young = 200000, poisson = 0.3 }}
+flow = {{ law = "linear", yield = 300, hardening = 200 }}
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[support]]
+where = "z = 0"
+fix = ["z"]
+[[tool]]
+name = "ram"
+surface = {{ plane = {{ point = [0, 0, 6], normal = [0, 0, -1] }} }}
+motion = {{ press = {{ kind = "hammer", direction = [0, 0, -1], energy = 8000, mass = 0.001 }} }}
+[[tool]]
+name = "punch"
+surface = {{ plane = {{ point = [0, 0, 6], normal = [0, 0, -1] }} }}
+motion = {{ displacement = [[0, 0, 0, 0], [1, 0, 0, -0.6], [2, 0, 0, -0.6]] }}
+[[measure]]
+name = "height"
+kind = "height"
+direction = [0, 0, 1]
+[[stage]]
+name = "press"
+end = 1
+tools = ["punch"]
+[[stage]]
+name = "strike"
+end = {}
+tools = ["ram"]
+)",
+                     1.0 + stage);
+}
+
+TEST_F(Presses, ABlowIsNotHelpedByAToolThatHasLeft) {
+  // Uniform strain: the work that the two tools may do is that of the flow curve.
+  for (const double stage : {0.002, 0.1}) {
+    const std::filesystem::path results = run(pressed_and_struck(stage));
+    const nlohmann::json said = summary(results);
+    EXPECT_NEAR(said.at("blows").at(0).at("energy_used").get<double>(), 8000.0, 1.0);
+    const double height = read_table(results / "history.csv").values("height").back();
+    EXPECT_NEAR(height, 4.439, 2e-3) << stage;
+  }
+}
+
+TEST_F(Presses, AStageThatUnloadsEndsABlowThatIsNotOver) {
+  const std::string hammer =
+      R"(kind = "hammer", direction = [0, -1], energy = "40 J", velocity = "5 m/s")";
+  const std::filesystem::path results =
+      run(pressed(hammer, edited(two_blows, {{"end = 0.1\n", "end = 0.0002\n"}})));
+  const nlohmann::json said = summary(results);
+  const nlohmann::json& cut = said.at("blows").at(0);
+  EXPECT_FALSE(cut.at("over").get<bool>());
+  EXPECT_GT(cut.at("energy_left").get<double>(), 4e3);
+  EXPECT_NEAR(cut.at("energy_used").get<double>() + cut.at("energy_left").get<double>(), 40e3, 1.0);
+  EXPECT_NEAR(cut.at("time").get<double>(), 0.0002, 1e-9);
+  EXPECT_NE(said.at("warnings").at(0).get<std::string>().find("[blow-cut]"), std::string::npos);
+}
 
 TEST_F(Presses, AHammerSaysWhatItsBlowsUsed) {
   const std::string hammer =

@@ -72,6 +72,43 @@ const std::string header =
     "returned,"
     "seconds,punch.force_before,punch.force_after\n";
 
+TEST_F(Remeshing, KeepsTheWorkOfSupportsFromBeforeTheMetalFlowed) {
+  // A bar that is pulled, uniform in each increment; the way that is solved again begins before
+  // yield.
+  const std::filesystem::path results = run(R"(
+analysis = "3d"
+[workpiece]
+element = "tet10"
+material = "m"
+mesh = { box = [[0, 0, 0], [2, 3, 10]], cells = [2, 2, 6] }
+[material.m]
+elastic = { young = 100000, poisson = 0.3 }
+flow = { law = "linear", yield = 40, hardening = 2000 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[support]]
+where = "z = 0"
+fix = ["z"]
+[[support]]
+where = "z = 10"
+move = { z = [[0, 0], [1, 3]] }
+[time]
+end = 0.1
+increments = { max = 0.02 }
+[remesh]
+when = { interval = 0.04 }
+size = { default = 1.6 }
+)");
+  const ResultTable history = read_table(results / "history.csv");
+  const std::size_t last = history.rows.size() - 1;
+  const double stored = history.value(last, "plastic_work") + history.value(last, "elastic_energy");
+  EXPECT_NEAR(history.value(last, "external_work"), stored, 1e-3 * stored);
+}
+
 TEST_F(Remeshing, CountsTheWorkOfAPressureOnce) {
   // The way to a new mesh is gone again from several states until the die's force is right; what a
   // pressure did on the ways that are not taken is not its work.

@@ -131,7 +131,7 @@ TEST_F(StudyRun, SaysBeforeTheRunsWhatIsWrong) {
            {edited(study_text, {{"punch.force_y", "punch.forec_y"}}), "did you mean"},
            {edited(study_text, {{"[4, 2, 1]", "[1, 1, 2]"}}), "two values have the same size"},
            {edited(study_text, {{"workpiece.mesh.cells", "tool.punch.friction.m"}}),
-            "both set tool.punch.friction.m"}}) {
+            "axis 'm' sets tool.punch.friction.m, and axis 'mesh' sets"}}) {
     const Outcome outcome = study(with);
     EXPECT_EQ(outcome.status, 3) << says;
     EXPECT_TRUE(outcome.says(says)) << outcome.err;
@@ -195,6 +195,57 @@ TEST_F(StudyRun, OfASlurmThatIsNotThereSaysSo) {
   const Outcome outcome = study(study_text, {"--set", "run.engine=slurm"});
   EXPECT_EQ(outcome.status, 6);
   EXPECT_TRUE(outcome.says("sbatch")) << outcome.err;
+}
+
+/// Stands in for Slurm's sbatch and scancel.
+class StudyBySlurm : public StudyRun {
+protected:
+  StudyBySlurm() {
+    fs::create_directory(bin());
+    put("sbatch",
+        R"sh(case "$*" in *--quiet*) ;; *--parsable*) echo 7 ;; *) echo Submitted batch job 7 ;; esac
+for word in "$@"; do script=$word; case $word in --array=1-*) n=${word#--array=1-} ;; esac; done
+for i in $(seq "$n"); do SLURM_ARRAY_TASK_ID=$i bash "$script"; sleep "${PAUSE:-0}"; done
+)sh");
+    put("scancel", "echo \"$1\" >cancelled\n");
+  }
+  [[nodiscard]] Start start(const std::vector<std::string>& more, const std::string& pause) const {
+    std::vector<std::string> words{"study", "study.toml", "-o", "out", "--set", "run.engine=slurm"};
+    words.insert(words.end(), more.begin(), more.end());
+    return {words, folder_.path(), [path = bin().string() + ":/usr/bin:/bin", pause] {
+              ::setenv("PATH", path.c_str(), 1);
+              ::setenv("PAUSE", pause.c_str(), 1);
+            }};
+  }
+  [[nodiscard]] fs::path bin() const { return folder_.path() / "bin"; }
+
+private:
+  void put(const std::string& name, const std::string& text) const {
+    write_text(bin() / name, "#!/bin/bash\n" + text);
+    fs::permissions(bin() / name, fs::perms::owner_all);
+  }
+};
+
+TEST_F(StudyBySlurm, TakesWhateverItsOptionsMakeSbatchSay) {
+  write_text(folder_.path() / "study.toml", study_text);
+  for (const char* option : {"--comment=a", "--parsable", "--quiet"}) {
+    const Outcome outcome =
+        Program(start({"--set", std::string("run.options=[\"") + option + "\"]"}, "0")).end();
+    EXPECT_EQ(outcome.status, 0) << option << outcome.err;
+    EXPECT_TRUE(outcome.prints("9 row(s), 0 of them failed")) << outcome.out;
+    fs::remove_all(out());
+  }
+}
+
+TEST_F(StudyBySlurm, TakesItsJobOutOfTheQueueWhenStopped) {
+  write_text(folder_.path() / "study.toml", study_text);
+  Program program(start({}, "30"));
+  while (!fs::exists(out() / "slurm.txt") || whole_file(out() / "slurm.txt").empty())
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  program.signal(SIGTERM);
+  const Outcome outcome = program.end();
+  EXPECT_EQ(outcome.status, 143) << outcome.err;
+  EXPECT_EQ(whole_file(folder_.path() / "cancelled"), "7\n");
 }
 
 TEST_F(StudyRun, OfAChartGivesTheCoefficientBack) {
