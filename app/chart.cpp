@@ -7,6 +7,7 @@
 #include "io/results/atomic_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +22,14 @@ namespace {
 void warn_of_empty(const study::Chart& chart) {
   for (const study::ChartedLaw& law : chart.laws)
     for (const study::ChartedQuantity& quantity : law.quantities) {
-      const auto is_known = [](const std::vector<double>& curve) {
-        return std::any_of(curve.begin(), curve.end(), [](double y) { return std::isfinite(y); });
-      };
-      if (std::none_of(quantity.values.begin(), quantity.values.end(), is_known))
-        fmt::print(stderr,
-                   "warning: [chart-empty] law '{}': no run gives {} at any of the values of {}\n",
-                   law.name, quantity.name, chart.x);
+      std::vector<std::string> empty;
+      for (std::size_t s = 0; s < chart.stations.size(); ++s)
+        if (std::none_of(quantity.values.begin(), quantity.values.end(),
+                         [&](const auto& curve) { return std::isfinite(curve[s]); }))
+          empty.push_back(fmt::format("{:.6g}", chart.stations[s]));
+      if (!empty.empty())
+        fmt::print(stderr, "warning: [chart-empty] law '{}': no run gives {} at {} = {}\n", law.name,
+                   quantity.name, chart.x, fmt::join(empty, ", "));
     }
 }
 

@@ -67,7 +67,7 @@ _billet_files() { # PATTERN WORD: folders, and the files that fit
   COMPREPLY=()
   for name in $(compgen -f -- "$2"); do
     # shellcheck disable=SC2053
-    [[ ! -d $name && $name != $1 ]] || COMPREPLY+=("$name")
+    [[ ! -d ${name/#\~\//$HOME/} && $name != $1 ]] || COMPREPLY+=("$name")
   done
   compopt -o filenames 2>/dev/null
 }

@@ -8,6 +8,10 @@
 
 #pragma once
 
+#if __cplusplus < 202002L
+#error "billet/case.h needs C++20: compile with -std=c++20"
+#endif
+
 #include <filesystem>
 #include <memory>
 #include <stdexcept>

@@ -8,8 +8,10 @@
 #include "io/results/checksum.h"
 #include "io/results/frames.h"
 #include "io/results/history_row.h"
+#include "io/results/summary.h"
 #include "io/scene/scene_builder.h"
 #include "mechanics/linear/blas.h"
+#include "process/loop/early_end.h"
 #include "process/loop/process.h"
 #include "process/loop/run_checks.h"
 
@@ -77,10 +79,12 @@ struct Saved {
   std::string scene;   ///< fingerprint of mesh and tools
   std::size_t stage = 0;
   Told told;
+  std::int32_t status = 0; ///< a Status
+  std::string reason;
   std::string run; ///< of the process
 
   template <class Archive> void fields(Archive& archive) {
-    archive(content, scene, stage, told, run);
+    archive(content, scene, stage, told, status, reason, run);
   }
 };
 
@@ -143,6 +147,12 @@ Case with_overrides(Case content, const std::vector<std::string>& overrides) {
 /// More are of no use on any machine, and an arena of very many cannot be made.
 constexpr int most_threads = 4096;
 
+int threads_of(const RunOptions& options) {
+  if (options.threads < 1)
+    throw RunError(fmt::format("RunOptions::threads is {}, at least 1 is needed", options.threads));
+  return std::min(options.threads, most_threads);
+}
+
 std::array<double, 3> as_array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 } // namespace
@@ -160,7 +170,7 @@ struct Run::Inside {
 
   Inside(Case source_case, RunOptions run_options)
       : source(std::move(source_case)), options(std::move(run_options)),
-        threads(std::clamp(options.threads, 1, most_threads)), process(prepared()) {
+        threads(threads_of(options)), process(prepared()) {
     const io::UnitSystem& labels = content().units;
     columns = io::history_columns(process->view().scene);
     units = {labels.length, labels.force, labels.time, labels.stress, labels.temperature};
@@ -170,6 +180,14 @@ struct Run::Inside {
   Inside& operator=(const Inside&) = delete;
 
   [[nodiscard]] const io::Case& content() const { return source.inside_->content; }
+
+  /// Of a run that was saved with a status: one that was done may have more time now.
+  [[nodiscard]] Status status_after(Status saved) const {
+    const process::Run& run = process->view();
+    const bool at_end = process::has_ended(run) || run.state.time >= run.scene.stages.back().end ||
+                        run.state.ended_by == process::EndedBy::energy_used_up;
+    return saved == Status::done && !at_end ? Status::running : saved;
+  }
 
   /// Does what takes time, within the threads of this run.
   template <class Function> auto work(Function&& function) {
@@ -238,6 +256,11 @@ Status Run::finish() {
 
 Status Run::status() const { return inside_->status; }
 const std::string& Run::reason() const { return inside_->observer.reason; }
+std::string Run::ended_by() const {
+  return inside_->status == Status::done
+             ? std::string(io::words_of(inside_->process->view().state.ended_by))
+             : std::string();
+}
 double Run::time() const { return inside_->process->view().state.time; }
 int Run::increment() const { return inside_->process->view().state.increment; }
 const Increment& Run::last_increment() const { return inside_->observer.told.last; }
@@ -320,7 +343,9 @@ std::string Run::save() {
   return inside_->work([&] {
     const process::Run& run = inside_->process->view();
     return bytes_of({io::resolved_toml(inside_->content()), io::scene_fingerprint(run.scene),
-                     run.state.progress.stage, inside_->observer.told, inside_->process->store()});
+                     run.state.progress.stage, inside_->observer.told,
+                     static_cast<std::int32_t>(inside_->status), inside_->observer.reason,
+                     inside_->process->store()});
   });
 }
 
@@ -333,16 +358,15 @@ void Run::load(std::string_view saved) {
   });
   inside_->leave_positions();
   inside_->process = std::move(process);
-  inside_->status = Status::running;
+  inside_->status = inside_->status_after(static_cast<Status>(from.status));
   inside_->observer = {};
   inside_->observer.told = from.told;
+  inside_->observer.reason = from.reason;
 }
 
 Run Run::copy() {
   Run other(inside_->source, {{}, inside_->options.threads, inside_->options.allow_outside});
   other.load(save());
-  other.inside_->status = inside_->status;
-  other.inside_->observer.reason = inside_->observer.reason;
   return other;
 }
 

@@ -9,6 +9,10 @@
 
 #pragma once
 
+#if __cplusplus < 202002L
+#error "billet/run.h needs C++20: compile with -std=c++20"
+#endif
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -58,7 +62,7 @@ struct Increment {
 /// Values at the nodes.
 struct NodalField {
   std::string name;           ///< as in frames: "von_mises"
-  std::string unit;           ///< "MPa"; "1" of pure numbers
+  std::string unit;           ///< "MPa"; "1" of pure numbers; of codes what they mean
   int components = 1;         ///< 1, 3 (X, Y, Z) or 6 (XX, YY, ZZ, XY, YZ, XZ)
   std::vector<double> values; ///< shape (n_nodes, components)
 };
@@ -93,6 +97,9 @@ public:
   [[nodiscard]] Status status() const;
   /// Why an increment could not be solved; empty: all could.
   [[nodiscard]] const std::string& reason() const;
+  /// Why a run that is done has ended: "end of time", or before it "full cavity", "tools
+  /// overloaded", "tools together", "lap", "energy used up"; empty: it is not done.
+  [[nodiscard]] std::string ended_by() const;
 
   /// At the end of the last increment [s].
   [[nodiscard]] double time() const;

@@ -92,6 +92,7 @@ std::vector<Measured> read_measurements(const std::filesystem::path& file, const
     complaints.push_back({file.string(), "there is no column of what the chart measures", {}});
   if (!complaints.empty())
     throw Error(Fault::case_file, std::move(complaints));
+  constexpr double largest_uncertainty = 1e100; // its square is a number
   std::vector<Measured> data;
   const std::vector<double> places = table.numbers(*x);
   for (const Columns& each : columns) {
@@ -117,8 +118,8 @@ std::vector<Measured> read_measurements(const std::filesystem::path& file, const
         complain(each.value, "a number");
       if (const std::optional<std::size_t> uncertainty =
               each.standard ? each.standard : each.uncertainty;
-          uncertainty && !(standards[r] > 0.0 && std::isfinite(standards[r])))
-        complain(*uncertainty, "a number above 0");
+          uncertainty && !(standards[r] > 0.0 && standards[r] < largest_uncertainty))
+        complain(*uncertainty, "a number above 0, and below 1e100");
       data.push_back({each.quantity, places[r], values[r], standards[r]});
     }
   }

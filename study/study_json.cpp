@@ -108,15 +108,29 @@ std::string remark_of(const Trade& trade, std::size_t s) {
   return fmt::format("{}", fmt::join(remarks, ", "));
 }
 
+/// Text as it stands in a cell of a Markdown table.
+std::string in_cell(const std::string& text) {
+  std::string cell;
+  for (const char c : text)
+    cell += c == '|' ? "\\|" : std::string(1, c == '\n' ? ' ' : c);
+  return cell;
+}
+
+std::string in_cells(const std::vector<std::string>& texts, std::string_view between) {
+  std::vector<std::string> cells(texts.size());
+  std::transform(texts.begin(), texts.end(), cells.begin(), in_cell);
+  return fmt::format("{}", fmt::join(cells, between));
+}
+
 std::string trade_text(const Study& study, const Trade& trade) {
-  std::string text = fmt::format("| {} | error | cost [{}] | |\n|", fmt::join(trade.axes, " | "),
+  std::string text = fmt::format("| {} | error | cost [{}] | |\n|", in_cells(trade.axes, " | "),
                                  unit_of(study.trade->cost));
   for (std::size_t i = 0; i < trade.axes.size() + 3; ++i)
     text += "---|";
   text += '\n';
   for (std::size_t s = 0; s < trade.settings.size(); ++s) {
     const Setting& setting = trade.settings[s];
-    text += fmt::format("| {} | {} | {:.4g} | {} |\n", fmt::join(setting.labels, " | "),
+    text += fmt::format("| {} | {} | {:.4g} | {} |\n", in_cells(setting.labels, " | "),
                         percent(setting.error), setting.cost, remark_of(trade, s));
   }
   if (std::any_of(trade.settings.begin(), trade.settings.end(), [](const Setting& setting) {
@@ -132,6 +146,9 @@ std::string trade_text(const Study& study, const Trade& trade) {
   if (trade.cheapest_within)
     text += fmt::format("\nThe cheapest within {}:\n\n{}", percent(study.trade->within),
                         to_paste(trade.settings[*trade.cheapest_within]));
+  else if (std::all_of(trade.settings.begin(), trade.settings.end(),
+                       [](const Setting& setting) { return setting.is_reference; }))
+    text += "\nThere is no setting but the reference.\n";
   else
     text += fmt::format("\nNo setting is within {}.\n", percent(study.trade->within));
   if (trade.knee)
@@ -145,15 +162,15 @@ std::string problems_text(const Study& study, const Trade& trade) {
   if (trade.problems.size() < 2)
     return {};
   std::string text = fmt::format("\nError and cost [{}] by problem:\n\n| {} |",
-                                 unit_of(study.trade->cost), fmt::join(trade.problem_axes, " | "));
+                                 unit_of(study.trade->cost), in_cells(trade.problem_axes, " | "));
   for (const Setting& setting : trade.settings)
-    text += fmt::format(" {} |", fmt::join(setting.labels, ", "));
+    text += fmt::format(" {} |", in_cells(setting.labels, ", "));
   text += "\n|";
   for (std::size_t i = 0; i < trade.problem_axes.size() + trade.settings.size(); ++i)
     text += "---|";
   text += '\n';
   for (const TradeProblem& problem : trade.problems) {
-    text += fmt::format("| {} |", fmt::join(problem.labels, " | "));
+    text += fmt::format("| {} |", in_cells(problem.labels, " | "));
     for (std::size_t s = 0; s < trade.settings.size(); ++s)
       text += fmt::format(" {}, {:.4g} |", percent(problem.errors[s]), problem.costs[s]);
     text += '\n';
@@ -170,7 +187,7 @@ std::string convergence_text(const Study& study, const std::vector<Convergence>&
   }
   std::string text = "|";
   for (const std::string& name : problems)
-    text += fmt::format(" {} |", name);
+    text += fmt::format(" {} |", in_cell(name));
   text += " quantity | finest | extrapolated | uncertainty of the finest | over | order | |\n|";
   for (std::size_t i = 0; i < problems.size() + 7; ++i)
     text += "---|";
@@ -180,7 +197,7 @@ std::string convergence_text(const Study& study, const std::vector<Convergence>&
       const AxisConvergence& line = each.along[i];
       text += "|";
       for (const std::string& label : each.problem)
-        text += fmt::format(" {} |", label);
+        text += fmt::format(" {} |", in_cell(label));
       text += fmt::format(
           " {} | {:.6g} | {:.6g} | {:.2g} ({}) | {} | {} | {} |\n", each.quantity, each.finest,
           each.limit, each.uncertainty,

@@ -31,7 +31,8 @@ what is shown
   --arrow-scale F             F times the usual length
   --flow-lines N              instead of the mesh N + N lines that were straight before the run
                               (scenes of the plane)
-  --no-mesh                   without the edges of elements
+  --mesh                      with the edges of elements, as without an option
+  --no-mesh                   without them
 
 the part as a whole
   --mirror [PLANES]           mirror images: in all planes of symmetry that the results know, in those
@@ -53,16 +54,18 @@ from where
   --focus X,Y,Z               what is in the middle
 
 films
-  --animate                   RESULTS/FIELD.gif, or by the name of the output: film.gif, film.mp4 (both
+  --animate                   all frames: RESULTS/FIELD.gif, or by the name of the output: film.gif, film.mp4 (both
                               need the program ffmpeg), film_%04d.png
   --fps N                     frames a second (10)
   --frames A:B:STEP           frames A to B, counted from 0; each may be left out
 
 curves
+  --curve                     curves in place of the part
   X:Y[,Y2]                    columns of history.csv of one or several results; -COLUMN turns the sign
   SERIES                      FILE.csv:X-COLUMN:Y-COLUMN[:LABEL]
   --points SERIES             the same, as markers
-  --x-label TEXT, --y-label TEXT
+  --x-label TEXT              of the axis to the right
+  --y-label TEXT              of the axis upwards
   --tight                     axes as long as the curves (from zero)
   --log-x, --log-y            logarithmic axes; values at or below zero are left out
 

@@ -2,13 +2,46 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace billet::report {
 
+namespace {
+
+/// How many bytes a character of UTF-8 has that begins a text; 0: none does.
+std::size_t length_of_character(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  const std::size_t length = first < 0x80                     ? 1
+                             : first >= 0xC2 && first <= 0xDF ? 2
+                             : first >= 0xE0 && first <= 0xEF ? 3
+                             : first >= 0xF0 && first <= 0xF4 ? 4
+                                                              : 0;
+  if (length == 0 || length > text.size())
+    return 0;
+  for (const char c : text.substr(1, length - 1))
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U)
+      return 0;
+  return length;
+}
+
+/// What is no UTF-8, as names of files may be, shown as such.
+std::string readable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = length_of_character(text);
+    result += length > 0 ? text.substr(0, length) : "\xEF\xBF\xBD"; // the sign for it
+    text.remove_prefix(std::max<std::size_t>(1, length));
+  }
+  return result;
+}
+
+} // namespace
+
 std::string escaped(std::string_view text) {
   std::string html;
-  for (const char c : text)
+  for (const char c : readable(text))
     switch (c) {
     case '&':
       html += "&amp;";

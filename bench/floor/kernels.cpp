@@ -1,7 +1,7 @@
 // Rates of the kernels beside those of the machine: matrix products and memory.
 //
 // Prints one line a kernel: what it is, the best rate of several passes, the unit. One thread.
-// Theory  none; docs/speed.md reads these figures.
+// Theory  none.
 
 #include "geometry/base/stopwatch.h"
 #include "mechanics/bulk/bulk.h"

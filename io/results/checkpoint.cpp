@@ -177,12 +177,14 @@ Checkpoint read_checkpoint(const fs::path& file) {
 }
 
 std::vector<fs::path> checkpoints_of(const fs::path& results) {
+  constexpr std::size_t most_digits = 10; // no number of an increment has more
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(checkpoint_folder(results), error)) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() == ending &&
-        name.find_first_not_of("0123456789") == name.size() - ending.size())
+        name.find_first_not_of("0123456789") == name.size() - ending.size() &&
+        name.size() - ending.size() <= most_digits)
       files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {

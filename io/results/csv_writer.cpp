@@ -89,7 +89,7 @@ CsvWriter CsvWriter::resume(std::filesystem::path path,
     const std::size_t line_end = content.find('\n', end);
     if (line_end == std::string::npos)
       refuse_table(path, fmt::format("the table has {} rows; the checkpoint needs {}", row, rows),
-                   "start the run anew");
+                   "--from an earlier checkpoint goes on, if there is one; else start the run anew");
     end = line_end + 1;
   }
   stream.close();

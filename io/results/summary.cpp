@@ -150,24 +150,6 @@ ordered_json laps_json(const process::Run& run) {
   return all;
 }
 
-std::string_view words_of(process::EndedBy reason) {
-  switch (reason) {
-  case process::EndedBy::energy_used_up:
-    return "energy used up";
-  case process::EndedBy::full_cavity:
-    return "full cavity";
-  case process::EndedBy::tools_overloaded:
-    return "tools overloaded";
-  case process::EndedBy::tools_together:
-    return "tools together";
-  case process::EndedBy::lap:
-    return "lap";
-  case process::EndedBy::end_of_time:
-    break;
-  }
-  return "end of time";
-}
-
 ordered_json met_walls_json(const process::Run& run) {
   ordered_json all = ordered_json::array();
   for (const process::Wall& wall : run.state.walls)
@@ -270,6 +252,24 @@ ordered_json resources_json() {
 }
 
 } // namespace
+
+std::string_view words_of(process::EndedBy reason) {
+  switch (reason) {
+  case process::EndedBy::energy_used_up:
+    return "energy used up";
+  case process::EndedBy::full_cavity:
+    return "full cavity";
+  case process::EndedBy::tools_overloaded:
+    return "tools overloaded";
+  case process::EndedBy::tools_together:
+    return "tools together";
+  case process::EndedBy::lap:
+    return "lap";
+  case process::EndedBy::end_of_time:
+    break;
+  }
+  return "end of time";
+}
 
 std::string summary_text(const process::Run& run, const SummaryFacts& about) {
   const mechanics::Mesh& mesh = run.mesh();

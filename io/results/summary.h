@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace billet::io {
@@ -42,6 +43,9 @@ struct SummaryFacts {
   std::vector<std::string> warnings;                   ///< about inputs and result
   const std::optional<process::PostMortem>& post;      ///< none: every increment was solved
 };
+
+/// Why a run has ended, "end of time" say.
+[[nodiscard]] std::string_view words_of(process::EndedBy reason);
 
 /// The text of summary.json.
 [[nodiscard]] std::string summary_text(const process::Run& run, const SummaryFacts& about);

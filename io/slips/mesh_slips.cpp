@@ -250,8 +250,9 @@ std::vector<std::string> mesh_slips(const Case& content, const process::Run& run
 
 std::vector<std::string> scene_slips(const Case& content, const process::Run& run) {
   std::vector<std::string> slips = motion_slips(content, run);
-  for (std::string& slip : mesh_slips(content, run))
-    slips.push_back(std::move(slip));
+  for (auto more : {&symmetry_slips, &mesh_slips})
+    for (std::string& slip : more(content, run))
+      slips.push_back(std::move(slip));
   return slips;
 }
 

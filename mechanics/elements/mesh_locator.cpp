@@ -253,12 +253,12 @@ MeshLocation MeshLocator::locate(const Vec3& point, double reach) const {
   });
 }
 
-std::vector<MeshLocation> MeshLocator::locate(std::span<const Vec3> points) const {
+std::vector<MeshLocation> MeshLocator::locate(std::span<const Vec3> points, double reach) const {
   std::vector<MeshLocation> places(points.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i < range.end(); ++i)
-                        places[i] = locate(points[i]);
+                        places[i] = locate(points[i], reach);
                     });
   return places;
 }

@@ -38,7 +38,9 @@ public:
   [[nodiscard]] MeshLocation locate(const Vec3& point,
                                     double reach = std::numeric_limits<double>::infinity()) const;
   /// Places of many points, by several threads. [mm]
-  [[nodiscard]] std::vector<MeshLocation> locate(std::span<const Vec3> points) const;
+  [[nodiscard]] std::vector<MeshLocation>
+  locate(std::span<const Vec3> points,
+         double reach = std::numeric_limits<double>::infinity()) const;
 
 private:
   const Mesh* mesh_;

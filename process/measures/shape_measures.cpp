@@ -79,15 +79,44 @@ bool counts(const Measure& measure, const Vec3& point) {
                              (point.array() <= measure.within->high.array()).all());
 }
 
-/// Smallest and largest of a figure of the surface's points; nothing counts: both not a number.
+/// The ends of what a box leaves of a straight line; none: nothing.
+std::optional<std::array<Vec3, 2>> within(const Box& box, const Vec3& from, const Vec3& to) {
+  double first = 0.0, last = 1.0; // shares of the line
+  for (int i = 0; i < 3; ++i) {
+    const double way = to[i] - from[i];
+    if (way == 0.0) {
+      if (from[i] < box.low[i] || from[i] > box.high[i])
+        return std::nullopt;
+      continue;
+    }
+    const double a = (box.low[i] - from[i]) / way, b = (box.high[i] - from[i]) / way;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  if (first > last)
+    return std::nullopt;
+  return {{from + first * (to - from), from + last * (to - from)}};
+}
+
+/// Smallest and largest of a figure of the surface's points, and of those in which its lines between
+/// them leave the box; nothing counts: both not a number.
 template <class Figure>
 std::pair<double, double>
 range(const SurfaceSamples& surface, const Measure& measure, const Figure& figure) {
   double low = std::numeric_limits<double>::quiet_NaN(), high = low;
+  const auto take = [&](const Vec3& point) {
+    low = std::fmin(low, figure(point));
+    high = std::fmax(high, figure(point));
+  };
   for (const Vec3& point : surface.points)
-    if (counts(measure, point)) {
-      low = std::fmin(low, figure(point));
-      high = std::fmax(high, figure(point));
+    if (counts(measure, point))
+      take(point);
+  if (!measure.within)
+    return {low, high};
+  for (const auto& [a, b] : surface.neighbours)
+    if (const auto ends = within(*measure.within, surface.points[a], surface.points[b])) {
+      take((*ends)[0]);
+      take((*ends)[1]);
     }
   return {low, high};
 }
@@ -176,13 +205,13 @@ double filling(const Run& run, const Measure& measure) {
   }
   const bool revolved = run.part().analysis == mechanics::Analysis::axisymmetric;
   const auto weight = [&](const Vec3& point) { return revolved ? point[0] : 1.0; };
-  const std::vector<mechanics::MeshLocation> at =
-      mechanics::MeshLocator(run.mesh(), run.positions()).locate(points);
   const double inside = 1e-9 * measure.within->size();
+  const std::vector<mechanics::MeshLocation> at =
+      mechanics::MeshLocator(run.mesh(), run.positions()).locate(points, inside);
   double cavity = 0.0, metal = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     cavity += weight(points[i]);
-    metal += at[i].distance <= inside ? weight(points[i]) : 0.0;
+    metal += at[i].element >= 0 ? weight(points[i]) : 0.0;
   }
   return cavity > 0.0 ? metal / cavity : 1.0;
 }

@@ -166,6 +166,15 @@ class Run:
         return self._native.status()
 
     @property
+    def ended_by(self) -> str:
+        """Why a run that is done has ended; "" before.
+
+        "end of time", or before it "full cavity", "tools overloaded", "tools together", "lap" or
+        "energy used up".
+        """
+        return self._native.ended_by()
+
+    @property
     def failed_checks(self) -> list[str]:
         """Checks of `billet run` that the run does not pass as it is now; empty: it can be used."""
         return self._native.failed_checks()

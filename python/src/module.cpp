@@ -211,6 +211,7 @@ void bind_progress(py::class_<OwnRun>& run) {
       .def("status",
            [](OwnRun& self) { return name_of(self.call([](Run& r) { return r.status(); })); })
       .def("reason", [](OwnRun& self) { return self.call([](Run& r) { return r.reason(); }); })
+      .def("ended_by", [](OwnRun& self) { return self.call([](Run& r) { return r.ended_by(); }); })
       .def("time", [](OwnRun& self) { return self.call([](Run& r) { return r.time(); }); })
       .def("increment",
            [](OwnRun& self) { return self.call([](Run& r) { return r.increment(); }); })
