@@ -28,8 +28,8 @@ void warn_of_empty(const study::Chart& chart) {
                          [&](const auto& curve) { return std::isfinite(curve[s]); }))
           empty.push_back(fmt::format("{:.6g}", chart.stations[s]));
       if (!empty.empty())
-        fmt::print(stderr, "warning: [chart-empty] law '{}': no run gives {} at {} = {}\n", law.name,
-                   quantity.name, chart.x, fmt::join(empty, ", "));
+        fmt::print(stderr, "warning: [chart-empty] law '{}': no run gives {} at {} = {}\n",
+                   law.name, quantity.name, chart.x, fmt::join(empty, ", "));
     }
 }
 

@@ -149,8 +149,12 @@ std::vector<PlannedRun> make_runs_of(const Study& study,
                                      const Conduct& how) {
   std::vector<PlannedRun> runs;
   runs.reserve(rows.size());
-  for (const Row& row : rows)
-    runs.push_back(plan_run(study, row, how.folder / "runs", how.program));
+  for (const Row& row : rows) {
+    if (how.stopped()) // many rows take long to be read
+      runs.push_back({.refused = "the study was stopped before"});
+    else
+      runs.push_back(plan_run(study, row, how.folder / "runs", how.program));
+  }
   for (const std::string& expression : read_off)
     require_names(expression, runs);
   const std::vector<Pending> pending = pending_of(runs, how.again);

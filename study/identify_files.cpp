@@ -30,7 +30,7 @@ std::string in_words(Comparison comparison) {
   case Comparison::preferred:
     return "likeliest";
   case Comparison::undecided:
-    return "not told apart from it";
+    return "not told apart from the likeliest";
   case Comparison::told_apart:
     return "told apart: does not fit";
   }
@@ -81,6 +81,10 @@ void check_columns(const io::CsvTable& table,
 
 std::vector<Measured> read_measurements(const std::filesystem::path& file, const Chart& chart) {
   const io::CsvTable table = io::read_csv(file);
+  if (table.columns.size() == 1 && table.columns.front().find_first_of(";\t") != std::string::npos)
+    throw Error(Fault::case_file, file.string(),
+                "its columns are separated by semicolons or tabulators",
+                "needed are commas between columns, and points in decimals");
   std::vector<Complaint> complaints;
   check_columns(table, chart, file.string(), complaints);
   const std::optional<std::size_t> x = table.find(chart.x);

@@ -24,11 +24,11 @@ struct Program {
 
 /// One row's run.
 struct PlannedRun {
-  std::string identity;
-  std::filesystem::path folder;
-  std::vector<std::string> command; ///< program and its arguments; empty: it cannot be run
-  std::string refused;              ///< why not; else empty
-  std::vector<std::string> columns; ///< that its history.csv will have
+  std::string identity = {};
+  std::filesystem::path folder = {};
+  std::vector<std::string> command = {}; ///< program and its arguments; empty: it cannot be run
+  std::string refused = {};              ///< why not; else empty
+  std::vector<std::string> columns = {}; ///< that its history.csv will have
 };
 
 /// How a run that has ended, ended.

@@ -88,8 +88,9 @@ CsvWriter CsvWriter::resume(std::filesystem::path path,
   for (std::size_t row = 0; row < rows; ++row) {
     const std::size_t line_end = content.find('\n', end);
     if (line_end == std::string::npos)
-      refuse_table(path, fmt::format("the table has {} rows; the checkpoint needs {}", row, rows),
-                   "--from an earlier checkpoint goes on, if there is one; else start the run anew");
+      refuse_table(
+          path, fmt::format("the table has {} rows; the checkpoint needs {}", row, rows),
+          "--from an earlier checkpoint goes on, if there is one; else start the run anew");
     end = line_end + 1;
   }
   stream.close();

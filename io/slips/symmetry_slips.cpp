@@ -25,7 +25,8 @@ bool is_own_image(const process::Scene& scene, std::size_t tool, const process::
     image[wall.component] = 2.0 * wall.at - image[wall.component];
   const double reach = process::body_size(scene.part.mesh);
   const std::vector<double> gaps = gaps_of(scene.tools[tool], 0.0, places, reach);
-  return tolerance && std::any_of(gaps.begin(), gaps.end(), [](double g) { return g < HUGE_VAL; }) &&
+  return tolerance &&
+         std::any_of(gaps.begin(), gaps.end(), [](double g) { return g < HUGE_VAL; }) &&
          are_same_gaps(gaps, gaps_of(scene.tools[tool], 0.0, images, reach), reach, *tolerance);
 }
 

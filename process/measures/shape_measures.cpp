@@ -98,8 +98,8 @@ std::optional<std::array<Vec3, 2>> within(const Box& box, const Vec3& from, cons
   return {{from + first * (to - from), from + last * (to - from)}};
 }
 
-/// Smallest and largest of a figure of the surface's points, and of those in which its lines between
-/// them leave the box; nothing counts: both not a number.
+/// Smallest and largest of a figure of the surface's points, and of those in which its lines
+/// between them leave the box; nothing counts: both not a number.
 template <class Figure>
 std::pair<double, double>
 range(const SurfaceSamples& surface, const Measure& measure, const Figure& figure) {
