@@ -33,7 +33,7 @@ geometry: base . triangles curved repair collision surfaces mesh3d mesh2d late
 mechanics: numerics mesh elements linear equilibrium materials bulk transfer multifrontal loads
 contact: friction law surface faces corners tools term self trapped wear drives
 process: scene control setup tools presses reports state measures energy stages increment remeshing loop
-io: text mesh case tools scene slips advice results compare deck translate'
+io: text mesh case tools scene advice slips results compare deck translate'
 
 against_the_order() {
   includes -name '*.h' -o -name '*.cpp' | awk -v orders="$orders" '
