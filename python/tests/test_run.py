@@ -25,6 +25,21 @@ def test_a_loop_takes_every_increment(case: billet.Case) -> None:
     assert run.advance() is None
     assert list(run) == []
     assert run.failed_checks == []
+    assert run.ended_by == "end of time"
+
+
+def test_a_run_that_is_done_is_done_where_it_is_loaded(case: billet.Case) -> None:
+    run = billet.Run(case)
+    assert run.ended_by == ""
+    run.finish()
+    other = billet.Run(case)
+    other.load(run.save())
+    assert (other.status, other.ended_by) == ("done", "end of time")
+    longer = billet.Run(case, {"time.end": 0.6})
+    longer.load(run.save())
+    assert longer.status == "running"
+    longer.finish()
+    assert longer.time == pytest.approx(0.6)
 
 
 def test_an_increment_tells_how_it_was_solved(case: billet.Case) -> None:
