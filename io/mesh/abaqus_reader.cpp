@@ -333,6 +333,8 @@ private:
         mesh_.blocks[type_.kind ? std::string(mechanics::name(*type_.kind)) : type_name_];
     block.dimension = type_.dimension;
     block.kind = type_.kind;
+    if (type_.kind)
+      mesh_.type = type_name_;
     ++block.count;
     std::vector<Index>& nodes = elements_[pending_[0]];
     if (!nodes.empty())

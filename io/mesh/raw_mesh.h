@@ -35,6 +35,7 @@ struct RawMesh {
   std::map<std::string, CellBlock> blocks;                        ///< by name of the type
   std::map<std::string, std::vector<mechanics::Index>> node_sets; ///< in any order, with repeats
   std::vector<std::string> notes;
+  std::string type = {}; ///< of solid elements as an .inp calls it, "CAX8R"; empty: none says one
 };
 
 /// Positions of the nodes by their number in the file.

@@ -204,7 +204,8 @@ read_mesh(const std::filesystem::path& path, double length_factor, const Include
                            .points = std::move(raw.points),
                            .cells = std::move(block.nodes),
                            .node_sets = std::move(raw.node_sets)},
-                  .notes = std::move(raw.notes)};
+                  .notes = std::move(raw.notes),
+                  .type = std::move(raw.type)};
   Mesh& mesh = result.mesh;
   for (Vec3& point : mesh.points)
     point *= length_factor;

@@ -21,6 +21,7 @@ namespace billet::io {
 struct MeshFile {
   mechanics::Mesh mesh;           ///< only nodes that cells use; numbers from 0 in file order
   std::vector<std::string> notes; ///< e.g. "3 nodes that no element uses were left out"
+  std::string type = {};          ///< of its elements, as an .inp calls it: "CAX8R"
 };
 
 /// Reads a mesh; the format follows from how the file begins (mesh_format.h).

@@ -62,15 +62,28 @@ template <class Make> auto at_file(const InputFile& file, const Make& make) {
 
 /// A note about a file; warnings stay such.
 std::string of_file(const std::string& file, std::string_view note) {
-  constexpr std::string_view warning = "warning: ";
-  const bool warns = note.starts_with(warning);
-  return fmt::format("{}{}: {}", warns ? warning : "", file,
-                     note.substr(warns ? warning.size() : 0));
+  const std::size_t text = note.starts_with("warning: [") ? note.find("] ") + 2 : 0;
+  return fmt::format("{}{}: {}", note.substr(0, text), file, note.substr(text));
+}
+
+/// What elements of Abaqus say of the analysis, where the case says something else.
+std::optional<std::string> other_analysis(std::string_view type, Analysis analysis) {
+  const bool revolved = analysis == Analysis::axisymmetric;
+  if (type.starts_with("CAX") && !revolved)
+    return fmt::format("{} elements are of a body of revolution, and the case is of plane strain",
+                       type);
+  if (type.starts_with("CPE") && revolved)
+    return fmt::format("{} elements are of plane strain, and the case is axisymmetric", type);
+  if (type.starts_with("CPS"))
+    return fmt::format("{} elements are of plane stress, which is not modelled: the case is {}",
+                       type, revolved ? "axisymmetric" : "of plane strain");
+  return std::nullopt;
 }
 
 /// Makes or reads the mesh of each kind of source.
 struct MeshMaker {
   ElementKind kind;
+  Analysis analysis;
   std::vector<std::string>& notes;
   const Say& say;
 
@@ -84,6 +97,8 @@ struct MeshMaker {
     MeshFile read = read_mesh(file.file.path, 1.0, {file.folder, file.allow_outside});
     for (const std::string& note : read.notes)
       notes.push_back(of_file(file.file.given, note));
+    if (const std::optional<std::string> other = other_analysis(read.type, analysis))
+      notes.push_back(of_file(file.file.given, "warning: [mesh-analysis] " + *other));
     if (read.mesh.kind != kind)
       throw Error(
           Fault::geometry, file.file.given,
@@ -501,7 +516,8 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   note_keys_without_effect(content, built.notes);
   scene.part.analysis = content.analysis;
   const ElementKind kind = element_kind(content.workpiece.element);
-  scene.part.mesh = std::visit(MeshMaker{kind, built.notes, say}, content.workpiece.mesh);
+  scene.part.mesh =
+      std::visit(MeshMaker{kind, content.analysis, built.notes, say}, content.workpiece.mesh);
   const geometry::Pose pose = pose_of(content.workpiece.place);
   for (Vec3& p : scene.part.mesh.points)
     p = pose.to_space(p);

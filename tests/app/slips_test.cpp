@@ -44,6 +44,66 @@ TEST_F(Slips, are_told_by_check_and_run_and_stand_in_the_summary) {
   }
 }
 
+TEST_F(Slips, tell_of_elements_of_another_analysis) {
+  const auto told = [&](const std::string& type, const std::string& analysis) {
+    write_text(at("part.inp"), "*NODE\n1, 0, 0\n2, 5, 0\n3, 5, 7.5\n4, 0, 7.5\n*ELEMENT, TYPE=" +
+                                   type + "\n1, 1, 2, 3, 4\n");
+    write_text(at("case.toml"), edited(upsetting, {{"\"axisymmetric\"", "\"" + analysis + "\""},
+                                                   {"\"quad8\"", "\"quad4\""},
+                                                   {"{ box = [[0, 0], [5, 7.5]], cells = [2, 3] }",
+                                                    "{ file = \"part.inp\" }"}}));
+    const Outcome check = run({"check", "case.toml"});
+    EXPECT_EQ(check.status, 0) << check.err;
+    return check.prints("warning: [mesh-analysis] part.inp: " + type);
+  };
+  EXPECT_TRUE(told("CAX4", "plane-strain"));
+  EXPECT_TRUE(told("CPE4", "axisymmetric"));
+  EXPECT_TRUE(told("CPS4", "plane-strain"));
+  EXPECT_FALSE(told("CAX4R", "axisymmetric"));
+  EXPECT_FALSE(told("CPE4", "plane-strain"));
+}
+
+TEST_F(Slips, tell_of_a_die_that_turns_across_a_plane_of_symmetry) {
+  const auto told = [&](const std::string& motion, const std::string& sector) {
+    write_text(at("case.toml"), R"(
+analysis = "3d"
+[workpiece]
+element = "hex8"
+material = "m"
+mesh = { cylinder = { radius = 5, height = 8 }, cells = [4, 4])" +
+                                    sector + R"(
+[material.m]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "swift", K = 500, eps0 = 0.01, n = 0.2 }
+[[support]]
+where = "z = 0"
+fix = ["x", "y", "z"]
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, 0, 8], normal = [0, 0, -1] } }
+friction = { law = "coulomb", mu = 0.3 }
+motion = { velocity = [0, 0, -1])" + motion +
+                                    R"( }
+[time]
+end = 1
+)");
+    const Outcome check = run({"check", "case.toml"});
+    EXPECT_EQ(check.status, 0) << check.err;
+    return check.prints("[turns-across-symmetry] tool 'die'");
+  };
+  const std::string turn = ", rotation = { point = [0, 0, 0], axis = [0, 0, 1], speed = 0.5 }";
+  const std::string quarter = R"(, sector = 90 }
+[[support]]
+where = "set:x-min"
+fix = ["x"]
+[[support]]
+where = "set:y-min"
+fix = ["y"])";
+  EXPECT_TRUE(told(turn, quarter));
+  EXPECT_FALSE(told("", quarter));
+  EXPECT_FALSE(told(turn, " }"));
+}
+
 TEST_F(Slips, explain_why_a_case_cannot_begin) {
   // A punch that is to be turned by 180 degrees holds the workpiece inside as it is.
   write_text(at("case.toml"), edited(upsetting, {{"normal = [0, -1] } }",
