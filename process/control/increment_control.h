@@ -70,6 +70,9 @@ public:
     before_trial_ = 0.0;
   }
 
+  /// Other limits from now on: the stage has become longer or shorter.
+  void set_limits(const Limits& limits) { limits_ = limits; }
+
   /// Iterations up to which an increment counts as easy.
   static constexpr int easy_iterations = 5;
 

@@ -34,6 +34,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace billet::process {
@@ -68,6 +69,7 @@ RunStatus StageLoop::go(double start) {
         observer->failed(run_, post_mortem(run_, 0.0, begins.error().reason, {}));
       return RunStatus::not_converged;
     }
+  note_other_end();
   if (progress_.control.exhausted()) // it has failed: the shortest is tried again
     progress_.control.set_next(progress_.limits.min);
   while (run_.state.time < stage_.end) {
@@ -91,6 +93,17 @@ RunStatus StageLoop::go(double start) {
   return RunStatus::done;
 }
 
+/// A run that is resumed may end its stage later or earlier than before.
+void StageLoop::note_other_end() {
+  const double length = stage_.end - progress_.start;
+  if (length == progress_.length)
+    return;
+  progress_.length = length;
+  progress_.limits = limits(run_, length);
+  progress_.control.set_limits(progress_.limits);
+  run_.state.longest = progress_.limits.max;
+}
+
 /// The linear solver, which forgets where the run is stored, would go another way from between the
 /// tries of an increment than without a stop. One that is refused again and again takes long.
 bool StageLoop::should_stop() const {
@@ -99,15 +112,24 @@ bool StageLoop::should_stop() const {
                      [](const Observer* observer) { return observer->stop_requested(); });
 }
 
-/// The forces of tools that leave now fade in as many increments as a twentieth of a stage has, and
-/// a stage goes on as it begins.
+/// The forces of tools that leave now fade in as many increments as a twentieth of a stage has.
 void StageLoop::begin_fading() {
   constexpr double fewest = 5.0;
   if (stage_.unload || !tools_leave(run_, stage_))
     return;
   const double gone = faded_at(run_, stage_);
   release_tools(run_, gone, gone);
-  progress_.control.set_next(std::min(progress_.control.next(), (gone - run_.state.time) / fewest));
+  progress_.after_fading = std::max(progress_.control.next(), progress_.after_fading);
+  progress_.control.set_next(std::max(
+      progress_.limits.min, std::min(progress_.control.next(), (gone - run_.state.time) / fewest)));
+}
+
+/// The part has sprung back in next to no time: it does not go on at that pace.
+void StageLoop::end_fading() {
+  run_.state.last_step.clear();
+  std::fill(run_.state.velocity.begin(), run_.state.velocity.end(), 0.0);
+  if (progress_.after_fading > 0.0)
+    progress_.control.set_next(std::exchange(progress_.after_fading, 0.0));
 }
 
 bool StageLoop::goes_through_flight() {
@@ -218,7 +240,7 @@ void StageLoop::take(const Step& step) {
   progress_.control.accepted(step.length, run_.attempt.iterations,
                              missed_since(run_, before, gone));
   if (fades && run_.state.time >= faded)
-    progress_.control = IncrementControl(progress_.limits);
+    end_fading();
   // An increment has been refused lately: for so many more they end before touches, and in so many
   // more points may part in rows.
   constexpr int increments_wary = 20, remembered = 3;

@@ -35,10 +35,12 @@ private:
   };
 
   [[nodiscard]] bool should_stop() const;
+  void note_other_end();
   /// Whether nothing moves any more, and the run ends here.
   [[nodiscard]] bool comes_to_rest();
   /// Lets the forces of tools that leave now fade.
   void begin_fading();
+  void end_fading();
   /// Through a flight, if there is one.
   /// @return whether there was
   [[nodiscard]] bool goes_through_flight();

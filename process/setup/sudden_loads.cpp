@@ -131,8 +131,8 @@ void grow_sudden_loads(Scene& scene) {
     geometry::Motion& motion = scene.tools[t].motion;
     double held_until = 0.0;
     for (const Window& window : of_tools[t]) {
-      const Growth growth{held_until, window.from,
-                          whole_at(scene, window.from, one_leaves(window.from))};
+      const bool hands_over = one_leaves(window.from);
+      const Growth growth{held_until, window.from, whole_at(scene, window.from, hands_over)};
       held_until = window.until;
       bool tool_grows = false;
       if (motion.force && !motion.force->blow)
@@ -141,6 +141,8 @@ void grow_sudden_loads(Scene& scene) {
         tool_grows |= grow(motion.torque->load, growth);
       if (tool_grows)
         landings.push_back(growth);
+      if (tool_grows && hands_over)
+        scene.hand_overs.push_back(window.from);
     }
   }
   for (const Growth& growth : landings)

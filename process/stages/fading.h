@@ -12,7 +12,8 @@ struct Stage;
 [[nodiscard]] bool tools_leave(const Run& run, const Stage& stage);
 
 /// When the forces of tools that leave now are gone: before other tools, supports or presses have
-/// gone farther than a ten-thousandth of the part [s].
+/// gone farther than a ten-thousandth of the part, loads have changed, or rate-dependent metal
+/// flows [s].
 [[nodiscard]] double faded_at(const Run& run, const Stage& stage);
 
 } // namespace billet::process

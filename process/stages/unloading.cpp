@@ -146,7 +146,7 @@ void release_tools(Run& run, double next_time, double gone_time) {
     run.state.works.tools_gone += stored - run.model.contact->work().stored;
     add_decaying(run, forces);
     run.state.leaving.decaying.push_back(forces);
-    run.state.leaving.decay_until = gone_time;
+    run.state.leaving.decay_until = std::max(run.state.leaving.decay_until, gone_time);
     run.state.last_step.clear();
     run.state.snapshots.clear();
   }

@@ -189,12 +189,13 @@ struct StageProgress {
   /// While tools draw back points part in rows: where the last increment was cut back, too, halves
   /// would be cut back and back.
   int in_rows = 0;
-  int wary = 0;        ///< increments that end before touches: one has been refused lately
-  bool rested = false; ///< nothing moves any more
+  int wary = 0;              ///< increments that end before touches: one has been refused lately
+  double after_fading = 0.0; ///< length of the increment that follows forces that fade now [s]
+  bool rested = false;       ///< nothing moves any more
 
   template <class Archive> void fields(Archive& archive) {
     archive(stage, begun, start, length, limits, control, tried, unmeshed, failures, refusals,
-            in_rows, wary, rested);
+            in_rows, wary, after_fading, rested);
   }
 };
 

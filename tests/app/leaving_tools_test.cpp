@@ -230,6 +230,80 @@ end = )" + end);
   EXPECT_NEAR(late, early, 5e-3 * early); // increments differ; forces that faded took 13 %
 }
 
+TEST_F(LeavingTools, LetMetalThatFlowsWithTimeAlone) {
+  // Nothing presses while the billet lies on its die, however long.
+  const Outcome outcome = run(R"(
+analysis = "axisymmetric"
+temperature = 1000
+workpiece = { element = "quad8", material = "hot", mesh = { box = [[0, 0], [5, 10]], cells = [3, 5] } }
+[material.hot]
+elastic = { young = 100000, poisson = 0.3 }
+flow = { law = "norton-hoff", K = 50, m = 0.2 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, 0], normal = [0, 1] } }
+[[tool]]
+name = "punch"
+surface = { plane = { point = [0, 10], normal = [0, -1] } }
+motion = { velocity = [0, -2] }
+[[measure]]
+name = "height"
+kind = "height"
+[[stage]]
+name = "press"
+end = 1
+[[stage]]
+name = "wait"
+end = 101
+tools = ["die"]
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const ResultTable table = history();
+  EXPECT_NEAR(table.values("height").back(), 8.0, 0.01); // but for what springs back
+  EXPECT_LT(table.rows.size(), 400U);
+}
+
+TEST_F(LeavingTools, DoNotAddTheirForceToOneThatRises) {
+  // 15 kN after 18.4 kN, from nothing within a fortieth of the stage: the billet bears that.
+  const Outcome outcome = run(R"(
+analysis = "axisymmetric"
+workpiece = { element = "quad8", material = "m", mesh = { box = [[0, 0], [5, 10]], cells = [3, 5] } }
+[material.m]
+elastic = { young = 200000, poisson = 0.3 }
+flow = { law = "perfect", yield = 200 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, 0], normal = [0, 1] } }
+[[tool]]
+name = "punch"
+surface = { plane = { point = [0, 10], normal = [0, -1] } }
+motion = { displacement = [[0, 0, 0], [0.1, 0, -1.5], [1, 0, -1.5]] }
+[[tool]]
+name = "tup"
+surface = { plane = { point = [0, 30], normal = [0, -1] } }
+motion = { force = { direction = [0, -1], value = [[0.1, 0], [0.12, 15000], [1, 15000]] } }
+[[measure]]
+name = "height"
+kind = "height"
+[[stage]]
+name = "press"
+end = 0.1
+tools = ["die", "punch"]
+[[stage]]
+name = "hold"
+end = 1
+tools = ["die", "tup"]
+)");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NEAR(history().values("height").back(), 8.5, 0.01);
+}
+
 TEST_F(LeavingTools, ThatComeBackInsideThePartAreNamed) {
   const auto late = [&](double deep) {
     return run(R"(
