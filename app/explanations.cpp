@@ -135,6 +135,12 @@ constexpr std::array table{
                 "The stage of a press ended before its blow had used up its energy.",
                 "An end of the stage that was guessed too early.",
                 "A later end: nothing happens after the blow, so it costs little."},
+    Explanation{
+        "new-touches", "warning",
+        "Much of the force on a tool lay at points that had just come to touch, without friction.",
+        "A narrow contact that travels along the surface by about its length in an increment.",
+        "Shorter increments (time.increments.max); friction of a point begins with its second "
+        "increment, unless its touch was expected."},
     Explanation{"fading-forces", "warning",
                 "Metal flowed while the forces of tools that had left faded out.",
                 "A stage ends without unload on a thin part.",

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace billet::io {
 
@@ -129,6 +130,22 @@ void on_cut_blows(const process::Run& run, const UnitSystem& units, Lines& lines
                       "left when its stage ended, at {:.6g} {}: give the stage a later end",
                       run.tools()[blow.tool].name, blow.begun, units.time,
                       100.0 * blow.left / blow.energy, blow.time, units.time));
+}
+
+/// Tools whose points touch anew in every increment, as under a narrow contact that travels.
+void on_unexpected_touches(const process::Run& run, const Case& content, Lines& lines) {
+  constexpr double much = 0.1;
+  for (std::size_t t = 0; t < run.tools().size(); ++t) {
+    const process::TouchRecord& touches = run.state.record.touches[t];
+    if (touches.unexpected > much * touches.impulse &&
+        !std::holds_alternative<contact::Frictionless>(content.tools[t].friction.law))
+      lines.push_back(fmt::format(
+          "warning: [new-touches] on tool {} {:.0f} % of the normal force lay at points that came "
+          "to "
+          "touch within their increment and have no friction there: its friction and wear are too "
+          "low by about as much; take shorter increments (time.increments.max) or a finer mesh",
+          run.tools()[t].name, 100.0 * touches.unexpected / touches.impulse));
+  }
 }
 
 void on_fading_forces(const process::Run& run, Lines& lines) {
@@ -411,6 +428,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   on_work_made(run, content_->units, lines);
   on_limited_friction(run, lines);
   on_multigrid(run, lines);
+  on_unexpected_touches(run, *content_, lines);
   on_fading_forces(run, lines);
   on_cut_blows(run, content_->units, lines);
   on_resolution(run, *content_, lines);

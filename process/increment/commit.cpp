@@ -9,6 +9,7 @@
 #include "process/state/unknowns.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,18 @@
 namespace billet::process {
 
 namespace {
+
+/// Where the normal force lay in the increment just accepted.
+void note_touches(Run& run, double dt) {
+  const std::span<const std::vector<contact::ClosedPoint>> closed = run.model.contact->closed();
+  for (std::size_t t = 0; t < closed.size(); ++t)
+    for (const contact::ClosedPoint& point : closed[t]) {
+      const double impulse = point.pressure * point.area * dt;
+      run.state.record.touches[t].impulse += impulse;
+      if (point.touching == 0.0)
+        run.state.record.touches[t].unexpected += impulse;
+    }
+}
 
 /// Takes the increment just accepted into the sums over contact.
 void account_contact(Run& run, double dt) {
@@ -28,6 +41,7 @@ void account_contact(Run& run, double dt) {
   run.state.record.window.add(run.model.contact->closed(),
                               {run.model.surface->bulk_points(), strain, run.state.plastic_rate},
                               dt);
+  note_touches(run, dt);
   if (run.model.wear)
     run.model.wear->add(*run.model.contact, run.state.x, run.state.time);
 }

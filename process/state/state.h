@@ -212,12 +212,22 @@ struct Counters {
   }
 };
 
+/// The force on a tool over time, and what of it lay at points that had come to touch within their
+/// increment without being expected: they have no friction there. (C.42)
+struct TouchRecord {
+  double impulse = 0.0;    ///< of the normal force [N s]
+  double unexpected = 0.0; ///< of that [N s]
+
+  template <class Archive> void fields(Archive& archive) { archive(impulse, unexpected); }
+};
+
 /// What reports tell of a run so far.
 struct Record {
-  explicit Record(std::size_t n_tools = 0) : window(n_tools) {}
+  explicit Record(std::size_t n_tools = 0) : window(n_tools), touches(n_tools) {}
 
   DeepestTool deepest_tool;
   contact::ProcessWindow window;
+  std::vector<TouchRecord> touches; ///< shape (n_tools)
   std::vector<RemeshReport> remeshings;
   std::vector<Refusal> refusals;
   std::vector<InitialPenetration> initial_penetrations;
@@ -226,8 +236,8 @@ struct Record {
   std::string refusal_event;       ///< a remeshing that was refused since then
 
   template <class Archive> void fields(Archive& archive) {
-    archive(deepest_tool, window, remeshings, refusals, initial_penetrations, events, penalty_event,
-            refusal_event);
+    archive(deepest_tool, window, touches, remeshings, refusals, initial_penetrations, events,
+            penalty_event, refusal_event);
   }
 };
 

@@ -51,6 +51,17 @@ TEST_F(Resume, ProlongsARunThatHasEnded) {
   EXPECT_DOUBLE_EQ(column("parts", "time").back(), 0.2);
 }
 
+TEST_F(Resume, HasTheIncrementsOfTheLongerRun) {
+  const std::string usual = edited(upsetting, {{"increments = { first = 0.02, max = 0.02 }\n", ""},
+                                               {"[0, -1] }\nfriction", "[0, -0.01] }\nfriction"}});
+  const auto ends = [&](const std::string& end) {
+    return edited(usual, {{"end = 0.1", "end = " + end}});
+  };
+  ASSERT_EQ(start(ends("0.1"), {"-o", "out"}).status, 0);
+  ASSERT_EQ(start(ends("50"), {"-o", "out", "--resume"}).status, 0);
+  EXPECT_LT(column("out", "time").size(), 300U); // those of the shorter one would be 25 000
+}
+
 TEST_F(Resume, LeavesOneListOfFramesIfTheCaseHasAnotherName) {
   ASSERT_EQ(start(stored_often, {"-o", "parts"}).status, 0);
   write_text(folder_.path() / "longer.toml", edited(stored_often, {{"end = 0.1", "end = 0.12"}}));
