@@ -250,7 +250,7 @@ void note_nodes_off_walls(Run& run) {
     return;
   // Nodes nearer to a wall than this share of their edges are on it. The last of a bore would ask
   // for hoops that shrink to nothing: what is left counts as closed.
-  constexpr double of_edge = 0.01, of_edge_at_axis = 0.1;
+  constexpr double of_edge = 0.002, of_edge_at_axis = 0.1;
   const std::map<Index, double> surface = surface_edges(run);
   for (Wall& wall : run.state.walls) {
     std::vector<char> supported(run.part().mesh.points.size(), 0);
