@@ -115,10 +115,11 @@ bool StageLoop::should_stop() const {
 /// The forces of tools that leave now fade in as many increments as a twentieth of a stage has.
 void StageLoop::begin_fading() {
   constexpr double fewest = 5.0;
-  if (stage_.unload || !tools_leave(run_, stage_))
+  const std::optional<double> soon = stage_.unload ? std::nullopt : tools_leave(run_, stage_);
+  if (!soon)
     return;
   const double gone = faded_at(run_, stage_);
-  release_tools(run_, gone, gone);
+  release_tools(run_, *soon, gone);
   progress_.after_fading = std::max(progress_.control.next(), progress_.after_fading);
   progress_.control.set_next(std::max(
       progress_.limits.min, std::min(progress_.control.next(), (gone - run_.state.time) / fewest)));

@@ -62,25 +62,26 @@ bool loads_change(const Run& run, const Stage& stage, double time) {
 
 } // namespace
 
-bool tools_leave(const Run& run, const Stage& stage) {
+std::optional<double> tools_leave(const Run& run, const Stage& stage) {
   if (!run.model.contact)
-    return false;
+    return std::nullopt;
   constexpr double soon = 1e-9, rounding = 1e-12; // a tool acts up to the end of its time
   const double next = run.state.time + std::max(soon * (stage.end - run.state.time),
                                                 rounding * std::abs(run.state.time));
   for (std::size_t t = 0; t < run.tools().size(); ++t)
     if (contact::leaves(*run.model.contact, t, next))
-      return true;
-  return false;
+      return next;
+  return std::nullopt;
 }
 
 double faded_at(const Run& run, const Stage& stage) {
   const double now = run.state.time;
-  if (stage.unload)
-    return stage.end;
   constexpr double farthest = 1e-4;  // of the part: of the order of what it springs back
   constexpr double fewest_parts = 8; // that may be cut from it
+  constexpr double of_stage = 1e-3;  // whatever the shortest increment of the case
   const StageProgress& progress = run.state.progress;
+  const double shortest =
+      std::min({fewest_parts * progress.limits.min, of_stage * progress.length, stage.end - now});
   double length = std::min(fade_share * progress.length, stage.end - now);
   if (run.model.blows && run.model.blows->under_way())
     length = std::min(length, run.model.blows->first_step());
@@ -95,9 +96,9 @@ double faded_at(const Run& run, const Stage& stage) {
              loads_change(run, stage, time);
     });
   };
-  length = std::max(length, std::min(fewest_parts * progress.limits.min, stage.end - now));
-  while (length > fewest_parts * progress.limits.min && moves(length))
-    length *= 0.5;
+  length = std::max(length, shortest);
+  while (length > shortest && moves(length))
+    length = std::max(0.5 * length, shortest);
   return now + length;
 }
 
