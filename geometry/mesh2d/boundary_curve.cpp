@@ -1,6 +1,7 @@
 #include "geometry/mesh2d/boundary_curve.h"
 
 #include "geometry/base/angle.h"
+#include "geometry/mesh2d/long_sides.h"
 #include "geometry/surfaces/profile_piece.h"
 
 #include <algorithm>
@@ -57,11 +58,45 @@ Vec2 handle(const Vec2& tangent, const Vec2& e) {
          tangent;
 }
 
+/// Takes those of the sharp corners between free sides away that are none for a longer side.
+void pass_over_ripples(const SideLoop& loop,
+                       const CornerRule& rule,
+                       const std::vector<char>& kept,
+                       std::vector<char>& sharp) {
+  if (std::find(sharp.begin(), sharp.end(), 1) == sharp.end())
+    return;
+  ClosedWay way{.points = {}, .places = {}, .length = 0.0};
+  std::vector<double> stops;
+  const auto add = [&](const Vec2& x, const Vec2& next) {
+    way.points.push_back(x);
+    way.places.push_back(way.length);
+    way.length += (next - x).norm();
+  };
+  std::vector<char> stop = kept;
+  const std::size_t n = loop.corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (loop.hold[i] != 0)
+      stop[i] = stop[(i + 1) % n] = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (stop[i] != 0)
+      stops.push_back(way.length);
+    add(loop.corners[i], loop.middles[i]);
+    add(loop.middles[i], loop.corners[(i + 1) % n]);
+  }
+  const LongSides long_sides(way, stops, rule.turn_of_side);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double sides = way.places[2 * i + 1] - way.places[2 * i];
+    if (sharp[i] != 0 && stop[i] == 0 &&
+        long_sides.longest(way.places[2 * i], sides, rule.longest_side) > 0.0)
+      sharp[i] = 0;
+  }
+}
+
 } // namespace
 
-std::vector<char> kept_corners(const SideLoop& loop, double most_turn) {
+std::vector<char> kept_corners(const SideLoop& loop, const CornerRule& rule) {
   const std::size_t n = loop.corners.size();
-  std::vector<char> kept(n);
+  std::vector<char> kept(n), sharp(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
     const Ends in = ends(loop, before), out = ends(loop, i);
@@ -69,9 +104,13 @@ std::vector<char> kept_corners(const SideLoop& loop, double most_turn) {
     const double sense = std::copysign(1.0, turn);
     const double beside =
         std::max(sense * angle(in.first, in.last), sense * angle(out.first, out.last));
-    kept[i] = loop.part[before] != loop.part[i] || loop.keep[i] != 0 ||
-              (std::abs(turn) > most_turn && std::abs(turn) > beside);
+    kept[i] = loop.part[before] != loop.part[i] || loop.keep[i] != 0;
+    sharp[i] = std::abs(turn) > rule.turn && std::abs(turn) > beside;
   }
+  if (rule.longest_side > 0.0)
+    pass_over_ripples(loop, rule, kept, sharp);
+  for (std::size_t i = 0; i < n; ++i)
+    kept[i] = kept[i] != 0 || sharp[i] != 0;
   return kept;
 }
 
@@ -94,9 +133,9 @@ double BoundaryCurve::Piece::length(double t) const {
   return t * sum;
 }
 
-BoundaryCurve::BoundaryCurve(const SideLoop& loop, std::int32_t number, double corner_turn)
-    : part_(loop.part), number_(number) {
-  const std::vector<char> kept = kept_corners(loop, corner_turn);
+BoundaryCurve::BoundaryCurve(const SideLoop& loop, std::int32_t number, const CornerRule& rule)
+    : part_(loop.part), held_(loop.hold), number_(number) {
+  const std::vector<char> kept = kept_corners(loop, rule);
   const auto first = std::find_if(kept.begin(), kept.end(), [](char k) { return k != 0; });
   const bool any = first != kept.end();
   add_pieces(loop, any ? static_cast<std::size_t>(first - kept.begin()) : 0, kept);
@@ -214,6 +253,10 @@ BoundaryPlace BoundaryCurve::place(double s) const {
 
 std::int32_t BoundaryCurve::part(double s) const {
   return part_[static_cast<std::size_t>(at(s).piece.side)];
+}
+
+bool BoundaryCurve::is_held(double s) const {
+  return held_[static_cast<std::size_t>(at(s).piece.side)] != 0;
 }
 
 double BoundaryCurve::freedom(double s) const {

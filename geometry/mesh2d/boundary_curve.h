@@ -19,11 +19,18 @@
 
 namespace billet::geometry {
 
+/// What is a corner of a boundary.
+struct CornerRule {
+  double turn; ///< a boundary that turns by more at a node may have a corner there [rad]
+  /// Ripples of free sides that one no longer than that passes over have none; 0: they do. [mm]
+  double longest_side = 0.0;
+  double turn_of_side = 0.0; ///< most that it turns by [rad]
+};
+
 class BoundaryCurve {
 public:
-  /// @param corner_turn  as for `kept_corners` [rad]
   /// @pre the side loop has been found sound: sizes agree, no two successive nodes coincide
-  BoundaryCurve(const SideLoop& loop, std::int32_t number, double corner_turn);
+  BoundaryCurve(const SideLoop& loop, std::int32_t number, const CornerRule& rule);
 
   [[nodiscard]] double length() const { return length_; }
   /// Where the kept corners are, rising from 0; empty: none [mm].
@@ -41,6 +48,8 @@ public:
   [[nodiscard]] BoundaryPlace place(double s) const;
   /// Of the side at s.
   [[nodiscard]] std::int32_t part(double s) const;
+  /// Whether the side at s is held.
+  [[nodiscard]] bool is_held(double s) const;
   /// From 0 on held sides and at kept corners, smoothly, to 1 in the middle of a free stretch.
   [[nodiscard]] double freedom(double s) const;
 
@@ -80,13 +89,13 @@ private:
   std::vector<double> kept_;
   std::vector<Stretch> free_;
   std::vector<std::int32_t> part_; ///< of each side
+  std::vector<char> held_;         ///< of each side
   std::int32_t number_;
   double length_ = 0.0;
 };
 
-/// Of each corner of a loop: whether it is kept, where the boundary turns by more than `most_turn`
-/// [rad]
-/// or for another reason. (G.40)
-[[nodiscard]] std::vector<char> kept_corners(const SideLoop& loop, double most_turn);
+/// Of each corner of a loop: whether it is kept, where the boundary has a corner by the rule or for
+/// another reason. (G.40), (G.42a)
+[[nodiscard]] std::vector<char> kept_corners(const SideLoop& loop, const CornerRule& rule);
 
 } // namespace billet::geometry

@@ -7,6 +7,7 @@
 #include "geometry/mesh2d/boundary_measure.h"
 #include "geometry/mesh2d/boundary_sides.h"
 #include "geometry/mesh2d/domain_refinement.h"
+#include "geometry/mesh2d/long_sides.h"
 #include "geometry/mesh2d/plane_smoother.h"
 #include "geometry/mesh2d/polygon_widths.h"
 #include "geometry/mesh2d/snapped_loops.h"
@@ -123,11 +124,12 @@ public:
            const RemeshSizes& sizes,
            Measure measure,
            const Snap& snap,
-           double turn)
-      : sizes_(sizes), measure_(measure), snap_(snap), snapped_(loops, snap, sizes.min) {
+           const CornerRule& rule)
+      : sizes_(sizes), rule_(rule), measure_(measure), snap_(snap),
+        snapped_(loops, snap, sizes.min) {
     for (std::size_t i = 0; i < loops.size(); ++i) {
       require_sound(snapped_.loops()[i]);
-      curves_.emplace_back(snapped_.loops()[i], static_cast<std::int32_t>(i), turn);
+      curves_.emplace_back(snapped_.loops()[i], static_cast<std::int32_t>(i), rule);
     }
     if (measure == Measure::area) // near the domain, for the sake of rounding
       origin_ = loops.front().corners.front();
@@ -166,13 +168,10 @@ private:
     std::vector<Polygon> polygons;
     for (const BoundaryCurve& curve : curves_) {
       polygons.emplace_back();
-      for (const double s : curve.stations(chord_turn, sizes_.max)) {
+      const std::vector<double> stations = curve.stations(chord_turn, sizes_.max);
+      for (const double s : stations)
         polygons.back().push_back(curve.point(s));
-        const double curvature = curve.curvature(s);
-        if (curvature * sizes_.max > sizes_.turn)
-          samples.push_back(
-              {polygons.back().back(), std::max(sizes_.min, sizes_.turn / curvature)});
-      }
+      add_bends(curve, {polygons.back(), stations, curve.length()}, samples);
     }
     const double across = sizes_.across;
     for (const Width& width : widths(polygons, across * sizes_.max)) {
@@ -181,6 +180,23 @@ private:
       samples.push_back({width.to, size});
     }
     return samples;
+  }
+
+  /// Sizes asked for by the curvature of a boundary, but for ripples of free sides that longer
+  /// ones pass over.
+  void
+  add_bends(const BoundaryCurve& curve, ClosedWay way, std::vector<SizeSample>& samples) const {
+    const LongSides long_sides(way, curve.kept(), sizes_.turn);
+    for (std::size_t k = 0; k < way.points.size(); ++k) {
+      const double curvature = curve.curvature(way.places[k]);
+      if (!(curvature * sizes_.max > sizes_.turn))
+        continue;
+      const double size = std::max(sizes_.min, sizes_.turn / curvature);
+      const double longer = curve.is_held(way.places[k])
+                                ? 0.0
+                                : long_sides.longest(way.places[k], size, rule_.longest_side);
+      samples.push_back({way.points[k], std::max(size, longer)});
+    }
   }
 
   /// The same for a size that varies, by a mesh that does not follow it yet.
@@ -263,6 +279,7 @@ private:
   }
 
   const RemeshSizes& sizes_;
+  CornerRule rule_;
   Measure measure_;
   const Snap& snap_;
   SnappedLoops snapped_;
@@ -284,13 +301,14 @@ RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
   for (const SideLoop& loop : loops)
     require_sound(loop);
   try {
-    return Remesher(loops, sizes, measure, snap, corner_turn).run();
+    const CornerRule rule{corner_turn, sizes.max, sizes.turn};
+    return Remesher(loops, sizes, measure, snap, rule).run();
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)
       throw;
   }
   // A smooth curve may cut its own corners: at the mouth of a fold that closes, the other lip.
-  return Remesher(loops, sizes, measure, snap, fold_turn).run();
+  return Remesher(loops, sizes, measure, snap, {.turn = fold_turn}).run();
 }
 
 } // namespace billet::geometry

@@ -162,11 +162,11 @@ std::string refusal(const std::vector<SideLoop>& loops, Fault fault, RemeshSizes
 
 TEST(DomainRemesher, KeepsCornersAndNothingElse) {
   SideLoop square = outline({{{0, 0}, 0}, {{4, 0}, 0}, {{4, 4}, 0}, {{0, 4}, 1}}, 1.0);
-  std::vector<char> kept = kept_corners(square, pi / 6.0);
+  std::vector<char> kept = kept_corners(square, {.turn = pi / 6.0});
   EXPECT_EQ(std::count(kept.begin(), kept.end(), 1), 3); // the fourth is round
   square.keep[1] = 1;
   square.part[2] = 7;
-  kept = kept_corners(square, pi / 6.0);
+  kept = kept_corners(square, {.turn = pi / 6.0});
   EXPECT_EQ(std::count(kept.begin(), kept.end(), 1), 6);
   const RemeshedDomain domain = remeshed(square, {0.2, 1.7});
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -182,7 +182,7 @@ TEST(DomainRemesher, KeepsCornersAndNothingElse) {
     }
   }
   for (const int sides : {3, 4, 6, 20}) { // smooth however coarse
-    kept = kept_corners(circle(1.0, sides), pi / 6.0);
+    kept = kept_corners(circle(1.0, sides), {.turn = pi / 6.0});
     EXPECT_EQ(std::count(kept.begin(), kept.end(), 1), 0) << sides;
   }
 }
@@ -190,7 +190,7 @@ TEST(DomainRemesher, KeepsCornersAndNothingElse) {
 TEST(DomainRemesher, AFlattenedCornerIsNoneAnyMore) {
   for (const double foot : {4.0, 6.0, 44.0}) { // the free side folds until it lies beside the top
     const SideLoop loop = outline({{{0, 0}, 0}, {{foot, 0}, 0}, {{4, 2}, 0}, {{0, 2}, 0}}, 1.0);
-    const std::vector<char> kept = kept_corners(loop, pi / 6.0);
+    const std::vector<char> kept = kept_corners(loop, {.turn = pi / 6.0});
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const Vec2& x = loop.corners[i];
       const bool end = (x.x() == 0.0 || x.x() == foot) && (x.y() == 0.0 || x.y() == 2.0);

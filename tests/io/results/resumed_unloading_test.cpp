@@ -171,7 +171,9 @@ TEST_F(Unloading, LeavesAToolItsCornersOnANewMesh) {
   const std::unique_ptr<Process> anew = made(twice(1.5)), old = made(twice(50.0));
   ASSERT_EQ(anew->run({&with}), RunStatus::done);
   ASSERT_EQ(old->run({&without}), RunStatus::done);
-  ASSERT_EQ(anew->view().state.record.remeshings.back().time, 2.0);
+  const auto& meshes = anew->view().state.record.remeshings;
+  ASSERT_TRUE(
+      std::any_of(meshes.begin(), meshes.end(), [](const auto& mesh) { return mesh.time == 2.0; }));
   EXPECT_LT(with.deepest, 5.0 * without.deepest); // it was 80 times as deep without corners
   EXPECT_NEAR(force(*anew), force(*old), 0.02 * force(*old));
   // A mesh after that maps what the corners know.
