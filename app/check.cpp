@@ -1,6 +1,7 @@
 // billet check: everything about a case that can be known without solving it.
 
 #include "app/command_line.h"
+#include "app/conditions.h"
 #include "app/cost.h"
 #include "app/make_process.h"
 #include "geometry/base/box.h"
@@ -262,6 +263,7 @@ int check_case(const Arguments& arguments) {
     fmt::print("{}\n", note);
   print_mesh(scene, content);
   print_material(content);
+  print_conditions(scene, content);
   print_activity(scene, run, content);
   print_accuracy(content);
   const CostEstimate cost = ready.cost ? *ready.cost : cost_estimate(scene);

@@ -216,7 +216,7 @@ int run_case(const Arguments& arguments) {
       progress.say_aside("warning: [checkpoint] " + note);
   const process::RunStatus status = process.run({&writer, &progress});
   for (const std::string& line : writer.advice(run))
-    progress.say("what may help: " + line);
+    progress.insist("what may help: " + line);
   for (const std::string& warning : writer.warnings(run))
     progress.say(warning);
   const std::vector<process::FailedCheck> failed =

@@ -13,11 +13,19 @@
 
 namespace billet::io {
 
+/// What the data behind a flow law cover.
+struct MaterialRange {
+  double strain;  ///< largest plastic strain [-]
+  double coldest; ///< [degC]
+  double hottest; ///< [degC]
+};
+
 /// A material with its source.
 struct LibraryMaterial {
   std::string_view name;   ///< in case files
   std::string_view text;   ///< TOML: keys of [material.NAME]
   std::string_view source; ///< where the flow law comes from, and where it holds
+  MaterialRange range;     ///< as the source says
 };
 
 /// All materials.

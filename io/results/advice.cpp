@@ -125,6 +125,13 @@ void on_chattering_points(const Case& content,
                                   : ", and so does less friction"));
 }
 
+void on_free_part(const process::PostMortem& post, Lines& lines) {
+  if (post.moves_away)
+    lines.push_back("[free-part] a load or a tool pushes the part where neither a support nor "
+                    "contact with friction holds it: a [[support]] for that motion, friction on a "
+                    "tool, or a tool in its way");
+}
+
 void on_elements(const Case& content, const process::PostMortem& post, Lines& lines) {
   if (post.inside_out)
     lines.push_back(
@@ -156,11 +163,12 @@ std::vector<std::string>
 advice(const Case& content, const process::Run& run, const process::PostMortem& post) {
   Lines lines;
   on_pressures(run, post, lines);
+  on_free_part(post, lines);
   on_elements(content, post, lines);
   on_chattering_points(content, run, post, lines);
   on_drives(run, post, lines);
   on_increments(run, post, lines);
-  if (driven_by_load(run, post))
+  if (driven_by_load(run, post) && !post.moves_away)
     lines.push_back("[load-driven] a load drives this part: it may be at the most that the part "
                     "bears (it necks, "
                     "bulges, buckles or leaves the tool); a prescribed motion in its place goes on "

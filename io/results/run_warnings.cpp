@@ -1,6 +1,7 @@
 // What a run says of itself at its end: figures that are off, and what mends them.
 
 #include "contact/self/laps.h"
+#include "io/case/material_range.h"
 #include "io/results/run_writer.h"
 #include "process/measures/film.h"
 #include "process/measures/squeeze.h"
@@ -417,6 +418,9 @@ void RunWriter::warn_of_metal(const process::Run& run, std::vector<std::string>&
                       "end where its measured curves do (eps_max of hansel-spittel, a table)",
                       record_.last->max_plastic_strain, 100.0 * left));
   }
+  if (const auto left =
+          left_range(content_->materials.at(content_->workpiece.material), *run.model.bulk))
+    lines.push_back(*left);
 }
 
 std::vector<std::string> RunWriter::warnings(const process::Run& run) const {

@@ -4,6 +4,7 @@
 #include "geometry/base/error.h"
 #include "geometry/mesh2d/mesher_2d.h"
 #include "io/case/accuracy_preset.h"
+#include "io/case/material_range.h"
 #include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
 #include "io/scene/material_builder.h"
@@ -525,10 +526,14 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
                                 scene.part.analysis == mechanics::Analysis::axisymmetric);
   scene.material = material_of(content);
   note_molten(scene.material, built.notes);
-  std::vector<Face> boundary = mechanics::boundary_faces(scene.part.mesh);
+  if (const auto outside = outside_range(content.materials.at(content.workpiece.material),
+                                         scene.material.temperature))
+    built.notes.push_back(*outside);
+  const std::vector<Face> surface = mechanics::boundary_faces(scene.part.mesh);
+  std::vector<Face> boundary = surface;
   if (scene.part.analysis == mechanics::Analysis::axisymmetric)
     std::erase_if(boundary, [&](const Face& face) { return lies_on_axis(scene.part.mesh, face); });
-  Selector select(scene.part.mesh, boundary);
+  Selector select(scene.part.mesh, surface, boundary);
   add_supports(content, select, place, scene);
   note_single_file(scene, built.notes);
   note_flat_elements(scene.part.mesh, built.notes);
@@ -537,6 +542,7 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   scene.part.contact_faces = content.contact.surface ? select.faces(*content.contact.surface)
                                                      : candidates(scene, boundary);
   select.throw_if_any();
+  built.notes.insert(built.notes.end(), select.warnings().begin(), select.warnings().end());
   scene.contact = {content.contact.form == ContactForm::compatible ? contact::Form::compatible
                                                                    : contact::Form::mixed,
                    content.contact.penalty,

@@ -1,6 +1,7 @@
 #include "io/scene/selector.h"
 
 #include "geometry/base/box.h"
+#include "io/scene/missed_nodes.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +15,10 @@ namespace billet::io {
 using mechanics::Face;
 using mechanics::Index;
 
-Selector::Selector(const mechanics::Mesh& mesh, const std::vector<Face>& boundary)
-    : mesh_(mesh), boundary_(boundary), size_(box_of(mesh.points).size()) {}
+Selector::Selector(const mechanics::Mesh& mesh,
+                   const std::vector<Face>& surface,
+                   const std::vector<Face>& boundary)
+    : mesh_(mesh), surface_(surface), boundary_(boundary), size_(box_of(mesh.points).size()) {}
 
 std::vector<Index> Selector::nodes(const Where& where) {
   std::vector<Index> found;
@@ -35,7 +38,22 @@ std::vector<Index> Selector::nodes(const Where& where) {
   } else {
     found = set(where, std::get<InSet>(where.kind).name);
   }
+  warn_of_missed(where, found);
   return found;
+}
+
+void Selector::warn_of_missed(const Where& where, const std::vector<Index>& found) {
+  std::vector<char> meant(mesh_.points.size(), 0);
+  for (const Index i : found)
+    meant[idx(i)] = 1;
+  if (const auto* plane = std::get_if<OnPlane>(&where.kind))
+    if (const auto near = nodes_near_plane(mesh_, meant, plane->axis, plane->value, size_))
+      warnings_.push_back(fmt::format("warning: [near-plane] {}: {}; put them on it, or name a set",
+                                      where.key, *near));
+  if (std::holds_alternative<InSet>(where.kind))
+    if (const auto middle = missed_middle_nodes(mesh_, surface_, meant))
+      warnings_.push_back(fmt::format("warning: [middle-nodes] {}, set '{}': {}; complete the set",
+                                      where.key, std::get<InSet>(where.kind).name, *middle));
 }
 
 std::vector<Face> Selector::faces(const Where& where) {

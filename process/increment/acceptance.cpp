@@ -26,7 +26,29 @@ namespace {
 /// but the path of strain is lost.
 constexpr double most_plastic_increment = 0.5;
 
-Outcome<Done> plausible(const Run& run, double dt, double force_scale) {
+/// Furthest that a tool or support goes within the increment. [mm]
+double furthest_led(const Run& run, double dt, double size) {
+  const double from = run.state.time, to = from + dt;
+  double way = 0.0;
+  for (const contact::Tool& tool : run.tools()) {
+    const double turned = std::abs(tool.motion.angle(to) - tool.motion.angle(from));
+    way = std::max(way, (tool.motion.translation(to) - tool.motion.translation(from)).norm() +
+                            turned * size);
+  }
+  for (const Support& support : run.part().supports)
+    way = std::max(way, std::abs(support.displacement(to) - support.displacement(from)));
+  return way;
+}
+
+/// Whether the attempt carries the workpiece away, by more than its size and whatever moves it.
+bool flies_away(const Run& run, double dt, double size) {
+  double furthest = 0.0;
+  for (std::size_t i = 0; i < run.n_nodal(); ++i)
+    furthest = std::max(furthest, std::abs(run.attempt.x[i] - run.state.x[i]));
+  return furthest > size && furthest > size + 2.0 * furthest_led(run, dt, size);
+}
+
+Outcome<Done> plausible(Run& run, double dt, double force_scale) {
   if (run.model.bulk->largest_plastic_increment() > most_plastic_increment)
     return Failure{fmt::format("plastic strain increment {:.3g} is too large",
                                run.model.bulk->largest_plastic_increment())};
@@ -41,9 +63,11 @@ Outcome<Done> plausible(const Run& run, double dt, double force_scale) {
     constexpr double floor = 1e-7;
     const double scale =
         std::max(force_scale, floor * body_stiffness(run.scene, run.part()) * size);
-    if (run.model.stabilization->force_in(run.trial(dt)) >
-        most_share * run.model.stabilization->share() * scale)
+    if (flies_away(run, dt, size) || run.model.stabilization->force_in(run.trial(dt)) >
+                                         most_share * run.model.stabilization->share() * scale) {
+      run.attempt.moves_away = true;
       return Failure{"the workpiece moves away freely: neither supports nor contact hold it"};
+    }
   }
   return Done{};
 }
@@ -109,7 +133,7 @@ Outcome<Done> check_self_passages(const Run& run, double dt) {
 } // namespace
 
 Outcome<Done> check_solution(Run& run, double dt, double force_scale) {
-  run.attempt.inside_out = false;
+  run.attempt.inside_out = run.attempt.moves_away = false;
   if (Outcome<Done> sound = plausible(run, dt, force_scale); !sound)
     return sound;
   if (Outcome<Done> outside = check_walls(run); !outside)

@@ -48,6 +48,7 @@ post_mortem(const Run& run, double dt, const std::string& why, std::vector<std::
                   .drives = drive_states(run, run.state.time + dt),
                   .chattering = run.attempt.chattering,
                   .inside_out = run.attempt.inside_out,
+                  .moves_away = run.attempt.moves_away,
                   .too_deep = run.attempt.too_deep,
                   .records = run.model.newton->records()};
   if (!run.attempt.too_deep) {

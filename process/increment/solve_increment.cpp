@@ -64,7 +64,7 @@ Outcome<Done> solve_and_check(Run& run, double dt, mechanics::Continuation conti
   if (outcome && run.model.stabilization)
     outcome = with_light_stabilization(run, dt, *outcome);
   if (!outcome) {
-    run.attempt.inside_out = false;
+    run.attempt.inside_out = run.attempt.moves_away = false;
     return Failure{outcome.error().reason + chattering_points(run)};
   }
   run.attempt.residual = outcome->residual;

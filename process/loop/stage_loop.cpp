@@ -182,7 +182,7 @@ Outcome<Done> StageLoop::solve(const Step& step) {
   if (stage_.unload)
     release_tools(run_, time + step.length, stage_.end);
   activate_tools(run_, stage_, time + step.length);
-  run_.attempt.too_deep = run_.attempt.inside_out = false;
+  run_.attempt.too_deep = run_.attempt.inside_out = run_.attempt.moves_away = false;
   if (Outcome<Done> near = check_leaps(run_, stage_, time, time + step.length); !near)
     return near;
   const bool in_rows = progress_.in_rows > 0 && !run_.model.retreating.empty();

@@ -58,6 +58,7 @@ struct PostMortem {
   /// Contact points that kept changing in the last tries, those that changed most first.
   std::vector<contact::ChatteringPoint> chattering;
   bool inside_out = false; ///< an element turned inside out in the last try
+  bool moves_away = false; ///< nothing held the part in the last try
   bool too_deep = false;   ///< a face lay deeper in a tool than a limit allows
   std::vector<mechanics::IterationRecord> records; ///< of the last try
 };

@@ -35,6 +35,7 @@ struct Attempt {
   bool none = true;                 ///< none has been made since the last increment was accepted
   bool too_deep = false;            ///< refused: a tool lies deeper in the part than is allowed
   bool inside_out = false;          ///< refused: an element turns inside out
+  bool moves_away = false;          ///< refused: nothing holds the part
   bool friction_limited = false;    ///< solved with less friction than the law asks for
   bool hardly_touches = false;      ///< forces count as none in it
   /// Points that kept changing in the last one that had any.

@@ -1,0 +1,92 @@
+// What holds and loads the part: told by check, and by a run that nothing holds.
+
+#include "tests/app/case_run.h"
+#include "tests/support/program.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace billet::test::conditions_test {
+
+namespace {
+
+/// A block between a foot without friction and a plane tool, pushed to the side.
+const std::string pushed = R"(analysis = "plane-strain"
+[workpiece]
+element = "quad4"
+material = "m"
+mesh = { box = [[0, 0], [10, 5]], cells = [4, 4] }
+[material.m]
+elastic = { young = "210 GPa", poisson = 0.3 }
+flow = { law = "swift", K = 500, eps0 = 0.01, n = 0.2 }
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, 5], normal = [0, -1] } }
+motion = { velocity = [0, -0.5] }
+[[load]]
+where = "x = 10"
+traction = [1, 0]
+amplitude = [[0, 0], [1, 1]]
+[time]
+end = 1
+)";
+
+class Conditions : public CaseRun {};
+
+TEST_F(Conditions, AreListedByCheck) {
+  write_text(folder_.path() / "case.toml", pushed);
+  const Outcome check = billet({"check", "case.toml"}, folder_.path());
+  EXPECT_TRUE(check.prints("support \"y = 0\": 5 node(s) held in y\n")) << check.out;
+  EXPECT_TRUE(
+      check.prints("load \"x = 10\": 4 face(s), 5 mm long, a force of (5, 0, 0) N/mm in all, "
+                   "times its amplitude\n"))
+      << check.out;
+}
+
+TEST_F(Conditions, ThatDoNotHoldThePartEndTheRun) {
+  // It went on in ever more increments, 866 mm away after 7440 of them.
+  const Outcome free = run(pushed);
+  EXPECT_EQ(free.status, 5) << free.err;
+  EXPECT_NE(free.err.find("moves away freely"), std::string::npos) << free.err;
+  EXPECT_NE(free.err.find("[free-part]"), std::string::npos) << free.err;
+  EXPECT_LT(history().rows.size(), 50U);
+}
+
+/// A block upset by half whose flow curve ends at a strain.
+std::string upset(double last_strain) {
+  std::string text = pushed.substr(0, pushed.find("flow"));
+  text +=
+      fmt::format("flow = {{ law = \"table\", points = [[0, 200], [{}, 400]] }}\n", last_strain);
+  return text + R"([[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+where = "y = 0"
+fix = ["y"]
+[[tool]]
+name = "die"
+surface = { plane = { point = [0, 5], normal = [0, -1] } }
+motion = { velocity = [0, -2.5] }
+[time]
+end = 1
+)";
+}
+
+TEST_F(Conditions, OfStrainBeyondATableAreTold) {
+  const Outcome inside = run(upset(1.0));
+  EXPECT_EQ(inside.status, 0) << inside.err;
+  EXPECT_EQ(inside.err.find("[material-range]"), std::string::npos) << inside.err;
+  const Outcome beyond = run(upset(0.4));
+  EXPECT_NE(beyond.err.find("[material-range] 100 % of the part has plastic strains above 0.4"),
+            std::string::npos)
+      << beyond.err;
+}
+
+} // namespace
+
+} // namespace billet::test::conditions_test
