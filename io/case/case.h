@@ -43,6 +43,7 @@ struct UnitSystem {
 
 /// Fixed or moved nodes; a component is in `fix` or in `move`, never in both.
 struct Support {
+  std::string name; ///< its force is reported; empty: it is not
   Where where;
   std::array<bool, 3> fix = {false, false, false};
   std::array<std::optional<TimeFunction>, 3> move; ///< displacement [mm]
@@ -67,7 +68,8 @@ struct TractionLoad {
 
 /// Force per volume.
 struct BodyForce {
-  Vec3 force; ///< [N/mm^3]
+  Vec3 force;             ///< [N/mm^3]
+  TimeFunction amplitude; ///< factor on `force` [-]; default 1
 
   bool operator==(const BodyForce&) const = default;
 };

@@ -48,6 +48,21 @@ void refuse_same_names(const At& root, std::string_view key) {
   }
 }
 
+/// A support has columns of its own in history.csv.
+void refuse_names_of_tools(const At& root) {
+  std::set<std::string> names;
+  for (const At& tool : items(child(root, "tool")))
+    if (const std::string* const name = text_of(child(tool, "name")))
+      names.insert(*name);
+  for (const At& support : items(child(root, "support"))) {
+    const std::optional<At> name = child(support, "name");
+    const std::string* const text = text_of(name);
+    if (text != nullptr && names.contains(*text))
+      name->complain(
+          fmt::format("there is a tool \"{}\" already, names must differ", printable(*text)));
+  }
+}
+
 void check_material(const At& root, const Case& content) {
   const std::optional<At> at = child(child(root, "workpiece"), "material");
   if (text_of(at) == nullptr || content.materials.empty() ||
@@ -218,6 +233,8 @@ void check_frame_times(const At& root, const Case& content) {
 
 void check_whole(const At& root, Case& content) {
   refuse_same_names(root, "tool");
+  refuse_same_names(root, "support");
+  refuse_names_of_tools(root);
   refuse_same_names(root, "stage");
   refuse_same_names(root, "measure");
   check_material(root, content);

@@ -1,10 +1,9 @@
-// The columns of history.csv: those of every run, then those of tools, of what is trapped and of
-// measures.
+// The columns of history.csv: those of every run, then those of tools, of supports with a name, of
+// what is trapped and of measures.
 
 #pragma once
 
 #include <array>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,10 +35,16 @@ inline constexpr std::array<std::string_view, 17> fixed_columns{"increment",
 inline constexpr std::array<std::string_view, 3> trapped_columns{
     "trapped.pockets", "trapped.volume", "trapped.pressure"};
 
-/// All of them in their order, of tools and measures by their names.
-[[nodiscard]] std::vector<std::string> history_columns(std::span<const std::string> tools,
-                                                       bool has_trapped,
-                                                       std::span<const std::string> measures);
+/// What the columns of a run are named after.
+struct NamesOfHistory {
+  std::vector<std::string> tools;
+  std::vector<std::string> supports; ///< each once
+  std::vector<std::string> measures;
+  bool has_trapped;
+};
+
+/// All of them in their order.
+[[nodiscard]] std::vector<std::string> history_columns(const NamesOfHistory& names);
 
 /// Those that a run of a case will have.
 [[nodiscard]] std::vector<std::string> history_columns(const Case& content);

@@ -69,8 +69,9 @@ std::optional<Load> as_traction_load(TableReader& table) {
 }
 
 std::optional<Load> as_body_force(TableReader& table) {
-  BodyForce load{Vec3::Zero()};
+  BodyForce load{Vec3::Zero(), 1.0};
   table.required("body_force", load.force, as_vector, Number{quantity::force_density, any_value});
+  table.optional("amplitude", load.amplitude, as_time_function, Number{});
   return Load{{}, load};
 }
 
@@ -112,6 +113,7 @@ std::optional<Support> as_support(const At& at) {
   if (!table.is_table())
     return std::nullopt;
   Support support;
+  table.optional("name", support.name, as_name);
   table.required("where", support.where, as_where);
   table.optional("fix", support.fix, as_fix);
   read_move(table, support);

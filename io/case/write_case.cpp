@@ -29,6 +29,8 @@ std::string support_text(const Support& support, int size) {
     moves = moves || support.move[i];
   }
   TomlTable table;
+  if (!support.name.empty())
+    table.add("name", toml_text(std::string_view(support.name)));
   table.add("where", toml_text(support.where));
   if (!fix.empty())
     table.add("fix", toml_text(fix));
@@ -46,7 +48,7 @@ void write_load(TomlTable& table, const TractionLoad& load, int size) {
 }
 
 void write_load(TomlTable& table, const BodyForce& load, int size) {
-  table.add("body_force", toml_text(load.force, size));
+  table.add("body_force", toml_text(load.force, size)).add("amplitude", toml_text(load.amplitude));
 }
 
 std::string load_text(const Load& load, int size) {

@@ -2,6 +2,7 @@
 
 #include "io/case/history_columns.h"
 #include "process/measures/shape_measures.h"
+#include "process/measures/support_forces.h"
 
 #include <algorithm>
 
@@ -21,12 +22,16 @@ void add_trapped(const contact::TrappedState& state, std::vector<double>& row) {
 } // namespace
 
 std::vector<std::string> history_columns(const process::Scene& scene) {
-  std::vector<std::string> tools, measures;
+  NamesOfHistory names{{}, {}, {}, scene.contact.trapped.has_value()};
   for (const contact::Tool& tool : scene.tools)
-    tools.push_back(tool.name);
+    names.tools.push_back(tool.name);
+  for (const process::Support& support : scene.part.supports)
+    if (!support.name.empty() &&
+        (names.supports.empty() || names.supports.back() != support.name)) // one a component
+      names.supports.push_back(support.name);
   for (const process::Measure& measure : scene.measures)
-    measures.push_back(measure.name);
-  return history_columns(tools, scene.contact.trapped.has_value(), measures);
+    names.measures.push_back(measure.name);
+  return history_columns(names);
 }
 
 std::vector<double> history_row(const process::Run& run, const process::IncrementReport& r) {
@@ -53,6 +58,8 @@ std::vector<double> history_row(const process::Run& run, const process::Incremen
     for (const Vec3& v : {load.force, load.torque, way})
       row.insert(row.end(), v.data(), v.data() + 3);
   }
+  for (const process::SupportForce& support : process::support_forces(run))
+    row.insert(row.end(), support.force.data(), support.force.data() + 3);
   if (run.model.trapped)
     add_trapped(run.model.trapped->state(), row);
   const std::vector<double> measures = process::measured(run);

@@ -95,6 +95,13 @@ ordered_json tools_json(const process::Run& run, std::span<const LargestForce> l
   return tools;
 }
 
+ordered_json supports_json(const process::Run& run) {
+  ordered_json supports = ordered_json::object();
+  for (const process::SupportForce& support : process::support_forces(run))
+    supports[support.name] = {{"force", {support.force[0], support.force[1], support.force[2]}}};
+  return supports;
+}
+
 /// Where the workpiece touches itself.
 ordered_json self_contact_json(const process::Run& run) {
   const contact::SelfContactState& state = run.model.self_contact->state();
@@ -323,6 +330,8 @@ std::string summary_text(const process::Run& run, const SummaryFacts& about) {
     summary["remeshings"] = remeshings_json(run);
   summary["grounded_rigid_motions"] = run.model.free_motions;
   summary["tools"] = tools_json(run, about.largest_forces);
+  if (ordered_json supports = supports_json(run); !supports.empty())
+    summary["supports"] = std::move(supports);
   if (!run.tools().empty())
     summary["process_window"] = window_json(run.state.record.window.total());
   summary["warnings"] = about.warnings;

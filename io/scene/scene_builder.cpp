@@ -222,9 +222,9 @@ void add_supports(const Case& content,
     const std::vector<Index> nodes = select.nodes(support.where);
     for (int c = 0; c < content.dimension(); ++c) {
       if (support.fix[idx(c)])
-        scene.part.supports.push_back({nodes, c, TimeFunction(0.0)});
+        scene.part.supports.push_back({nodes, c, TimeFunction(0.0), support.name});
       else if (support.move[idx(c)])
-        scene.part.supports.push_back({nodes, c, *support.move[idx(c)]});
+        scene.part.supports.push_back({nodes, c, *support.move[idx(c)], support.name});
       else
         continue;
       number.push_back(s);
@@ -246,10 +246,10 @@ void add_loads(const Case& content, Selector& select, process::Scene& scene) {
           traction->amplitude,
           {.faces = faces, .tractions = std::vector<Vec3>(faces.size(), traction->traction)}});
     } else {
-      const Vec3 force = std::get<BodyForce>(load.kind).force;
+      const auto& [force, amplitude] = std::get<BodyForce>(load.kind);
       scene.part.loads.emplace_back(
           process::DeadForces{mechanics::body_forces(scene.part.mesh, scene.part.analysis, force),
-                              TimeFunction(1.0),
+                              amplitude,
                               {.faces = {}, .tractions = {}, .body = force}});
     }
   }
@@ -473,14 +473,14 @@ void note_flat_elements(const mechanics::Mesh& mesh, std::vector<std::string>& n
   if (aspect > flat)
     notes.push_back(fmt::format(
         "warning: [flat-elements] elements of {} are up to {:.3g} times as long as thick: "
-        "they resist bending many times too much; quadratic elements do not",
+        "in bending they are stiffer than the part by about a third of the square of their length "
+        "over its thickness, in a single layer too soft; quadratic elements are neither",
         mechanics::name(mesh.kind), aspect));
   else if (longest > flat * thinnest)
     notes.push_back(fmt::format(
-        "a part {:.3g} times as long as thick, of {}: where tools bend it, elements that are twice "
-        "as "
-        "long as thick resist by a quarter too much, four times by a third, and more layers do not "
-        "help; quadratic elements do",
+        "a part {:.3g} times as long as thick, of {}: where it is bent, elements as long as the "
+        "part is thick resist by a third too much, half as long by a twelfth, and a single layer "
+        "of them by up to a half too little; two layers of quadratic elements do not",
         longest / thinnest, mechanics::name(mesh.kind)));
 }
 

@@ -119,7 +119,8 @@ Slip one_element_high(const process::Scene& scene) {
     return std::nullopt;
   return fmt::format(
       "{} of {} elements are the only one between two faces of the workpiece, the "
-      "first is element {}: a single {} shows neither bulging nor bending; take four "
+      "first is element {}: a single {} does not bulge, and bends as if it had half of its "
+      "stiffness; take four "
       "or more over the height, or quadratic elements",
       lone.size(), scene.part.mesh.n_elements(), lone.front(),
       mechanics::name(scene.part.mesh.kind));

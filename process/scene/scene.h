@@ -28,9 +28,10 @@ struct Support {
   std::vector<Index> nodes;
   int component;
   TimeFunction displacement; ///< [mm]
+  std::string name = {};     ///< its force is reported; empty: it is not
 
   template <class Archive> void fields(Archive& archive) {
-    archive(nodes, component, displacement);
+    archive(nodes, component, displacement, name);
   }
 };
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace billet::test::conditions_test {
@@ -85,6 +87,71 @@ TEST_F(Conditions, OfStrainBeyondATableAreTold) {
   EXPECT_NE(beyond.err.find("[material-range] 100 % of the part has plastic strains above 0.4"),
             std::string::npos)
       << beyond.err;
+}
+
+/// A strip 10 x 5 between a foot and a grip.
+std::string between_grips(const std::string& grip, const std::string& load) {
+  return R"(analysis = "plane-strain"
+[workpiece]
+element = "quad8"
+material = "m"
+mesh = { box = [[0, 0], [10, 5]], cells = [4, 2] }
+[material.m]
+elastic = { young = 200000, poisson = 0.3 }
+[[support]]
+where = "x = 0"
+fix = ["x"]
+[[support]]
+name = "foot"
+where = "y = 0"
+fix = ["y"]
+)" + grip +
+         load + "[time]\nend = 2\n";
+}
+
+TEST_F(Conditions, WithANameTellTheirForces) {
+  const Outcome done = run(between_grips(
+      "[[support]]\nname = \"grip\"\nwhere = \"y = 5\"\nmove = { y = [[0, 0], [2, 0.005]] }\n",
+      ""));
+  ASSERT_EQ(done.status, 0) << done.err;
+  const ResultTable table = history();
+  const double stiffness = 200e3 / (1.0 - 0.3 * 0.3); // of plane strain
+  const double force = stiffness * 10.0 * 1e-3;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double share = table.value(row, "time") / 2.0;
+    EXPECT_NEAR(table.value(row, "grip.force_y"), -share * force, 2e-3 * force);
+    EXPECT_NEAR(table.value(row, "foot.force_y"), share * force, 2e-3 * force);
+    EXPECT_EQ(table.value(row, "grip.force_x"), 0.0);
+  }
+  EXPECT_NEAR(summary()["supports"]["foot"]["force"][1], force, 2e-3 * force);
+}
+
+TEST_F(Conditions, CarryAWeightThatComesAndGoes) {
+  const Outcome done = run(between_grips(
+      "",
+      "[[load]]\nwhere = \"all\"\nbody_force = [0, -2]\namplitude = [[0, 0], [1, 1], [2, 0]]\n"));
+  ASSERT_EQ(done.status, 0) << done.err;
+  const ResultTable table = history();
+  double largest = 0.0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double time = table.value(row, "time");
+    const double weight = 100.0 * std::min(time, 2.0 - time);
+    EXPECT_NEAR(table.value(row, "foot.force_y"), -weight, 1e-4 * 100.0) << time;
+    largest = std::max(largest, weight);
+  }
+  EXPECT_GT(largest, 97.0);
+}
+
+TEST_F(Conditions, HaveNamesOfTheirOwn) {
+  const std::string grip = "[[support]]\nname = \"foot\"\nwhere = \"y = 5\"\nfix = [\"y\"]\n";
+  const Outcome twice = run(between_grips(grip, ""));
+  EXPECT_EQ(twice.status, 3);
+  EXPECT_NE(twice.err.find("there is a support \"foot\" already"), std::string::npos) << twice.err;
+  const Outcome of_tool = run(between_grips(
+      "[[tool]]\nname = \"foot\"\nsurface = { plane = { point = [0, 5], normal = [0, -1] } }\n",
+      ""));
+  EXPECT_EQ(of_tool.status, 3);
+  EXPECT_NE(of_tool.err.find("there is a tool \"foot\" already"), std::string::npos) << of_tool.err;
 }
 
 } // namespace
