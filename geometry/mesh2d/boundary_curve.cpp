@@ -77,6 +77,9 @@ void pass_over_ripples(const SideLoop& loop,
   for (std::size_t i = 0; i < n; ++i)
     if (loop.hold[i] != 0)
       stop[i] = stop[(i + 1) % n] = 1;
+  for (std::size_t i = 0; i < n && rule.follow; ++i)
+    if (rule.follow(loop.corners[i]))
+      stop[i] = 1;
   for (std::size_t i = 0; i < n; ++i) {
     if (stop[i] != 0)
       stops.push_back(way.length);

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace billet::geometry {
@@ -24,7 +25,8 @@ struct CornerRule {
   double turn; ///< a boundary that turns by more at a node may have a corner there [rad]
   /// Ripples of free sides that one no longer than that passes over have none; 0: they do. [mm]
   double longest_side = 0.0;
-  double turn_of_side = 0.0; ///< most that it turns by [rad]
+  double turn_of_side = 0.0;                    ///< most that it turns by [rad]
+  std::function<bool(const Vec2&)> follow = {}; ///< whether they do near a place; empty: nowhere
 };
 
 class BoundaryCurve {

@@ -192,9 +192,10 @@ private:
       if (!(curvature * sizes_.max > sizes_.turn))
         continue;
       const double size = std::max(sizes_.min, sizes_.turn / curvature);
-      const double longer = curve.is_held(way.places[k])
-                                ? 0.0
-                                : long_sides.longest(way.places[k], size, rule_.longest_side);
+      const bool follow =
+          curve.is_held(way.places[k]) || (rule_.follow && rule_.follow(way.points[k]));
+      const double longer =
+          follow ? 0.0 : long_sides.longest(way.places[k], size, rule_.longest_side);
       samples.push_back({way.points[k], std::max(size, longer)});
     }
   }
@@ -301,7 +302,7 @@ RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
   for (const SideLoop& loop : loops)
     require_sound(loop);
   try {
-    const CornerRule rule{corner_turn, sizes.max, sizes.turn};
+    const CornerRule rule{corner_turn, sizes.max, sizes.turn, sizes.follow};
     return Remesher(loops, sizes, measure, snap, rule).run();
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)

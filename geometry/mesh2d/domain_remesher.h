@@ -50,6 +50,8 @@ struct RemeshSizes {
   /// Size asked for at a place of the domain [mm]; empty: `max`.
   std::function<double(const Vec2&)> wanted = {};
   std::vector<SizeAt> at = {}; ///< asked for besides, even below `min`
+  /// Whether the boundary near a place is followed in every ripple; empty: nowhere. (G.42a)
+  std::function<bool(const Vec2&)> follow = {};
 };
 
 /// What is kept of the domain.

@@ -1,7 +1,9 @@
 #include "process/remeshing/sizes.h"
 
+#include "geometry/size_field.h"
 #include "mechanics/elements/mesh_locator.h"
 #include "mechanics/transfer/rate_gradient.h"
+#include "process/remeshing/parted_walls.h"
 #include "process/scene/scene.h"
 #include "process/state/run.h"
 
@@ -10,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace billet::process {
@@ -57,6 +60,23 @@ std::function<double(const Vec3&)> wanted_size(const Run& run, double turn, doub
   };
 }
 
+/// Whether walls that touch each other are near a place: ripples of one lie in those of the other.
+std::function<bool(const Vec2&)> near_touching_walls(const Run& run) {
+  if (!touches_itself(run))
+    return {};
+  const contact::ContactSurface& surface = *run.model.surface;
+  std::vector<Vec3> positions(surface.n_points());
+  surface.positions(run.positions(), positions);
+  std::vector<geometry::SizeSample> touching;
+  const auto& points = run.model.self_contact->state().points;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (points[k].closed())
+      touching.push_back({positions[k].head<2>(), 0.0});
+  const double reach = usual_sizes(run).usual;
+  const geometry::SizeField distance(std::move(touching), 2.0 * reach, 1.0);
+  return [distance, reach](const Vec2& x) { return distance(x) < reach; };
+}
+
 } // namespace
 
 geometry::RemeshSizes remesh_sizes(const Run& run) {
@@ -66,6 +86,7 @@ geometry::RemeshSizes remesh_sizes(const Run& run) {
   sizes.wanted = [wanted = wanted_size(run, sizes.turn, sizes.growth)](const Vec2& x) {
     return wanted(in_space(x));
   };
+  sizes.follow = near_touching_walls(run);
   return sizes;
 }
 
