@@ -416,7 +416,8 @@ private:
     constexpr double shrinks = 0.2;
     newton_.settled_ = step == 1.0 && norms_.residual < shrinks * relative * norms_.scale;
     const double moved = largest_difference(x_, x_old_);
-    taken_ = step * largest(newton_.correction_);
+    taken_ =
+        largest(newton_.correction_); // the whole of it: a step may be short for want of a way down
     correction_ = moved > 0.0 ? step * largest(newton_.correction_) / moved : 0.0;
     newton_.records_.push_back(
         {iteration, this->relative(), correction_, step, solved->method, newton_.contact_changes_});
