@@ -228,6 +228,32 @@ const DeckRigidBody* rigid_body_of(const Deck& deck, const DeckBody& body) {
   return nullptr;
 }
 
+/// Facets that surfaces in contact name by one of their sides, "SPOS" or "SNEG".
+std::set<DeckNumber> facets_by_side(const Deck& deck, const std::string& side) {
+  std::set<DeckNumber> facets;
+  for (const DeckPair& pair : deck.pairs)
+    for (const std::string& name : {pair.slave, pair.master})
+      if (const auto surface = deck.surfaces.find(name); surface != deck.surfaces.end())
+        for (const auto& [elements, label] : surface->second.members)
+          if (label == side)
+            for (const DeckNumber number : deck.elements_of(elements))
+              facets.insert(number);
+  return facets;
+}
+
+/// The side of facets that is in contact; of both, the positive one.
+void find_sides(const Deck& deck, std::vector<DeckBody>& bodies) {
+  const std::set<DeckNumber> positive = facets_by_side(deck, "SPOS");
+  for (const DeckNumber number : facets_by_side(deck, "SNEG"))
+    for (DeckBody& body : bodies)
+      if (std::binary_search(body.elements.begin(), body.elements.end(), number)) {
+        if (positive.contains(number))
+          body.two_sided = true;
+        else
+          body.negative.insert(number);
+      }
+}
+
 } // namespace
 
 const Vec3& deck_point(const Deck& deck, DeckNumber node) {
@@ -269,6 +295,7 @@ std::vector<DeckBody> deck_bodies(const Deck& deck) {
     body.rigid = rigid_body_of(deck, body);
     bodies.push_back(std::move(body));
   }
+  find_sides(deck, bodies);
   return bodies;
 }
 
@@ -295,6 +322,8 @@ std::vector<DeckFace> boundary_of(const Deck& deck, const DeckBody& body) {
           node = merged.at(node);
       if (!clean(face))
         continue;
+      if (face.corners.size() > 2 && body.negative.contains(number))
+        reverse_face(face);
       std::vector<DeckNumber> key = face.corners;
       std::sort(key.begin(), key.end());
       auto& entry = all[key];

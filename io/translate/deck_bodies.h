@@ -19,6 +19,8 @@ struct DeckBody {
   std::set<DeckNumber> nodes;
   std::string material;                 ///< of the first element, in capitals; empty: none
   const DeckRigidBody* rigid = nullptr; ///< whose nodes or elements are all of it
+  std::set<DeckNumber> negative;        ///< facets that surfaces in contact take by their side SNEG
+  bool two_sided = false;               ///< of some facets surfaces in contact take both sides
 };
 
 /// A face in space as its corners, an edge in the plane as its ends; then the nodes in the middle
@@ -46,7 +48,7 @@ struct DeckFace {
 [[nodiscard]] std::vector<DeckFace>
 faces_of(const Deck& deck, const DeckElement& element, const std::string& label);
 
-/// The faces that belong to one element only.
+/// The faces that belong to one element only; of facets seen from the side that is in contact.
 [[nodiscard]] std::vector<DeckFace> boundary_of(const Deck& deck, const DeckBody& body);
 
 } // namespace billet::io

@@ -342,6 +342,10 @@ private:
           fmt::format("the body {} is in no contact pair with the workpiece: left out", body.name));
       return "";
     }
+    if (in_space_ && body.two_sided)
+      remark(fmt::format("the body {} is in contact with both of its sides: the tool has the side "
+                         "SPOS only",
+                         body.name));
     const DeckMaterial* const material = material_of(deck_, body);
     if (body.rigid == nullptr)
       remark(fmt::format("the body {} becomes a rigid tool{}", body.name,

@@ -207,6 +207,18 @@ TEST(DeckTools, a_swept_circle_is_a_cylinder) {
   EXPECT_EQ(other.remarks, "");
 }
 
+TEST(DeckTools, rigid_elements_are_in_contact_with_the_side_that_their_surface_names) {
+  const std::vector<std::array<double, 2>> below{{-5.0, 10.5}, {15.0, 10.5}};
+  const std::vector<std::array<double, 2>> turned{{15.0, 10.5}, {-5.0, 10.5}};
+  const std::vector<Vec3> part{{5.0, 5.0, 10.0}};
+  EXPECT_NEAR(Imported(strips(below)).gaps(part)[0], 0.5, stl_digits);
+  EXPECT_NEAR(Imported(strips(turned, "SNEG")).gaps(part)[0], 0.5, stl_digits);
+  EXPECT_NEAR(Imported(strips(below, "SNEG")).gaps(part)[0], -0.5, stl_digits);
+  const Imported both(strips(below) + "DIE,SNEG\n");
+  EXPECT_NEAR(both.gaps(part)[0], 0.5, stl_digits);
+  expect_in(both.remarks, "in contact with both of its sides: the tool has the side SPOS only");
+}
+
 } // namespace
 
 } // namespace billet::io::deck_tools_test
