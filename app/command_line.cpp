@@ -118,7 +118,7 @@ constexpr Option schema_options[] = {
 /// Of `import`.
 constexpr Option import_options[] = {
     {"-o", "DIR", "the case goes to DIR (default: the deck's name)", "--output"},
-    {"--units", "UNITS", "of the deck's numbers: mm-t-s-N (default) or m-kg-s-N"},
+    {"--units", "UNITS", "of the deck's numbers: mm-t-s-N (default), m-kg-s-N or in-lbf-s-psi"},
     {"--allow-outside", "", "the deck may include files outside its folder"},
 };
 

@@ -68,15 +68,28 @@ struct DeckCondition {
   std::string amplitude;
   bool velocity = false;
   std::string place;
+  double unit = 1.0; ///< factor on it to the units of the case
 };
 
-/// A pressure on a surface, or on faces of elements; or gravity.
+/// A pressure on a surface, or on faces of elements; or one component of a traction.
 struct DeckPressure {
   std::string surface; ///< name of a surface; empty: faces of elements
   std::string elements;
   std::string face; ///< "S1"
   double value = 0.0;
   std::string amplitude;
+  std::string place;
+  int component = 0;  ///< of a traction, 1 to 3; 0: a pressure
+  double share = 1.0; ///< of the value in that component
+  double unit = 1.0;  ///< factor on it to the units of the case
+};
+
+/// A force per volume along an axis: "BX", "BY", "BZ" or, along the radius, "BR".
+struct DeckBodyForce {
+  double value = 0.0;
+  std::string elements; ///< a set or a number
+  std::string amplitude;
+  std::size_t step = 0; ///< the one that begins it, from 1; 0: none
   std::string place;
 };
 
@@ -151,6 +164,7 @@ struct Deck {
   DeckStep initial; ///< conditions before the first step
   std::vector<DeckStep> steps;
   std::optional<DeckGravity> gravity;
+  std::map<std::string, DeckBodyForce> body_forces; ///< by label
   std::vector<DeckRemark> remarks;
 
   /// The nodes of a set, or the one of a number; empty: there are none.

@@ -26,6 +26,11 @@ std::vector<std::pair<int, int>> named_support(const std::string& word) {
   return found == supports.end() ? std::vector<std::pair<int, int>>() : found->second;
 }
 
+/// Along an axis, per volume.
+bool is_body_force(const std::string& label) {
+  return label == "BX" || label == "BY" || label == "BZ" || label == "BR";
+}
+
 } // namespace
 
 bool DeckLoads::take(const DeckKeyword& keyword) {
@@ -127,7 +132,7 @@ void DeckLoads::pressures(const DeckKeyword& keyword) {
   if (keyword.word("OP") == "NEW")
     now().replaces_pressures = true;
   refer_to_amplitude(keyword);
-  bool has_gravity = false;
+  bool has_gravity = false, has_body_force = false, has_traction = false;
   for (std::size_t line = 0; line < keyword.data.size(); ++line) {
     const std::string label = in_capitals(keyword.field(line, 1));
     DeckPressure pressure{"",
@@ -136,18 +141,22 @@ void DeckLoads::pressures(const DeckKeyword& keyword) {
                           keyword.number(line, 2).value_or(0.0),
                           keyword.value("AMPLITUDE"),
                           keyword.places[line]};
+    const bool on_surface = keyword.name == "DSLOAD";
+    const std::string kind = on_surface ? label : label.substr(0, label.size() - 1);
     if (label == "GRAV") {
       has_gravity = true;
       gravity(keyword, line);
-    } else if (keyword.name == "DSLOAD" && label == "P") {
-      references_.add(DeckThing::surface, keyword, line, 0);
-      pressure.surface = keyword.field(line, 0);
-      now().pressures.push_back(pressure);
-    } else if (keyword.name == "DLOAD" && label.size() == 2 && label[0] == 'P') {
-      references_.add(DeckThing::elements, keyword, line, 0);
-      pressure.elements = keyword.field(line, 0);
-      pressure.face = "S" + label.substr(1);
-      now().pressures.push_back(pressure);
+    } else if (!on_surface && is_body_force(label)) {
+      has_body_force = true;
+      body_force(keyword, line, label);
+    } else if (kind == "P" || (kind == "TRVEC" && !keyword.has("ORIENTATION"))) {
+      references_.add(on_surface ? DeckThing::surface : DeckThing::elements, keyword, line, 0);
+      (on_surface ? pressure.surface : pressure.elements) = keyword.field(line, 0);
+      pressure.face = on_surface ? "" : "S" + label.substr(label.size() - 1);
+      if (kind == "P")
+        now().pressures.push_back(pressure);
+      else
+        has_traction = traction(keyword, line, pressure) || has_traction;
     } else {
       deck_.remarks.push_back(
           {keyword.places[line],
@@ -156,6 +165,45 @@ void DeckLoads::pressures(const DeckKeyword& keyword) {
   }
   if (keyword.word("OP") == "NEW" && deck_.gravity && !has_gravity)
     note(deck_, keyword, "OP=NEW: gravity acts to the end here");
+  if (keyword.word("OP") == "NEW" && !deck_.body_forces.empty() && !has_body_force)
+    note(deck_, keyword, "OP=NEW: body forces act to the end here");
+  if (has_traction &&
+      (keyword.word("FOLLOWER") != "NO" || keyword.word("CONSTANTRESULTANT") != "YES"))
+    note(deck_, keyword,
+         "TRVEC: the traction keeps its direction, and its force on the area of the part as it was "
+         "at the start (FOLLOWER=NO, CONSTANT RESULTANT=YES)");
+}
+
+bool DeckLoads::traction(const DeckKeyword& keyword, std::size_t line, DeckPressure given) {
+  Vec3 direction = Vec3::Zero();
+  for (std::size_t i = 0; i < 3; ++i)
+    direction[static_cast<Eigen::Index>(i)] = keyword.number(line, 3 + i).value_or(0.0);
+  if (direction.isZero()) {
+    deck_.remarks.push_back(
+        {keyword.places[line],
+         fmt::format("*{}: TRVEC without a direction, left out", keyword.written)});
+    return false;
+  }
+  direction.normalize();
+  for (int i = 0; i < 3; ++i) {
+    given.component = i + 1;
+    given.share = direction[i];
+    now().pressures.push_back(given);
+  }
+  return true;
+}
+
+void DeckLoads::body_force(const DeckKeyword& keyword, std::size_t line, const std::string& label) {
+  references_.add(DeckThing::elements, keyword, line, 0);
+  const DeckBodyForce force{keyword.number(line, 2).value_or(0.0), keyword.field(line, 0),
+                            keyword.value("AMPLITUDE"), deck_.steps.size(), keyword.places[line]};
+  const auto [known, is_first] = deck_.body_forces.try_emplace(label, force);
+  if (!is_first && (known->second.value != force.value ||
+                    in_capitals(known->second.elements) != in_capitals(force.elements)))
+    deck_.remarks.push_back(
+        {force.place, fmt::format("*{}: {} is another than at {}: that one "
+                                  "acts all the time",
+                                  keyword.written, label, known->second.place)});
 }
 
 void DeckLoads::gravity(const DeckKeyword& keyword, std::size_t line) {

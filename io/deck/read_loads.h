@@ -29,7 +29,10 @@ private:
   void boundary_by_number(const DeckKeyword& keyword, std::size_t line, DeckCondition condition);
   void forces(const DeckKeyword& keyword);
   void pressures(const DeckKeyword& keyword);
+  /// False: it has no direction, and is left out.
+  bool traction(const DeckKeyword& keyword, std::size_t line, DeckPressure given);
   void gravity(const DeckKeyword& keyword, std::size_t line);
+  void body_force(const DeckKeyword& keyword, std::size_t line, const std::string& label);
 
   Deck& deck_;
   DeckReferences& references_;

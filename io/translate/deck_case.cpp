@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/case/toml_text.h"
+#include "io/translate/deck_forces.h"
 #include "io/translate/deck_history.h"
 #include "io/translate/deck_mesh.h"
 #include "io/translate/deck_supports.h"
@@ -198,73 +199,10 @@ private:
     return DeckSupports(deck_, part(), motions_, dimension()).text(sets_);
   }
 
-  /// The corners of the faces of a surface, or of elements, on the workpiece.
-  [[nodiscard]] std::vector<std::set<DeckNumber>> loaded_faces(const DeckPressure& pressure) const {
-    std::vector<std::pair<std::string, std::string>> members{{pressure.elements, pressure.face}};
-    if (const auto surface = deck_.surfaces.find(in_capitals(pressure.surface));
-        surface != deck_.surfaces.end())
-      members = surface->second.members;
-    std::vector<std::set<DeckNumber>> faces;
-    for (const auto& [set, label] : members)
-      for (const DeckNumber number : deck_.elements_of(set))
-        if (const auto element = deck_.elements.find(number); element != deck_.elements.end())
-          for (const DeckFace& face : faces_of(deck_, element->second, label)) {
-            std::set<DeckNumber> corners(face.corners.begin(), face.corners.end());
-            if (std::all_of(corners.begin(), corners.end(),
-                            [&](DeckNumber node) { return part().nodes.contains(node); }))
-              faces.push_back(std::move(corners));
-          }
-    return faces;
-  }
-
   std::string loads_text() {
-    std::string text;
-    for (const DeckPressureHistory& one : pressure_histories(deck_)) {
-      const std::vector<std::vector<DeckNumber>> sets =
-          mesh_.sets_of_faces(loaded_faces(one.pressure));
-      if (sets.empty())
-        remark("the pressure does not act on the workpiece: left out", one.pressure.place);
-      for (const std::vector<DeckNumber>& nodes : sets) {
-        const std::string set = fmt::format("pressure-{}", ++n_pressures_);
-        sets_[set] = nodes;
-        text += fmt::format("[[load]] # {}\nwhere = \"set:{}\"\npressure = {}\n\n",
-                            one.pressure.place, set, toml_text(one.history));
-      }
-    }
-    return text + gravity_text();
-  }
-
-  std::string gravity_text() {
-    if (!deck_.gravity)
-      return "";
-    const DeckGravity& gravity = *deck_.gravity;
     const DeckMaterial* const material = material_of(deck_, part());
-    if (material == nullptr || !material->density) {
-      remark("GRAV: the workpiece has no *DENSITY, left out", gravity.place);
-      return "";
-    }
-    if (gravity.direction.isZero()) {
-      remark("GRAV: without a direction, left out", gravity.place);
-      return "";
-    }
-    note_gravity(gravity);
-    const Vec3 force = *material->density * gravity.value * gravity.direction.normalized();
-    return fmt::format("[[load]] # gravity\nwhere = \"all\"\nbody_force = {}\n\n",
-                       vector_text(force, in_space_));
-  }
-
-  /// What of gravity is otherwise in a case.
-  void note_gravity(const DeckGravity& gravity) {
-    if (!gravity.amplitude.empty() || gravity.step > 1)
-      remark("GRAV: it acts in full from the begin of the run to its end", gravity.place);
-    if (gravity.elements.empty())
-      return;
-    std::vector<DeckNumber> elements = deck_.elements_of(gravity.elements);
-    std::sort(elements.begin(), elements.end());
-    if (!std::includes(elements.begin(), elements.end(), part().elements.begin(),
-                       part().elements.end()))
-      remark(fmt::format("GRAV on {}: it acts on the whole workpiece", gravity.elements),
-             gravity.place);
+    return DeckForces(deck_, part(), mesh_, {in_space_, axisymmetric_})
+        .text(material == nullptr ? std::nullopt : material->density, sets_);
   }
 
   /// Whether what is prescribed of a node can move anything: the workpiece or a tool.
@@ -442,6 +380,9 @@ private:
   // --- time, mesh, remarks -----------------------------------------------------------------------
 
   std::string time_text() {
+    if (deck_.steps.empty())
+      remark("the deck has no *STEP: the case ends at time 1, and what the deck prescribes is "
+             "reached evenly until then");
     std::string text = fmt::format("[time]\nend = {:.10g}\n", end_of(deck_));
     double most = HUGE_VAL;
     for (const DeckStep& step : deck_.steps)
@@ -480,8 +421,9 @@ private:
   }
 
   [[nodiscard]] std::string remarks_text(const std::string& name) const {
-    std::string text = fmt::format(
-        "# From {} by billet import; its numbers were taken to be in {}.\n", name, units_.name);
+    std::string text =
+        fmt::format("# From {} by billet import; its numbers were taken to be in {}{}.\n", name,
+                    units_.name, units_.is_of_case() ? "" : ", and are converted");
     if (!deck_.remarks.empty())
       text += "#\n# Left out, or otherwise than in the deck:\n";
     for (const DeckRemark& one : deck_.remarks)
@@ -502,18 +444,12 @@ private:
   std::map<std::string, std::vector<DeckNumber>> sets_; ///< of the mesh
   std::set<std::string> tool_names_;
   std::vector<DeckFile> files_;
-  int n_pressures_ = 0;
 };
 
 } // namespace
 
-const std::vector<DeckUnits>& deck_units() {
-  static const std::vector<DeckUnits> all{{"mm-t-s-N", "mm-N-s-MPa-degC", "mm"},
-                                          {"m-kg-s-N", "m-N-s-Pa-degC", "m"}};
-  return all;
-}
-
 DeckCase case_of(Deck deck, const DeckUnits& units, const std::string& name) {
+  to_units_of_case(deck, units);
   return CaseMaker(deck, units).make(name);
 }
 

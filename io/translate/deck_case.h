@@ -3,21 +3,12 @@
 #pragma once
 
 #include "io/translate/deck_tools.h"
+#include "io/translate/deck_units.h"
 
 #include <string>
 #include <vector>
 
 namespace billet::io {
-
-/// The units that a deck's numbers are in, which it does not say.
-struct DeckUnits {
-  std::string_view name;   ///< "mm-t-s-N"
-  std::string_view system; ///< of the case: "mm-N-s-MPa-degC"
-  std::string_view length; ///< "mm"
-};
-
-/// Those that a case may have; the first is the default.
-[[nodiscard]] const std::vector<DeckUnits>& deck_units();
 
 struct DeckCase {
   std::vector<DeckFile> files; ///< case.toml first

@@ -49,25 +49,27 @@ struct GivenValue {
   std::string amplitude; ///< empty: none
   std::string what;      ///< for a remark: "*BOUNDARY: component 2 of TOP"
   std::string place;
+  double factor = 1.0; ///< on it, and on an amplitude of absolute values
 };
 
 /// A value along its amplitude: before the first point as there, after the last point as there.
 class ValueCurve {
 public:
-  ValueCurve(const DeckAmplitude& amplitude, double value, double step_begin)
-      : function_(points_of_curve(amplitude, value, step_begin)) {}
+  ValueCurve(const DeckAmplitude& amplitude, const GivenValue& given, double step_begin)
+      : function_(points_of_curve(amplitude, given, step_begin)) {}
 
   [[nodiscard]] double operator()(double time) const { return function_(time); }
   [[nodiscard]] const DeckHistory& points() const { return function_.points(); }
 
 private:
   static DeckHistory
-  points_of_curve(const DeckAmplitude& amplitude, double value, double step_begin) {
+  points_of_curve(const DeckAmplitude& amplitude, const GivenValue& given, double step_begin) {
     constexpr double no_minus = 0.0; // makes 0 of -0
     DeckHistory points;
     for (const auto& [time, factor] : amplitude.points)
       points.emplace_back(time + (amplitude.total_time ? 0.0 : step_begin),
-                          (amplitude.absolute ? factor : factor * value) + no_minus);
+                          given.factor * (amplitude.absolute ? factor : factor * given.value) +
+                              no_minus);
     return points;
   }
 
@@ -88,11 +90,11 @@ public:
     const DeckAmplitude* const amplitude = amplitude_of(given);
     if (amplitude == nullptr) {
       if (timed.step->steps_at_once)
-        add_point(history, timed.begin + soon(timed), given.value);
-      add_point(history, timed.end, given.value);
+        add_point(history, timed.begin + soon(timed), given.factor * given.value);
+      add_point(history, timed.end, given.factor * given.value);
       return;
     }
-    const ValueCurve curve(*amplitude, given.value, timed.begin);
+    const ValueCurve curve(*amplitude, given, timed.begin);
     const double from = begin_curve(timed, given, curve, history);
     add_curve(curve, from, amplitude->total_time ? steps_.back().end : timed.end, history);
   }
@@ -170,8 +172,8 @@ private:
     const double end = steps_.back().end;
     const DeckAmplitude* const amplitude = amplitude_of(given);
     if (amplitude == nullptr)
-      return {{timed.begin, given.value}, {end, given.value}};
-    const ValueCurve curve(*amplitude, given.value, timed.begin);
+      return {{timed.begin, given.factor * given.value}, {end, given.factor * given.value}};
+    const ValueCurve curve(*amplitude, given, timed.begin);
     DeckHistory velocity{{timed.begin, curve(timed.begin)}};
     add_curve(curve, timed.begin, amplitude->total_time ? end : timed.end, velocity);
     if (end > velocity.back().first)
@@ -196,7 +198,7 @@ void add_condition(HistoryMaker& maker,
     const GivenValue given{
         condition.value, condition.amplitude,
         fmt::format("{}: component {} of {}", keyword, component, condition.target),
-        condition.place};
+        condition.place, component <= 3 ? condition.unit : 1.0};
     if (condition.velocity)
       maker.add_velocity(timed, given, history);
     else
@@ -222,7 +224,8 @@ void release_forces(HistoryMaker& maker,
 
 bool acts_at_same_place(const DeckPressure& a, const DeckPressure& b) {
   return in_capitals(a.surface) == in_capitals(b.surface) &&
-         in_capitals(a.elements) == in_capitals(b.elements) && a.face == b.face;
+         in_capitals(a.elements) == in_capitals(b.elements) && a.face == b.face &&
+         a.component == b.component;
 }
 
 /// Takes pressures back that a step does not repeat.
@@ -297,7 +300,9 @@ std::vector<DeckPressureHistory> pressure_histories(Deck& deck) {
           same != all.end() ? *same : all.emplace_back(DeckPressureHistory{pressure, {}});
       const std::string& on = pressure.surface.empty() ? pressure.elements : pressure.surface;
       maker.add_value(timed,
-                      {pressure.value, pressure.amplitude, "the pressure on " + on, pressure.place},
+                      {pressure.value, pressure.amplitude,
+                       (pressure.component == 0 ? "the pressure on " : "the traction on ") + on,
+                       pressure.place, pressure.share * pressure.unit},
                       entry.history);
     }
   }

@@ -563,6 +563,83 @@ TEST(Deck, says_which_friction_and_gravity_are_left_out) {
   EXPECT_EQ(read_pulled(heavy).loads.size(), 1U);
 }
 
+TEST(Deck, a_traction_keeps_its_direction_and_goes_along_its_amplitude) {
+  const std::string surface = "*SURFACE,NAME=S\nE,S3\n";
+  const Pulled along{.model = surface,
+                     .first = "*DSLOAD,AMPLITUDE=A,FOLLOWER=NO,CONSTANT RESULTANT=YES\n"
+                              "S,TRVEC,5.,0.,2.\n"};
+  EXPECT_EQ(remarks_on(along), "");
+  const Case straight = read_pulled(along);
+  ASSERT_EQ(straight.loads.size(), 1U);
+  const auto& traction = std::get<TractionLoad>(straight.loads.front().kind);
+  EXPECT_EQ(traction.traction, Vec3::UnitY());
+  EXPECT_DOUBLE_EQ(traction.amplitude(0.5), 2.5);
+  const Pulled oblique{
+      .model = surface, .first = "*DLOAD\nE,TRVEC3,5.,3.,4.\n", .second = "*DLOAD,OP=NEW\n"};
+  expect_remark(remarks_on(oblique), "job.inp:31: *DLOAD: TRVEC: the traction keeps its direction");
+  const Case two = read_pulled(oblique);
+  ASSERT_EQ(two.loads.size(), 2U);
+  EXPECT_DOUBLE_EQ(std::get<TractionLoad>(two.loads[0].kind).amplitude(1.0), 3.0);
+  EXPECT_DOUBLE_EQ(std::get<TractionLoad>(two.loads[1].kind).amplitude(1.0), 4.0);
+  EXPECT_DOUBLE_EQ(std::get<TractionLoad>(two.loads[1].kind).amplitude(2.0), 0.0);
+  expect_remark(remarks_on({.model = surface, .first = "*DSLOAD\nS,TRVEC,5.,0.,1.,1.\n"}),
+                "job.inp:32: TRVEC: its component along z is left out\n");
+  expect_remark(remarks_on({.model = surface, .first = "*DSLOAD\nS,TRVEC,5.\n"}),
+                "job.inp:32: *DSLOAD: TRVEC without a direction, left out\n");
+}
+
+TEST(Deck, forces_per_volume_are_body_forces) {
+  const Pulled heavy{.first = "*DLOAD\nE,BY,-5.\nE,BX,2.\n"};
+  EXPECT_EQ(remarks_on(heavy), "");
+  const Case content = read_pulled(heavy);
+  ASSERT_EQ(content.loads.size(), 1U);
+  EXPECT_EQ(std::get<BodyForce>(content.loads.front().kind).force, Vec3(2.0, -5.0, 0.0));
+  expect_remark(remarks_on({.first = "*DLOAD\nE,BZ,-5.\n"}),
+                "job.inp:30: BZ: no axis of the case, left out\n");
+  expect_remark(remarks_on({.first = "*DLOAD,AMPLITUDE=A\nE,BX,-5.\n"}),
+                "job.inp:30: BX: it acts in full from the begin of the run to its end\n");
+  expect_remark(remarks_on({.first = "*DLOAD\nE,BX,1.\n", .second = "*DLOAD\nE,BX,2.\n"}),
+                "*DLOAD: BX is another than at ");
+}
+
+TEST(Deck, one_without_a_step_says_how_long_its_case_is) {
+  const TemporaryFolder folder;
+  std::string text = Pulled{}.text();
+  text.erase(text.find("*STEP"));
+  const DeckCase made = case_of_text(text, folder);
+  EXPECT_TRUE(remarks_say(made, ": the deck has no *STEP: the case ends at time 1"));
+}
+
+TEST(Deck, one_in_inches_and_pounds_is_converted) {
+  const TemporaryFolder folder;
+  const Pulled pulled{.material = "*PLASTIC\n40000,0\n*DENSITY\n7.4e-4\n",
+                      .model = "*SURFACE,NAME=S\nE,S2\n",
+                      .parameters = ",VALUE=ABSOLUTE",
+                      .first = "*BOUNDARY,AMPLITUDE=A\nTOP,2,2\n*DSLOAD\nS,P,1000.\n"
+                               "*DLOAD\nE,BY,-0.283\nE,GRAV,386.1,0.,-1.\n"};
+  const auto units = std::find_if(deck_units().begin(), deck_units().end(),
+                                  [](const auto& one) { return one.name == "in-lbf-s-psi"; });
+  ASSERT_NE(units, deck_units().end());
+  const DeckCase made = case_of(deck_of(pulled.text(), folder), *units, "job.inp");
+  const Case content = read_back(made, folder);
+  constexpr double psi = 6.894757293168361e-3; // [MPa]
+  const auto near = [](double found, double wanted) {
+    EXPECT_NEAR(found, wanted, 1e-9 * std::abs(wanted)); // ten digits are written
+  };
+  EXPECT_EQ(content.units.name, "mm-N-s-MPa-degC");
+  near(content.materials.at("workpiece").elastic.young, 2e5 * psi);
+  EXPECT_NE(made.files[1].content.find("2, 25.39"), std::string::npos) << made.files[1].content;
+  const auto moved = std::find_if(content.supports.begin(), content.supports.end(),
+                                  [](const Support& one) { return one.move[1].has_value(); });
+  ASSERT_NE(moved, content.supports.end());
+  near((*moved->move[1])(1.0), 25.4);
+  ASSERT_EQ(content.loads.size(), 3U);
+  near(std::get<PressureLoad>(content.loads[0].kind).pressure(1.0), 1000.0 * psi);
+  const double weight = 4.4482216152605 / (25.4 * 25.4 * 25.4); // of a pound in a cubic inch
+  near(std::get<BodyForce>(content.loads[1].kind).force.y(), -7.4e-4 * 386.1 * weight);
+  near(std::get<BodyForce>(content.loads[2].kind).force.y(), -0.283 * weight);
+}
+
 TEST(Deck, keywords_are_shown_as_they_are_written) {
   expect_remark(remarks_on({.model = "*INITIAL CONDITIONS,TYPE=TEMPERATURE\nTOP,20.\n"}),
                 "job.inp:26: *INITIAL CONDITIONS: not understood, and left out\n");
