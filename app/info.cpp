@@ -59,7 +59,7 @@ int info_mesh(const std::filesystem::path& path, bool allow_outside) {
     fmt::print("  set {}: {} nodes\n", name, nodes.size());
   for (const std::string& note : file.notes)
     fmt::print("  note: {}\n", note);
-  const auto complaints = mechanics::check_mesh(mesh, path.string(), false);
+  const auto complaints = mechanics::check_mesh(mesh, path.string(), false, file.labels);
   for (const Complaint& complaint : complaints)
     fmt::print("  wrong: {}\n", complaint.text());
   const auto qualities = mechanics::element_qualities(mesh, mesh.points);

@@ -283,6 +283,7 @@ private:
       if (!parts[i].empty() && !parse_real(parts[i], point[static_cast<Eigen::Index>(i) - 1]))
         lines_.fail(fmt::format("\"{}\" is not a finite number", parts[i].substr(0, 30)));
     mesh_.points.push_back(point);
+    mesh_.labels.push_back(node);
     if (const std::string set = keyword.value("NSET"); !set.empty())
       named(node_sets_, set).members.push_back(node);
   }
@@ -347,8 +348,10 @@ private:
                                 pending_[i]));
       nodes.push_back(node);
     }
-    if (type_.kind)
-      block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
+    if (!type_.kind)
+      return;
+    block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
+    block.labels.push_back(pending_[0]);
   }
 
   void finish_element() {

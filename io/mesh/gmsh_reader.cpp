@@ -220,6 +220,7 @@ private:
   void add_number(std::int64_t number) {
     if (!numbers_.add(number))
       scanner_.fail(fmt::format("node {} is given twice", number));
+    mesh_.labels.push_back(number);
   }
 
   Vec3 place() {
@@ -275,7 +276,8 @@ private:
   }
 
   /// Reads the nodes of one cell, stores it and enters its nodes in its groups.
-  void read_cell(const GmshType& type, const std::vector<std::int64_t>& groups) {
+  void
+  read_cell(const GmshType& type, std::int64_t label, const std::vector<std::int64_t>& groups) {
     std::array<Index, 64> nodes{};
     for (int i = 0; i < type.n_nodes; ++i) {
       const std::int64_t number = new_format_ ? large_number() : small_number();
@@ -289,6 +291,8 @@ private:
     block.dimension = type.dimension;
     block.kind = type.kind;
     ++block.count;
+    if (type.kind)
+      block.labels.push_back(label);
     if (type.kind)
       for (int i = 0; i < mechanics::nodes_per_element(*type.kind); ++i)
         block.nodes.push_back(nodes[static_cast<std::size_t>(position_in_file(*type.kind, i))]);
@@ -307,8 +311,7 @@ private:
       scanner_.line();
     for (std::size_t i = 0; i < n;) {
       // In text each element has its own heading and number before it; in bytes a block has.
-      if (!binary_)
-        small_number();
+      const std::int64_t own_label = binary_ ? 0 : small_number();
       const GmshType& cell_type = type(small_number());
       const std::int64_t in_block = binary_ ? small_number() : 1;
       const std::int64_t n_tags = small_number();
@@ -316,9 +319,8 @@ private:
         scanner_.fail("the heading of a block of elements is wrong");
       scanner_.require_room(static_cast<std::uint64_t>(n_tags), "tags", 2);
       for (std::int64_t k = 0; k < in_block; ++k, ++i) {
-        if (binary_)
-          small_number();
-        read_cell(cell_type, read_tags(n_tags));
+        const std::int64_t label = binary_ ? small_number() : own_label;
+        read_cell(cell_type, label, read_tags(n_tags));
       }
     }
   }
@@ -351,8 +353,8 @@ private:
                                   cell_type.name, dimension));
       const std::vector<std::int64_t>& groups = entity_groups_[{cell_type.dimension, entity}];
       for (std::int64_t i = 0; i < n; ++i, ++n_read) {
-        large_number();
-        read_cell(cell_type, groups);
+        const std::int64_t label = large_number();
+        read_cell(cell_type, label, groups);
       }
     }
     if (n_read != n_elements)

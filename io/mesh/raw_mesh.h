@@ -11,6 +11,7 @@
 #include "mechanics/mesh/mesh.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -27,11 +28,13 @@ struct CellBlock {
   std::optional<mechanics::ElementKind> kind; ///< empty: not a cell the solver knows
   std::size_t count = 0;                      ///< number of cells
   std::vector<mechanics::Index> nodes;        ///< shape (count, nodes), VTK's order; if known
+  std::vector<std::int64_t> labels;           ///< shape (count), of known cells; empty: none
 };
 
 /// The content of a file.
 struct RawMesh {
   std::vector<Vec3> points;                                       ///< as in the file
+  std::vector<std::int64_t> labels;                               ///< of points; empty: none
   std::map<std::string, CellBlock> blocks;                        ///< by name of the type
   std::map<std::string, std::vector<mechanics::Index>> node_sets; ///< in any order, with repeats
   std::vector<std::string> notes;

@@ -76,20 +76,39 @@ CellBlock body(RawMesh& raw, const std::string& file) {
 
 /// Removes cells with the nodes of an earlier one, whichever the first; Gmsh 2.2 repeats a cell for
 /// each group.
-std::size_t drop_repeated_cells(Mesh& mesh) {
+std::size_t drop_repeated_cells(Mesh& mesh, std::vector<std::int64_t>& labels) {
+  std::vector<std::int64_t> kept_labels;
   std::set<std::vector<Index>> seen;
   std::vector<Index> kept;
   for (Index element = 0; element < mesh.n_elements(); ++element) {
     const auto cell = mesh.cell(element);
     std::vector<Index> nodes(cell.begin(), cell.end());
     std::sort(nodes.begin(), nodes.end());
-    if (seen.insert(std::move(nodes)).second)
-      kept.insert(kept.end(), cell.begin(), cell.end());
+    if (!seen.insert(std::move(nodes)).second)
+      continue;
+    kept.insert(kept.end(), cell.begin(), cell.end());
+    if (!labels.empty())
+      kept_labels.push_back(labels[static_cast<std::size_t>(element)]);
   }
+  labels = std::move(kept_labels);
   const auto n = static_cast<std::size_t>(nodes_per_element(mesh.kind));
   const std::size_t dropped = (mesh.cells.size() - kept.size()) / n;
   mesh.cells = std::move(kept);
   return dropped;
+}
+
+/// Those of nodes that cells use.
+void keep_used_labels(const Mesh& mesh, std::vector<std::int64_t>& labels) {
+  if (labels.empty())
+    return;
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const Index node : mesh.cells)
+    used[static_cast<std::size_t>(node)] = 1;
+  std::vector<std::int64_t> kept;
+  for (std::size_t node = 0; node < used.size(); ++node)
+    if (used[node] != 0)
+      kept.push_back(labels[node]);
+  labels = std::move(kept);
 }
 
 // --- orientation ---------------------------------------------------------------------------------
@@ -152,10 +171,10 @@ void orient(MeshFile& result, const std::string& file) {
     for (const Vec3& point : places(mesh, first))
       centre += point / nodes_per_element(mesh.kind);
     throw Error(Fault::geometry, file,
-                fmt::format("{} of {} elements turn the wrong way round; the first is element {} "
-                            "(from 0) with its centre at ({:.6g}, {:.6g}, {:.6g})",
-                            n_negative, mesh.n_elements(), first, centre.x(), centre.y(),
-                            centre.z()),
+                fmt::format("{} of {} elements turn the wrong way round; the first is {}, "
+                            "with its centre at ({:.6g}, {:.6g}, {:.6g})",
+                            n_negative, mesh.n_elements(), result.labels.element(first), centre.x(),
+                            centre.y(), centre.z()),
                 "give the nodes of every element in the same sense");
   }
   mirror_cells(mesh);
@@ -205,23 +224,26 @@ read_mesh(const std::filesystem::path& path, double length_factor, const Include
                            .cells = std::move(block.nodes),
                            .node_sets = std::move(raw.node_sets)},
                   .notes = std::move(raw.notes),
-                  .type = std::move(raw.type)};
+                  .type = std::move(raw.type),
+                  .labels = {std::move(raw.labels), std::move(block.labels)}};
   Mesh& mesh = result.mesh;
   for (Vec3& point : mesh.points)
     point *= length_factor;
+  keep_used_labels(mesh, result.labels.nodes);
   if (const Index unused = drop_unused_points(mesh); unused > 0)
     result.notes.push_back(fmt::format("{} nodes that no element uses were left out", unused));
-  if (const std::size_t repeated = drop_repeated_cells(mesh); repeated > 0)
+  if (const std::size_t repeated = drop_repeated_cells(mesh, result.labels.elements); repeated > 0)
     result.notes.push_back(fmt::format("{} elements given twice were kept once", repeated));
   tidy_sets(result);
   if (mesh.dimension() == 2)
     flatten(result, file);
   orient(result, file);
-  if (!mechanics::check_mesh(mesh, file, false).empty())
+  if (!mechanics::check_mesh(mesh, file, false, result.labels).empty())
     return result; // said where the part is put in its place
-  if (std::vector<Complaint> flaws = mechanics::check_connections(mesh, file); !flaws.empty())
+  if (std::vector<Complaint> flaws = mechanics::check_connections(mesh, file, result.labels);
+      !flaws.empty())
     throw Error(Fault::geometry, std::move(flaws));
-  for (const std::string& loose : mechanics::loose_connections(mesh))
+  for (const std::string& loose : mechanics::loose_connections(mesh, result.labels))
     result.notes.push_back("warning: [loose-mesh] " + loose);
   return result;
 }

@@ -10,6 +10,7 @@
 
 #include "io/mesh/included_lines.h"
 #include "mechanics/mesh/mesh.h"
+#include "mechanics/mesh/mesh_labels.h"
 
 #include <filesystem>
 #include <string>
@@ -19,9 +20,10 @@ namespace billet::io {
 
 /// A mesh as read, and what the user should know about how it was read.
 struct MeshFile {
-  mechanics::Mesh mesh;           ///< only nodes that cells use; numbers from 0 in file order
-  std::vector<std::string> notes; ///< e.g. "3 nodes that no element uses were left out"
-  std::string type = {};          ///< of its elements, as an .inp calls it: "CAX8R"
+  mechanics::Mesh mesh;              ///< only nodes that cells use; numbers from 0 in file order
+  std::vector<std::string> notes;    ///< e.g. "3 nodes that no element uses were left out"
+  std::string type = {};             ///< of its elements, as an .inp calls it: "CAX8R"
+  mechanics::MeshLabels labels = {}; ///< what a .msh or .inp calls its nodes and elements
 };
 
 /// Reads a mesh; the format follows from how the file begins (mesh_format.h).

@@ -87,6 +87,7 @@ struct MeshMaker {
   Analysis analysis;
   std::vector<std::string>& notes;
   const Say& say;
+  mechanics::MeshLabels& labels; ///< of a mesh from a file that has some
 
   Mesh operator()(const BoxMesh& box) const {
     return mechanics::box_mesh({kind, box.low, box.high, box.cells, box.grading});
@@ -106,6 +107,7 @@ struct MeshMaker {
           fmt::format("the mesh is of {} elements, the case says {}",
                       mechanics::name(read.mesh.kind), mechanics::name(kind)),
           fmt::format("set element = \"{}\" in [workpiece]", mechanics::name(read.mesh.kind)));
+    labels = std::move(read.labels);
     return std::move(read.mesh);
   }
   Mesh operator()(const OutlineMesh& outline) const {
@@ -517,13 +519,14 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   note_keys_without_effect(content, built.notes);
   scene.part.analysis = content.analysis;
   const ElementKind kind = element_kind(content.workpiece.element);
-  scene.part.mesh =
-      std::visit(MeshMaker{kind, content.analysis, built.notes, say}, content.workpiece.mesh);
+  mechanics::MeshLabels labels;
+  scene.part.mesh = std::visit(MeshMaker{kind, content.analysis, built.notes, say, labels},
+                               content.workpiece.mesh);
   const geometry::Pose pose = pose_of(content.workpiece.place);
   for (Vec3& p : scene.part.mesh.points)
     p = pose.to_space(p);
   mechanics::require_sound_mesh(scene.part.mesh, place,
-                                scene.part.analysis == mechanics::Analysis::axisymmetric);
+                                scene.part.analysis == mechanics::Analysis::axisymmetric, labels);
   scene.material = material_of(content);
   note_molten(scene.material, built.notes);
   if (const auto outside = outside_range(content.materials.at(content.workpiece.material),

@@ -110,6 +110,15 @@ std::vector<Index> lone_cells(const process::Scene& scene) {
   return lone;
 }
 
+std::string centre_of_cell(const Mesh& mesh, Index cell) {
+  Vec3 centre = Vec3::Zero();
+  for (const Index node : mesh.cell(cell))
+    centre += mesh.points[idx(node)] / mechanics::nodes_per_element(mesh.kind);
+  return mesh.dimension() == 2
+             ? fmt::format("({:.6g}, {:.6g})", centre.x(), centre.y())
+             : fmt::format("({:.6g}, {:.6g}, {:.6g})", centre.x(), centre.y(), centre.z());
+}
+
 /// One linear element over the height neither bulges nor bends.
 Slip one_element_high(const process::Scene& scene) {
   if (scene.tools.empty() || mechanics::is_quadratic(scene.part.mesh.kind))
@@ -119,10 +128,10 @@ Slip one_element_high(const process::Scene& scene) {
     return std::nullopt;
   return fmt::format(
       "{} of {} elements are the only one between two faces of the workpiece, the "
-      "first is element {}: a single {} does not bulge, and bends as if it had half of its "
+      "first with its centre at {}: a single {} does not bulge, and bends as if it had half of its "
       "stiffness; take four "
       "or more over the height, or quadratic elements",
-      lone.size(), scene.part.mesh.n_elements(), lone.front(),
+      lone.size(), scene.part.mesh.n_elements(), centre_of_cell(scene.part.mesh, lone.front()),
       mechanics::name(scene.part.mesh.kind));
 }
 

@@ -61,14 +61,17 @@ std::string text(const Vec3& p, int dimension) {
                         : fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
 }
 
-/// The number of an element and where to look for it.
-std::string describe(const Mesh& mesh, Index element) {
+/// What an element is called and where to look for it.
+std::string describe(const Mesh& mesh, Index element, const MeshLabels& labels) {
   Vec3 centre = Vec3::Zero();
   for (const Vec3& point : places(mesh, mesh.points, element))
     centre += point;
   centre /= nodes_per_element(mesh.kind);
-  return fmt::format("element {} ({}, centre {})", element, name(mesh.kind),
-                     text(centre, mesh.dimension()));
+  const std::string what =
+      fmt::format("{}, centre {}", name(mesh.kind), text(centre, mesh.dimension()));
+  return labels.elements.empty()
+             ? fmt::format("element number {} (counted from 0, {})", element, what)
+             : fmt::format("{} ({})", labels.element(element), what);
 }
 
 void check_numbers(const Mesh& mesh, Complaints& complaints) {
@@ -82,8 +85,8 @@ void check_numbers(const Mesh& mesh, Complaints& complaints) {
   for (Index element = 0; element < mesh.n_elements(); ++element)
     for (const Index node : mesh.cell(element))
       if (!valid(node))
-        complaints.add(fmt::format("element {} names node {}; nodes are numbered 0 to {}", element,
-                                   node, mesh.n_points() - 1));
+        complaints.add(fmt::format("{} names node {}; nodes are numbered 0 to {}",
+                                   MeshLabels{}.element(element), node, mesh.n_points() - 1));
   complaints.close("invalid node numbers");
   for (const auto& [set, nodes] : mesh.node_sets)
     if (!std::all_of(nodes.begin(), nodes.end(), valid))
@@ -91,10 +94,13 @@ void check_numbers(const Mesh& mesh, Complaints& complaints) {
   complaints.close("such sets");
 }
 
-void check_points(const Mesh& mesh, bool axisymmetric, Complaints& complaints) {
+void check_points(const Mesh& mesh,
+                  bool axisymmetric,
+                  const MeshLabels& labels,
+                  Complaints& complaints) {
   for (Index node = 0; node < mesh.n_points(); ++node)
     if (!mesh.points[static_cast<std::size_t>(node)].allFinite())
-      complaints.add(fmt::format("a coordinate of node {} is not a number", node));
+      complaints.add(fmt::format("a coordinate of {} is not a number", labels.node(node)));
   complaints.close("such nodes");
   Box box;
   for (const Vec3& point : mesh.points)
@@ -103,16 +109,17 @@ void check_points(const Mesh& mesh, bool axisymmetric, Complaints& complaints) {
   for (Index node = 0; node < mesh.n_points(); ++node) {
     const Vec3& p = mesh.points[static_cast<std::size_t>(node)];
     if (mesh.dimension() == 2 && std::abs(p.z()) > margin)
-      complaints.add(fmt::format("node {} at {} is not in the plane z = 0", node, text(p, 3)),
-                     "a plane mesh lies in the x-y plane");
+      complaints.add(
+          fmt::format("{} at {} is not in the plane z = 0", labels.node(node), text(p, 3)),
+          "a plane mesh lies in the x-y plane");
     else if (axisymmetric && p.x() < -margin)
-      complaints.add(fmt::format("node {} at {} has a negative radius", node, text(p, 2)),
+      complaints.add(fmt::format("{} at {} has a negative radius", labels.node(node), text(p, 2)),
                      "in an axisymmetric scene x is the radius: move the mesh to x >= 0");
   }
   complaints.close("such nodes");
 }
 
-void check_use(const Mesh& mesh, Complaints& complaints) {
+void check_use(const Mesh& mesh, const MeshLabels& labels, Complaints& complaints) {
   std::vector<char> used(mesh.points.size(), 0);
   for (Index element = 0; element < mesh.n_elements(); ++element) {
     const auto cell = mesh.cell(element);
@@ -120,8 +127,9 @@ void check_use(const Mesh& mesh, Complaints& complaints) {
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
-      complaints.add(fmt::format("{} has node {} twice", describe(mesh, element), *twice),
-                     "degenerate elements are not supported: mesh without collapsed sides");
+      complaints.add(
+          fmt::format("{} has {} twice", describe(mesh, element, labels), labels.node(*twice)),
+          "degenerate elements are not supported: mesh without collapsed sides");
     for (const Index node : cell)
       used[static_cast<std::size_t>(node)] = 1;
   }
@@ -132,7 +140,7 @@ void check_use(const Mesh& mesh, Complaints& complaints) {
   complaints.close("");
 }
 
-void check_shapes(const Mesh& mesh, Complaints& complaints) {
+void check_shapes(const Mesh& mesh, const MeshLabels& labels, Complaints& complaints) {
   for (Index element = 0; element < mesh.n_elements(); ++element) {
     const std::vector<Vec3> nodes = places(mesh, mesh.points, element);
     const double smallest = smallest_jacobian(mesh.kind, nodes);
@@ -142,8 +150,8 @@ void check_shapes(const Mesh& mesh, Complaints& complaints) {
     const char* what = mesh.dimension() == 2 ? "area" : "volume";
     complaints.add(
         fmt::format("{} is {}: its {} is {:.4g}, its smallest Jacobian {:.3g} (relative)",
-                    describe(mesh, element), smallest < -flat ? "turned inside out" : "collapsed",
-                    what, measure, smallest),
+                    describe(mesh, element, labels),
+                    smallest < -flat ? "turned inside out" : "collapsed", what, measure, smallest),
         is_quadratic(mesh.kind) && measure > 0.0
             ? "a mid-side node may stand beyond the quarter of its edge, or an angle be 180 degrees"
             : "the nodes of an element turn counter-clockwise (seen from outside its top)");
@@ -320,20 +328,26 @@ double smallest_jacobian(ElementKind kind, std::span<const Vec3> points) {
   return smallest / std::pow(size, dimension(kind));
 }
 
-std::vector<Complaint> check_mesh(const Mesh& mesh, const std::string& place, bool axisymmetric) {
+std::vector<Complaint> check_mesh(const Mesh& mesh,
+                                  const std::string& place,
+                                  bool axisymmetric,
+                                  const MeshLabels& labels) {
   Complaints complaints(place);
   check_numbers(mesh, complaints);
   if (complaints.none())
-    check_points(mesh, axisymmetric, complaints);
+    check_points(mesh, axisymmetric, labels, complaints);
   if (complaints.none())
-    check_use(mesh, complaints);
+    check_use(mesh, labels, complaints);
   if (complaints.none())
-    check_shapes(mesh, complaints);
+    check_shapes(mesh, labels, complaints);
   return complaints.take();
 }
 
-void require_sound_mesh(const Mesh& mesh, const std::string& place, bool axisymmetric) {
-  std::vector<Complaint> complaints = check_mesh(mesh, place, axisymmetric);
+void require_sound_mesh(const Mesh& mesh,
+                        const std::string& place,
+                        bool axisymmetric,
+                        const MeshLabels& labels) {
+  std::vector<Complaint> complaints = check_mesh(mesh, place, axisymmetric, labels);
   if (!complaints.empty())
     throw Error(Fault::geometry, std::move(complaints));
 }

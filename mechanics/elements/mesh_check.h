@@ -13,6 +13,7 @@
 #include "geometry/base/error.h"
 #include "geometry/base/vector.h"
 #include "mechanics/mesh/mesh.h"
+#include "mechanics/mesh/mesh_labels.h"
 
 #include <span>
 #include <string>
@@ -44,15 +45,21 @@ namespace billet::mechanics {
 [[nodiscard]] double smallest_jacobian(ElementKind kind, std::span<const Vec3> points);
 
 /// Everything that is wrong with a mesh; empty if it is sound. After ten complaints of one sort the
-/// rest is only counted. Elements and nodes are named by their number in the mesh, from 0.
+/// rest is only counted.
 ///
 /// @param place         what the complaints give as their place (the file, or empty)
 /// @param axisymmetric  x is a radius and must not be negative
-[[nodiscard]] std::vector<Complaint>
-check_mesh(const Mesh& mesh, const std::string& place, bool axisymmetric);
+/// @param labels        by which elements and nodes are named
+[[nodiscard]] std::vector<Complaint> check_mesh(const Mesh& mesh,
+                                                const std::string& place,
+                                                bool axisymmetric,
+                                                const MeshLabels& labels = {});
 
 /// Throws `Error` (Fault::geometry) with the complaints of `check_mesh`, if there are any.
-void require_sound_mesh(const Mesh& mesh, const std::string& place, bool axisymmetric);
+void require_sound_mesh(const Mesh& mesh,
+                        const std::string& place,
+                        bool axisymmetric,
+                        const MeshLabels& labels = {});
 
 /// Cells of hex20 that lie against others with two opposite faces at most, as in a bar one element
 /// across: with the reduced rule each keeps a motion that strains nothing and that only its other

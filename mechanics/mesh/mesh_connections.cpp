@@ -228,7 +228,8 @@ bool middles_coincide(const Mesh& mesh,
 
 } // namespace
 
-std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& place) {
+std::vector<Complaint>
+check_connections(const Mesh& mesh, const std::string& place, const MeshLabels& labels) {
   const std::vector<ElementFace> sides = all_faces(mesh);
   const std::size_t n = corners_per_face(mesh.kind);
   const double near = tolerance(mesh);
@@ -242,7 +243,7 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
       crowded.push_back(fmt::format("{} elements share the side at {}", group.size(), where(a)));
     } else if (group.size() == 2) {
       const ElementFace& b = group.back();
-      const std::string pair = fmt::format("elements {} and {}", a.element, b.element);
+      const std::string pair = labels.pair(a.element, b.element);
       if (same_sense(std::span(a.nodes).first(n), std::span(b.nodes).first(n)))
         on_each_other.push_back(
             fmt::format("{} lie on the same side of their side at {}", pair, where(a)));
@@ -256,11 +257,11 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
   const std::vector<ElementFace> free = free_faces(sides);
   PlaceNumbers numbers(near);
   for (const auto& [i, j] : doubled(mesh, free, numbers).on_each_other)
-    on_each_other.push_back(fmt::format(
-        "elements {} and {} lie on each other at {}: they have nodes of their own in "
-        "the same places",
-        free[static_cast<std::size_t>(i)].element, free[static_cast<std::size_t>(j)].element,
-        where(free[static_cast<std::size_t>(i)])));
+    on_each_other.push_back(
+        fmt::format("{} lie on each other at {}: they have nodes of their own in the same places",
+                    labels.pair(free[static_cast<std::size_t>(i)].element,
+                                free[static_cast<std::size_t>(j)].element),
+                    where(free[static_cast<std::size_t>(i)])));
   std::vector<Complaint> complaints;
   const auto report = [&](const std::vector<std::string>& messages, const std::string& remedy) {
     for (std::size_t i = 0; i < std::min(messages.size(), max_complaints); ++i)
@@ -275,7 +276,7 @@ std::vector<Complaint> check_connections(const Mesh& mesh, const std::string& pl
   return complaints;
 }
 
-std::vector<std::string> loose_connections(const Mesh& mesh) {
+std::vector<std::string> loose_connections(const Mesh& mesh, const MeshLabels& labels) {
   std::vector<std::string> found;
   const std::size_t n = corners_per_face(mesh.kind);
   const std::vector<ElementFace> sides = all_faces(mesh);
@@ -306,10 +307,10 @@ std::vector<std::string> loose_connections(const Mesh& mesh) {
     if (group.size() == 2 &&
         !std::is_permutation(a.nodes.begin(), a.nodes.end(), group.back().nodes.begin()))
       found.push_back(
-          fmt::format("elements {} and {} share the corners of two curved sides at {}: the hole "
+          fmt::format("{} share the corners of two curved sides at {}: the hole "
                       "between them is "
                       "no surface that a tool can touch or a load press",
-                      a.element, group.back().element,
+                      labels.pair(a.element, group.back().element),
                       written(centre_of(mesh, std::span(a.nodes).first(n)), mesh.dimension())));
   });
   if (const Index parts = n_parts(mesh); parts > 1)

@@ -67,7 +67,7 @@ std::vector<Broken> meshes() {
            {"part.msh:10", "6 nodes are announced", "cut short"}),
       mesh("element_inside_out", edited(good_msh, {{"1 5 6 4", "1 4 6 5"}}),
            {"part.msh", "1 of 2 elements turn the wrong way round", "(1, 3.75, 0)"}),
-      mesh("element_folded", edited(good_msh, {{"1 5 6 4", "1 6 5 4"}}), {"element 0"}),
+      mesh("element_folded", edited(good_msh, {{"1 5 6 4", "1 6 5 4"}}), {"element 2 (quad4"}),
       mesh("node_out_of_range", edited(good_msh, {{"5 2 3 6", "5 2 99 6"}}),
            {"part.msh:22", "node 99, which is not given"}),
       mesh("node_twice", edited(good_msh, {{"6 2 7.5 0", "5 2 7.5 0"}}), {"part.msh:", "5"}),

@@ -195,6 +195,10 @@ TEST_P(GmshRoundTrip, gives_back_points_cells_and_sets_of_every_kind) {
     EXPECT_EQ(file.mesh.kind, kind);
     EXPECT_EQ(file.mesh.points, mesh.points) << name(kind);
     EXPECT_EQ(file.mesh.cells, mesh.cells) << name(kind);
+    ASSERT_EQ(file.labels.nodes.size(), mesh.points.size());
+    EXPECT_EQ(file.labels.nodes[3], number_of(3));
+    ASSERT_EQ(file.labels.elements.size(), static_cast<std::size_t>(mesh.n_elements()));
+    EXPECT_EQ(file.labels.elements[3], 5); // the first is of the pinned node
     ASSERT_EQ(file.mesh.node_sets.size(), 2U);
     EXPECT_EQ(file.mesh.node_sets.at("pinned nodes"), std::vector<Index>{0});
     EXPECT_EQ(file.mesh.node_sets.at("body").size(), mesh.points.size());

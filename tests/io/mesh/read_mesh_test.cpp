@@ -71,9 +71,23 @@ TEST(ReadMesh, cells_of_both_senses_are_refused_and_the_first_is_named) {
       mechanics::box_mesh({.kind = ElementKind::quad4, .high = {3, 1, 0}, .cells = {3, 1, 1}});
   std::swap(mesh.cells[5], mesh.cells[7]);
   const std::string text = complaint(text_of(mesh));
-  EXPECT_NE(text.find("the first is element 1 (from 0) with its centre at (1.5, 0.5, 0)"),
+  EXPECT_NE(text.find("the first is element 2, with its centre at (1.5, 0.5, 0)"),
             std::string::npos)
       << text;
+}
+
+TEST(ReadMesh, nodes_and_elements_keep_the_labels_of_the_file) {
+  const MeshFile file = read_text("*NODE\n700,9,9\n10,0,0\n20,1,0\n30,2,0\n40,0,1\n50,1,1\n60,2,1\n"
+                                  "*ELEMENT,TYPE=CPE4\n1001,10,20,50,40\n1002,20,50,40,10\n"
+                                  "1005,20,30,60,50\n");
+  EXPECT_EQ(file.labels.nodes, (std::vector<std::int64_t>{10, 20, 30, 40, 50, 60}));
+  EXPECT_EQ(file.labels.elements, (std::vector<std::int64_t>{1001, 1005}));
+  EXPECT_EQ(file.labels.element(1), "element 1005");
+  EXPECT_EQ(mechanics::MeshLabels{}.element(1), "element number 1 (counted from 0)");
+  const std::string twice = "*NODE\n10,0,0\n20,1,0\n40,0,1\n50,1,1\n11,0,0\n21,1,0\n41,0,1\n"
+                            "51,1,1\n*ELEMENT,TYPE=CPE4\n1001,10,20,50,40\n1005,11,21,51,41\n";
+  EXPECT_NE(complaint(twice).find("elements 1001 and 1005 lie on each other"), std::string::npos)
+      << complaint(twice);
 }
 
 TEST(ReadMesh, coordinates_are_multiplied_by_the_length_factor) {

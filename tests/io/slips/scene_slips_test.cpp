@@ -166,8 +166,9 @@ TEST(SceneSlips, one_element_over_the_height) {
   EXPECT_TRUE(told_of(flat).empty()) << "one of quad8 shows both";
   expect_told(
       edited(flat, {{"quad8", "quad4"}}),
-      {"4 of 4 elements are the only one between two faces of the workpiece, the first is "
-       "element 0: a single quad4 does not bulge, and bends as if it had half of its stiffness"});
+      {"4 of 4 elements are the only one between two faces of the workpiece, the first with "
+       "its centre at (0.625, 3.75): a single quad4 does not bulge, and bends as if it had half of "
+       "its stiffness"});
   // A slice in plane strain is one element wide and means it.
   const std::string slice = edited(brick, {{"cells = [3, 3, 3]", "cells = [3, 1, 3]"}});
   expect_told(slice, {"9 of 9 elements", "four or more"});

@@ -180,10 +180,30 @@ TEST(CheckMesh, names_an_inverted_element_and_its_centre) {
   Mesh mesh = box_mesh({.kind = ElementKind::quad4, .high = {4, 1, 0}, .cells = {4, 1, 1}});
   std::swap(mesh.cells[9], mesh.cells[11]);
   const std::string text = complaints(mesh);
-  EXPECT_NE(text.find("part.msh: element 2 (quad4, centre (2.5, 0.5)) is turned inside out"),
+  EXPECT_NE(text.find("part.msh: element number 2 (counted from 0, quad4, centre (2.5, 0.5)) is "
+                      "turned inside out"),
             std::string::npos)
       << text;
   EXPECT_THROW(require_sound_mesh(mesh, "", false), Error);
+}
+
+TEST(CheckMesh, names_elements_and_nodes_by_the_labels_of_their_file) {
+  Mesh mesh = box_mesh({.kind = ElementKind::quad4, .high = {4, 1, 0}, .cells = {4, 1, 1}});
+  std::swap(mesh.cells[9], mesh.cells[11]);
+  MeshLabels labels{{}, {1001, 1002, 1005, 1007}};
+  for (Index node = 0; node < mesh.n_points(); ++node)
+    labels.nodes.push_back(5000 + node);
+  const auto says = [&](bool axisymmetric, const std::string& wanted) {
+    const std::vector<Complaint> found = check_mesh(mesh, "part.inp", axisymmetric, labels);
+    ASSERT_FALSE(found.empty());
+    EXPECT_NE(found.front().text().find(wanted), std::string::npos) << found.front().text();
+  };
+  says(false, "part.inp: element 1005 (quad4, centre (2.5, 0.5)) is turned inside out");
+  mesh.points[3].x() = -1.0;
+  says(true, "part.inp: node 5003 at (-1, 0) has a negative radius");
+  mesh.points[3].x() = 3.0;
+  mesh.cells[1] = mesh.cells[0];
+  says(false, "element 1001 (quad4, centre (0.25, 0.5)) has node 5000 twice");
 }
 
 TEST(CheckMesh, finds_a_mid_side_node_beyond_the_quarter) {
@@ -207,7 +227,7 @@ TEST(CheckMesh, finds_wrong_node_numbers_and_numbers_given_twice) {
   mesh.cells[2] = -1;
   EXPECT_NE(complaints(mesh).find("names node -1"), std::string::npos);
   mesh.cells[2] = 1;
-  EXPECT_NE(complaints(mesh).find("has node 1 twice"), std::string::npos);
+  EXPECT_NE(complaints(mesh).find("has node number 1 (counted from 0) twice"), std::string::npos);
   mesh.cells.pop_back();
   EXPECT_NE(complaints(mesh).find("whole quad4"), std::string::npos);
   EXPECT_NE(complaints(Mesh{}).find("no elements"), std::string::npos);

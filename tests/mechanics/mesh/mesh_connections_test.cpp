@@ -63,8 +63,9 @@ TEST(MeshConnections, RefuseACellThatIsThereTwice) {
     EXPECT_TRUE(has(flaws(with_last_twice(two_by_two(kind))), "part.msh: ")) << name(kind);
   EXPECT_TRUE(has(flaws(with_last_twice(two_by_two(ElementKind::quad4))),
                   "3 elements share the side at (1.5, 1)"));
-  EXPECT_TRUE(has(flaws(with_last_twice(two_by_two(ElementKind::quad4))),
-                  "elements 3 and 4 lie on the same side of their side at (1.5, 2)"));
+  EXPECT_TRUE(has(
+      flaws(with_last_twice(two_by_two(ElementKind::quad4))),
+      "elements number 3 and 4 (counted from 0) lie on the same side of their side at (1.5, 2)"));
 }
 
 TEST(MeshConnections, RefuseABodyThatIsThereTwiceWithNodesOfItsOwn) {
