@@ -46,8 +46,9 @@ struct Tolerance {
                                          const std::filesystem::path& second);
 
 /// Two case files with all defaults filled in; lists are compared item by item, tools, stages and
-/// measures by their names.
-/// @throws Error (Fault::case_file) if one of them cannot be read
+/// measures by their names. The files that both name are compared byte by byte.
+/// @throws Error (Fault::case_file) if one of them cannot be read, (Fault::geometry) for a file
+/// that it names
 [[nodiscard]] Comparison compare_cases(const std::filesystem::path& first,
                                        const std::filesystem::path& second);
 

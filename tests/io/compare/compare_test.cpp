@@ -118,6 +118,47 @@ TEST_F(Compared, refuses_a_folder_that_holds_no_results) {
   EXPECT_THROW((void)compare(), Error);
 }
 
+TEST_F(Compared, the_files_that_cases_name_are_compared) {
+  const std::string text = R"(
+analysis = "axisymmetric"
+[workpiece]
+element = "quad4"
+material = "m"
+mesh = { file = "part.inp" }
+[material.m]
+elastic = { young = 7e4, poisson = 0.3 }
+[[tool]]
+name = "die"
+surface = { profile = "die.toml" }
+[time]
+end = 1
+)";
+  for (const char* run : {"a", "b"}) {
+    write(run, "case.toml", text);
+    write(run, "die.toml", "points = [[5, 5], [0, 5]]\n");
+    write(run, "part.inp", "*NODE\n1, 0, 0\n2, 1, 0\n");
+  }
+  const auto compared = [&] {
+    return compare_cases(folder_.path() / "a" / "case.toml", folder_.path() / "b" / "case.toml");
+  };
+  EXPECT_EQ(find(compared(), "content of workpiece.mesh")->relative(), 0.0);
+  EXPECT_EQ(find(compared(), "content of tool.die.surface")->relative(), 0.0);
+  write("b", "part.inp", "*NODE\n1, 0, 0\n2, 2, 0\n");
+  const Comparison comparison = compared();
+  const Difference* const mesh = find(comparison, "content of workpiece.mesh");
+  ASSERT_NE(mesh, nullptr);
+  EXPECT_TRUE(std::isinf(mesh->relative()));
+  EXPECT_EQ(mesh->where, "part.inp, from line 3");
+  EXPECT_EQ(find(comparison, "content of tool.die.surface")->relative(), 0.0);
+  for (const std::string run : {"a", "b"}) { // the same file, which includes others
+    write(run, "part.inp", "*INCLUDE, INPUT=nodes.inp\n*ELEMENT, TYPE=CAX4\n1, 1, 2, 3, 4\n");
+    write(run, "nodes.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n");
+  }
+  EXPECT_EQ(find(compared(), "content of workpiece.mesh")->relative(), 0.0);
+  write("b", "nodes.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 2\n4, 0, 2\n");
+  EXPECT_EQ(find(compared(), "content of workpiece.mesh")->where, "what part.inp includes");
+}
+
 } // namespace
 
 } // namespace billet::io::compare_test
