@@ -182,6 +182,52 @@ TEST(Newton, reports_an_increment_that_has_no_solution) {
   EXPECT_GE(block.newton().worst_unknown(), 0);
 }
 
+/// A force on an unknown that jumps from one sense to the other where it passes a place.
+class Jump final : public ForceTerm {
+public:
+  Jump(std::size_t unknown, double place, double force)
+      : unknown_(unknown), place_(place), force_(force) {}
+  [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override {
+    system.residual[unknown_] += trial.x[unknown_] < place_ ? -force_ : force_;
+    return Assembled{};
+  }
+  void commit(const Trial& /*trial*/) override {}
+  [[nodiscard]] bool nonsmooth() const override { return true; }
+
+private:
+  std::size_t unknown_;
+  double place_, force_;
+};
+
+TEST(Newton, does_not_take_a_short_step_of_its_search_for_rounding) {
+  Mesh mesh = box_mesh({.kind = ElementKind::quad4, .cells = {3, 3, 1}});
+  constexpr double origin = 100.0; // the rounding of coordinates is that of a large part
+  for (Vec3& x : mesh.points)
+    x[1] += origin;
+  const BlockPattern pattern = block_pattern(mesh);
+  Bulk bulk(mesh, Analysis::plane_strain, {support::steel, Elastic{}}, pattern);
+  const std::vector<double> start = flat(mesh);
+  const std::size_t last = start.size() - 1; // of the corner at (1, 1)
+  Prescribed foot;
+  for (Index node = 0; node < mesh.n_points(); ++node)
+    if (mesh.points[static_cast<std::size_t>(node)][1] == origin)
+      for (int c = 0; c < 2; ++c) {
+        foot.unknowns.push_back(2 * node + c);
+        foot.positions.push_back(start[idx(2 * node + c)]);
+      }
+  for (const double share : {8e-3, 1e-3, 1e-5}) { // of the scale of forces
+    constexpr double scale = 1e4;
+    Jump jump(last, start[last] + 1e-6 * share, share * scale);
+    ForceTerm* terms[] = {&bulk, &jump};
+    Newton newton(pattern, SolverSettings{}, {1e-6, 24, scale});
+    std::vector<double> x = start;
+    for (const Continuation way : {Continuation::none, Continuation::more_iterations}) {
+      const auto report = newton.solve(terms, foot, 0.0, 1.0, start, x, way);
+      EXPECT_FALSE(report) << share << ": " << report->residual;
+    }
+  }
+}
+
 /// Passes on to the bulk and counts what is asked for.
 class Counted final : public ForceTerm {
 public:
