@@ -231,6 +231,9 @@ constexpr std::array table{
                 "Metal is colder, hotter or more strained than the data of its flow law.",
                 "A library's material in another process; a table that ends early.",
                 "A law or table whose data cover the process (docs/guide/materials.md)."},
+    Explanation{"frame-as-mesh", "warning",
+                "The mesh is a frame of results: shape alone is taken from it.", "",
+                "billet run --from RESULTS goes on with stress, strain and temperature."},
     Explanation{"near-plane", "warning",
                 "Nodes lie a little off the plane of a support or load, and so are not held or "
                 "loaded.",

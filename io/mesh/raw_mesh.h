@@ -38,6 +38,7 @@ struct RawMesh {
   std::map<std::string, CellBlock> blocks;                        ///< by name of the type
   std::map<std::string, std::vector<mechanics::Index>> node_sets; ///< in any order, with repeats
   std::vector<std::string> notes;
+  std::string unit_system = {}; ///< that a frame of results names; empty: it is none
   std::string type = {}; ///< of solid elements as an .inp calls it, "CAX8R"; empty: none says one
 };
 

@@ -225,6 +225,7 @@ read_mesh(const std::filesystem::path& path, double length_factor, const Include
                            .node_sets = std::move(raw.node_sets)},
                   .notes = std::move(raw.notes),
                   .type = std::move(raw.type),
+                  .unit_system = std::move(raw.unit_system),
                   .labels = {std::move(raw.labels), std::move(block.labels)}};
   Mesh& mesh = result.mesh;
   for (Vec3& point : mesh.points)

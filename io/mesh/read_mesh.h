@@ -23,6 +23,7 @@ struct MeshFile {
   mechanics::Mesh mesh;              ///< only nodes that cells use; numbers from 0 in file order
   std::vector<std::string> notes;    ///< e.g. "3 nodes that no element uses were left out"
   std::string type = {};             ///< of its elements, as an .inp calls it: "CAX8R"
+  std::string unit_system = {};      ///< that a frame of results names; empty: it is none
   mechanics::MeshLabels labels = {}; ///< what a .msh or .inp calls its nodes and elements
 };
 

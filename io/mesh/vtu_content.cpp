@@ -101,6 +101,20 @@ std::string CapturedMessages::first() const {
   return all.substr(colon + 3, all.find('\n', colon) - colon - 3);
 }
 
+namespace {
+
+void take_unit_system(vtkUnstructuredGrid& grid, VtuContent& content) {
+  const std::string key = "unit_system: "; // in the name of an array, as frames have it
+  vtkFieldData& data = *grid.GetFieldData();
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
+    const char* const name = data.GetArrayName(i);
+    if (const std::string text = name == nullptr ? "" : name; text.starts_with(key))
+      content.unit_system = text.substr(key.size());
+  }
+}
+
+} // namespace
+
 VtuContent vtu_content(const std::filesystem::path& path) {
   const CapturedMessages messages;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
@@ -120,6 +134,7 @@ VtuContent vtu_content(const std::filesystem::path& path) {
   take_points(*reader->GetOutput(), content);
   take_cells(*reader->GetOutput(), content);
   take_arrays(*reader->GetOutput(), content);
+  take_unit_system(*reader->GetOutput(), content);
   return content;
 }
 

@@ -34,6 +34,7 @@ struct VtuContent {
   std::vector<int> types;            ///< of the cells
   std::vector<VtuType> known_types;  ///< each of them once
   std::vector<VtuArray> arrays;
+  std::string unit_system = {}; ///< that a frame of results names; empty: it is none
 };
 
 /// Collects VTK's messages instead of printing them, as long as it lives.

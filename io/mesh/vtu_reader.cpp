@@ -138,6 +138,7 @@ RawMesh read_vtu(const std::filesystem::path& path) {
   read_points(content, path, mesh);
   read_cells(content, path, mesh);
   read_sets(content, mesh);
+  mesh.unit_system = content.unit_system;
   return mesh;
 }
 

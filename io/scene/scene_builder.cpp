@@ -87,6 +87,7 @@ struct MeshMaker {
   Analysis analysis;
   std::vector<std::string>& notes;
   const Say& say;
+  const std::string& unit_system;
   mechanics::MeshLabels& labels; ///< of a mesh from a file that has some
 
   Mesh operator()(const BoxMesh& box) const {
@@ -101,6 +102,8 @@ struct MeshMaker {
       notes.push_back(of_file(file.file.given, note));
     if (const std::optional<std::string> other = other_analysis(read.type, analysis))
       notes.push_back(of_file(file.file.given, "warning: [mesh-analysis] " + *other));
+    if (!read.unit_system.empty())
+      take_frame(file.file.given, read.unit_system);
     if (read.mesh.kind != kind)
       throw Error(
           Fault::geometry, file.file.given,
@@ -131,6 +134,18 @@ struct MeshMaker {
   }
 
 private:
+  void take_frame(const std::string& file, const std::string& units) const {
+    if (units != unit_system)
+      throw Error(
+          Fault::geometry, file,
+          fmt::format("it is a frame of results in {}, the case is in {}", units, unit_system),
+          fmt::format("write units = \"{}\" at the top of the case", units));
+    notes.push_back(of_file(file,
+                            "warning: [frame-as-mesh] it is a frame of results: its shape is "
+                            "the mesh, and the metal begins without the strain, stress and "
+                            "temperature of the frame (billet run --from goes on with them)"));
+  }
+
   template <class Body>
   [[nodiscard]] Mesh meshed(const FacetFile& facets, double scale, const Body& source) const {
     return at_file(source.file, [&] {
@@ -520,8 +535,9 @@ BuiltScene build_scene(const Case& content, const std::string& place, const Say&
   scene.part.analysis = content.analysis;
   const ElementKind kind = element_kind(content.workpiece.element);
   mechanics::MeshLabels labels;
-  scene.part.mesh = std::visit(MeshMaker{kind, content.analysis, built.notes, say, labels},
-                               content.workpiece.mesh);
+  scene.part.mesh =
+      std::visit(MeshMaker{kind, content.analysis, built.notes, say, content.units.name, labels},
+                 content.workpiece.mesh);
   const geometry::Pose pose = pose_of(content.workpiece.place);
   for (Vec3& p : scene.part.mesh.points)
     p = pose.to_space(p);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 
 namespace billet::test::conditions_test {
@@ -140,6 +141,28 @@ TEST_F(Conditions, CarryAWeightThatComesAndGoes) {
     largest = std::max(largest, weight);
   }
   EXPECT_GT(largest, 97.0);
+}
+
+TEST_F(Conditions, OfAFrameThatServesAsAMeshAreTold) {
+  ASSERT_EQ(run(upset(1.0)).status, 0);
+  std::filesystem::path frame;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "out" / "frames"))
+    if (entry.path().filename().string().starts_with("workpiece"))
+      frame = std::max(frame, entry.path());
+  ASSERT_FALSE(frame.empty());
+  std::filesystem::copy(frame, folder_.path() / "shape.vtu");
+  std::string next = upset(1.0);
+  const std::string box = "{ box = [[0, 0], [10, 5]], cells = [4, 4] }";
+  next.replace(next.find(box), box.size(), "{ file = \"shape.vtu\" }");
+  write_text(folder_.path() / "next.toml", next);
+  const Outcome told = billet({"check", "next.toml"}, folder_.path());
+  EXPECT_TRUE(told.prints("[frame-as-mesh]")) << told.out << told.err;
+  write_text(folder_.path() / "next.toml", "units = \"m-N-s-Pa-degC\"\n" + next);
+  const Outcome refused = billet({"check", "next.toml"}, folder_.path());
+  EXPECT_NE(refused.status, 0);
+  EXPECT_NE(refused.err.find("it is a frame of results in mm-N-s-MPa-degC, the case is in"),
+            std::string::npos)
+      << refused.err;
 }
 
 TEST_F(Conditions, HaveNamesOfTheirOwn) {
