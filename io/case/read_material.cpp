@@ -70,7 +70,9 @@ std::optional<Material> read_material(const At& at) {
     table.required("library", material.library, as_library_name);
   if (has_library && at.inquiry() != nullptr)
     at.inquiry()->require_nothing(); // the library has the rest
-  table.required("elastic", material.elastic, as_elastic);
+  const bool unknown = has_library && find_library_material(material.library) == nullptr;
+  if (!unknown || table.has("elastic") || at.inquiry() != nullptr) // else the library's is missing
+    table.required("elastic", material.elastic, as_elastic);
   table.optional("flow", material.flow, as_flow);
   table.optional("hardness", material.hardness, as_number, positive_stress);
   table.optional("density", material.density, as_number, Number{quantity::density, positive});

@@ -239,6 +239,17 @@ std::optional<TimeSettings> as_time(const At& at) {
   return time;
 }
 
+/// Tools that act in a stage.
+std::optional<std::vector<std::string>> as_tools(const At& at) {
+  const List* const list = at.list(1);
+  if (list != nullptr && list->empty()) {
+    at.complain("allowed is a list of at least one tool",
+                "leave the key out, and all act; unload = true lets all of them leave");
+    return std::nullopt;
+  }
+  return as_texts(at);
+}
+
 std::optional<Stage> as_stage(const At& at) {
   TableReader table(at);
   if (!table.is_table())
@@ -246,7 +257,7 @@ std::optional<Stage> as_stage(const At& at) {
   Stage stage;
   table.required("name", stage.name, as_name);
   table.required("end", stage.end, as_number, positive_time);
-  table.optional("tools", stage.tools, as_texts);
+  table.optional("tools", stage.tools, as_tools);
   table.optional("unload", stage.unload, as_flag);
   if (stage.unload && stage.tools)
     table.find("tools")->complain("no tools act in a stage with unload = true: all of them leave");

@@ -52,7 +52,8 @@ void remark_on_meetings(const geometry::SelfIntersections& found,
                         std::vector<std::string>& remarks) {
   if (found.overlaps > 0)
     remarks.push_back(fmt::format("closed parts overlap or touch, the first near {}; they act as "
-                                  "one body",
+                                  "one body on what comes from outside, not on a part that begins "
+                                  "within one of them",
                                   coordinates(*found.overlap_at)));
   if (found.touches > 0)
     remarks.push_back(fmt::format("{} of triangles touch or cut by less than {:.3g}",
