@@ -69,10 +69,10 @@ bool LongSides::stands(double place, double length) const {
 }
 
 double LongSides::longest(double place, double least, double most) const {
-  for (double length = std::min(most, 0.5 * way_.length); length >= least; length /= step)
-    if (stands(place, length))
-      return length;
-  return 0.0;
+  double length = std::min(most, 0.5 * way_.length);
+  while (length >= least && !stands(place, length))
+    length /= step;
+  return length >= least ? length : 0.0;
 }
 
 } // namespace billet::geometry
