@@ -223,10 +223,10 @@ constexpr std::array table{
     Explanation{"heat-capacity", "warning", "A heat capacity is far from that of any metal.",
                 "A number in J/(kg K) in a case of millimetres.",
                 "Give the unit: heat_capacity = \"460 J/kg/K\"."},
-    Explanation{"flat-elements", "warning",
-                "Linear elements are many times as long as thick: in bending several layers are "
-                "too stiff, a single one too soft.",
-                "quad4 or hex8 in a thin part.", "Quadratic elements."},
+    Explanation{
+        "flat-elements", "warning",
+        "Linear elements are many times as long as thick: they resist bending far too much.",
+        "quad4 or hex8 in a thin part.", "Quadratic elements."},
     Explanation{"material-range", "warning",
                 "Metal is colder, hotter or more strained than the data of its flow law.",
                 "A library's material in another process; a table that ends early.",

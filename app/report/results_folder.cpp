@@ -130,7 +130,7 @@ std::vector<std::string> ResultsFolder::said(std::string_view beginning) const {
 }
 
 std::vector<std::string> ResultsFolder::tools() const {
-  constexpr std::string_view suffix = ".force_x";
+  constexpr std::string_view suffix = ".displacement_x"; // supports have forces alone
   std::vector<std::string> names;
   for (const std::string& heading : history.columns)
     if (heading.ends_with(suffix))

@@ -77,9 +77,6 @@ void pass_over_ripples(const SideLoop& loop,
   for (std::size_t i = 0; i < n; ++i)
     if (loop.hold[i] != 0)
       stop[i] = stop[(i + 1) % n] = 1;
-  for (std::size_t i = 0; i < n && rule.follow; ++i)
-    if (rule.follow(loop.corners[i]))
-      stop[i] = 1;
   for (std::size_t i = 0; i < n; ++i) {
     if (stop[i] != 0)
       stops.push_back(way.length);
@@ -90,7 +87,7 @@ void pass_over_ripples(const SideLoop& loop,
   for (std::size_t i = 0; i < n; ++i) {
     const double sides = way.places[2 * i + 1] - way.places[2 * i];
     if (sharp[i] != 0 && stop[i] == 0 &&
-        long_sides.longest(way.places[2 * i], sides, rule.longest_side) > 0.0)
+        long_sides.longest(way.places[2 * i], sides, rule.longest_side(loop.corners[i])) > 0.0)
       sharp[i] = 0;
   }
 }
@@ -110,7 +107,7 @@ std::vector<char> kept_corners(const SideLoop& loop, const CornerRule& rule) {
     kept[i] = loop.part[before] != loop.part[i] || loop.keep[i] != 0;
     sharp[i] = std::abs(turn) > rule.turn && std::abs(turn) > beside;
   }
-  if (rule.longest_side > 0.0)
+  if (rule.longest_side)
     pass_over_ripples(loop, rule, kept, sharp);
   for (std::size_t i = 0; i < n; ++i)
     kept[i] = kept[i] != 0 || sharp[i] != 0;

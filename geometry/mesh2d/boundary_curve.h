@@ -23,10 +23,10 @@ namespace billet::geometry {
 /// What is a corner of a boundary.
 struct CornerRule {
   double turn; ///< a boundary that turns by more at a node may have a corner there [rad]
-  /// Ripples of free sides that one no longer than that passes over have none; 0: they do. [mm]
-  double longest_side = 0.0;
-  double turn_of_side = 0.0;                    ///< most that it turns by [rad]
-  std::function<bool(const Vec2&)> follow = {}; ///< whether they do near a place; empty: nowhere
+  double turn_of_side = 0.0; ///< most that a side turns by [rad]
+  /// Ripples of free sides that one no longer than that, near a place, passes over have none;
+  /// empty: they do. [mm]
+  std::function<double(const Vec2&)> longest_side = {};
 };
 
 class BoundaryCurve {

@@ -117,6 +117,11 @@ std::vector<char> inverted_sides(const PlaneMesh& mesh) {
   return flags;
 }
 
+double longest_over_ripples(const RemeshSizes& sizes, const Vec2& x) {
+  const double most = sizes.over_ripples ? std::min(sizes.max, sizes.over_ripples(x)) : sizes.max;
+  return sizes.wanted ? std::min(most, std::max(sizes.min, sizes.wanted(x))) : most;
+}
+
 /// One remeshing: what its steps share.
 class Remesher {
 public:
@@ -192,10 +197,9 @@ private:
       if (!(curvature * sizes_.max > sizes_.turn))
         continue;
       const double size = std::max(sizes_.min, sizes_.turn / curvature);
-      const bool follow =
-          curve.is_held(way.places[k]) || (rule_.follow && rule_.follow(way.points[k]));
+      const bool follow = !rule_.longest_side || curve.is_held(way.places[k]);
       const double longer =
-          follow ? 0.0 : long_sides.longest(way.places[k], size, rule_.longest_side);
+          follow ? 0.0 : long_sides.longest(way.places[k], size, rule_.longest_side(way.points[k]));
       samples.push_back({way.points[k], std::max(size, longer)});
     }
   }
@@ -302,7 +306,8 @@ RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
   for (const SideLoop& loop : loops)
     require_sound(loop);
   try {
-    const CornerRule rule{corner_turn, sizes.max, sizes.turn, sizes.follow};
+    const CornerRule rule{corner_turn, sizes.turn,
+                          [&sizes](const Vec2& x) { return longest_over_ripples(sizes, x); }};
     return Remesher(loops, sizes, measure, snap, rule).run();
   } catch (const Error& error) {
     if (error.fault() != Fault::geometry)

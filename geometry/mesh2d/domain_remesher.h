@@ -50,8 +50,9 @@ struct RemeshSizes {
   /// Size asked for at a place of the domain [mm]; empty: `max`.
   std::function<double(const Vec2&)> wanted = {};
   std::vector<SizeAt> at = {}; ///< asked for besides, even below `min`
-  /// Whether the boundary near a place is followed in every ripple; empty: nowhere. (G.42a)
-  std::function<bool(const Vec2&)> follow = {};
+  /// Longest side that passes over ripples of the boundary near a place, 0: none; empty: the size
+  /// asked for there. (G.42a) [mm]
+  std::function<double(const Vec2&)> over_ripples = {};
 };
 
 /// What is kept of the domain.

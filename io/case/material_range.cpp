@@ -19,13 +19,21 @@ struct Data {
   MaterialRange range;
 };
 
+/// Whether the stress stays what it is where the table ends.
+bool ends_flat(const mechanics::FlowTable& table) {
+  const std::size_t n = table.points.size();
+  return n < 2 || table.points[n - 1].second == table.points[n - 2].second;
+}
+
 /// None: nothing is known about them.
 std::optional<Data> data_of(const Material& material) {
   if (!material.flow)
     return std::nullopt;
-  if (const auto* table = std::get_if<mechanics::FlowTable>(&*material.flow);
-      table != nullptr && !table->points.empty())
+  if (const auto* table = std::get_if<mechanics::FlowTable>(&*material.flow); table != nullptr) {
+    if (ends_flat(*table))
+      return std::nullopt;
     return Data{"its table", {table->points.back().first, -HUGE_VAL, HUGE_VAL}};
+  }
   const LibraryMaterial* known = find_library_material(material.library);
   const auto name = std::visit([](const auto& law) { return law.name; }, *material.flow);
   const std::string said = fmt::format("law = \"{}\"", name); // else the case has a law of its own
@@ -38,7 +46,9 @@ std::optional<Data> data_of(const Material& material) {
 
 std::optional<std::string> outside_range(const Material& material, double temperature) {
   const std::optional<Data> data = data_of(material);
-  if (!data || (temperature >= data->range.coldest && temperature <= data->range.hottest))
+  constexpr double margin = 5.0; // degC
+  if (!data ||
+      (temperature >= data->range.coldest - margin && temperature <= data->range.hottest + margin))
     return std::nullopt;
   return fmt::format("warning: [material-range] the workpiece has {:.4g} degC, and the data of {} "
                      "reach from {:.4g} to {:.4g} degC: its flow stress there is a guess",

@@ -3,6 +3,7 @@
 #include "io/case/read_parts.h"
 #include "io/case/values.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -87,9 +88,9 @@ constexpr std::array load_kinds{LoadKind{"pressure", &as_pressure_load},
 /// The one kind that the load has; complains about none and two.
 const LoadKind* kind_of(TableReader& table) {
   if (Inquiry* const inquiry = table.at().inquiry()) {
-    std::vector<std::string> keys;
-    for (const LoadKind& kind : load_kinds)
-      keys.emplace_back(kind.key);
+    std::vector<std::string> keys(load_kinds.size());
+    std::transform(load_kinds.begin(), load_kinds.end(), keys.begin(),
+                   [](const LoadKind& kind) { return std::string(kind.key); });
     return &load_kinds[inquiry->choose(keys)];
   }
   const LoadKind* chosen = nullptr;

@@ -491,7 +491,7 @@ void note_flat_elements(const mechanics::Mesh& mesh, std::vector<std::string>& n
     notes.push_back(fmt::format(
         "warning: [flat-elements] elements of {} are up to {:.3g} times as long as thick: "
         "in bending they are stiffer than the part by about a third of the square of their length "
-        "over its thickness, in a single layer too soft; quadratic elements are neither",
+        "over its thickness; quadratic elements are not",
         mechanics::name(mesh.kind), aspect));
   else if (longest > flat * thinnest)
     notes.push_back(fmt::format(

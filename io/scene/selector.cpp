@@ -47,7 +47,8 @@ void Selector::warn_of_missed(const Where& where, const std::vector<Index>& foun
   for (const Index i : found)
     meant[idx(i)] = 1;
   if (const auto* plane = std::get_if<OnPlane>(&where.kind))
-    if (const auto near = nodes_near_plane(mesh_, meant, plane->axis, plane->value, size_))
+    if (const auto near =
+            nodes_near_plane(mesh_, surface_, meant, plane->axis, plane->value, size_))
       warnings_.push_back(fmt::format("warning: [near-plane] {}: {}; put them on it, or name a set",
                                       where.key, *near));
   if (std::holds_alternative<InSet>(where.kind))

@@ -126,13 +126,14 @@ Slip one_element_high(const process::Scene& scene) {
   const std::vector<Index> lone = lone_cells(scene);
   if (lone.empty())
     return std::nullopt;
-  return fmt::format(
-      "{} of {} elements are the only one between two faces of the workpiece, the "
-      "first with its centre at {}: a single {} does not bulge, and bends as if it had half of its "
-      "stiffness; take four "
-      "or more over the height, or quadratic elements",
-      lone.size(), scene.part.mesh.n_elements(), centre_of_cell(scene.part.mesh, lone.front()),
-      mechanics::name(scene.part.mesh.kind));
+  return fmt::format("{} of {} elements are the only one between two faces of the workpiece, the "
+                     "first with its centre at {}: a single {} does not bulge, and in bending it "
+                     "is too soft where "
+                     "it is short, too stiff where it is long; take four "
+                     "or more over the height, or quadratic elements",
+                     lone.size(), scene.part.mesh.n_elements(),
+                     centre_of_cell(scene.part.mesh, lone.front()),
+                     mechanics::name(scene.part.mesh.kind));
 }
 
 /// Shortest edge between corners of the faces that may touch [mm].

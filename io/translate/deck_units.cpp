@@ -1,5 +1,7 @@
 #include "io/translate/deck_units.h"
 
+#include <algorithm>
+
 namespace billet::io {
 
 namespace {
@@ -33,6 +35,15 @@ void convert_step(DeckStep& step, const DeckUnits& units) {
     one.unit = units.force_factor;
   for (DeckPressure& one : step.pressures)
     one.unit = units.force_factor / (length * length);
+}
+
+/// Whether a condition moves the ROT NODE of a rigid body: its displacements are angles.
+bool turns(const Deck& deck, const DeckCondition& one) {
+  const std::vector<DeckNumber> nodes = deck.nodes_of(one.target);
+  return !nodes.empty() && std::all_of(nodes.begin(), nodes.end(), [&](DeckNumber node) {
+    return std::any_of(deck.rigid_bodies.begin(), deck.rigid_bodies.end(),
+                       [&](const DeckRigidBody& body) { return body.rotation == node; });
+  });
 }
 
 void convert_surface(DeckSurface& surface, double length) {
@@ -69,8 +80,12 @@ void to_units_of_case(Deck& deck, const DeckUnits& units) {
     if (interaction.largest_shear)
       *interaction.largest_shear *= force / (length * length);
   convert_step(deck.initial, units);
-  for (DeckStep& step : deck.steps)
+  for (DeckStep& step : deck.steps) {
     convert_step(step, units);
+    for (DeckCondition& one : step.boundary)
+      if (turns(deck, one))
+        one.unit = 1.0;
+  }
   if (deck.gravity)
     deck.gravity->value *= length;
   for (auto& [label, one] : deck.body_forces)

@@ -420,7 +420,8 @@ RemeshedPart remesh_part(const Part& old,
     }
   }
   for (std::size_t s = 0; s < old.supports.size(); ++s)
-    part.supports.push_back({supports[s], old.supports[s].component, old.supports[s].displacement});
+    part.supports.push_back({supports[s], old.supports[s].component, old.supports[s].displacement,
+                             old.supports[s].name});
   std::size_t s = 0;
   for (const auto& [name, nodes] : old.mesh.node_sets)
     part.mesh.node_sets[name] = sets[s++];

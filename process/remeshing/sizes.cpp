@@ -60,10 +60,12 @@ std::function<double(const Vec3&)> wanted_size(const Run& run, double turn, doub
   };
 }
 
-/// Whether walls that touch each other are near a place: ripples of one lie in those of the other.
-std::function<bool(const Vec2&)> near_touching_walls(const Run& run) {
+/// Longest side that passes over ripples: of the usual size, and none near walls that touch each
+/// other, whose ripples lie in each other.
+std::function<double(const Vec2&)> over_ripples(const Run& run) {
+  const double usual = usual_sizes(run).usual;
   if (!touches_itself(run))
-    return {};
+    return [usual](const Vec2& /*x*/) { return usual; };
   const contact::ContactSurface& surface = *run.model.surface;
   std::vector<Vec3> positions(surface.n_points());
   surface.positions(run.positions(), positions);
@@ -72,9 +74,8 @@ std::function<bool(const Vec2&)> near_touching_walls(const Run& run) {
   for (std::size_t k = 0; k < points.size(); ++k)
     if (points[k].closed())
       touching.push_back({positions[k].head<2>(), 0.0});
-  const double reach = usual_sizes(run).usual;
-  const geometry::SizeField distance(std::move(touching), 2.0 * reach, 1.0);
-  return [distance, reach](const Vec2& x) { return distance(x) < reach; };
+  const geometry::SizeField distance(std::move(touching), 2.0 * usual, 1.0);
+  return [distance, usual](const Vec2& x) { return distance(x) < usual ? 0.0 : usual; };
 }
 
 } // namespace
@@ -86,7 +87,7 @@ geometry::RemeshSizes remesh_sizes(const Run& run) {
   sizes.wanted = [wanted = wanted_size(run, sizes.turn, sizes.growth)](const Vec2& x) {
     return wanted(in_space(x));
   };
-  sizes.follow = near_touching_walls(run);
+  sizes.over_ripples = over_ripples(run);
   return sizes;
 }
 

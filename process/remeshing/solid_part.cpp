@@ -356,8 +356,8 @@ RemeshedPart remesh_part(const Part& old,
       sets.add_corner(node, corner);
     }
   for (std::size_t s = 0; s < old.supports.size(); ++s)
-    result.supports.push_back(
-        {supports[s], old.supports[s].component, old.supports[s].displacement});
+    result.supports.push_back({supports[s], old.supports[s].component, old.supports[s].displacement,
+                               old.supports[s].name});
   std::size_t s = 0;
   for (const auto& [name, nodes] : old.mesh.node_sets)
     result.mesh.node_sets[name] = sets[s++];

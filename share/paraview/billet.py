@@ -61,7 +61,8 @@ def travels(folder):
     with open(folder / "history.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     curves = {}
-    for name in [c[:-len(".force_x")] for c in rows[0] if c.endswith(".force_x")] if rows else []:
+    tools = ".displacement_x"  # supports with a name have a force alone
+    for name in [c[:-len(tools)] for c in rows[0] if c.endswith(tools)] if rows else []:
         vectors = {what: [[float(row[f"{name}.{what}_{axis}"]) for axis in "xyz"] for row in rows]
                    for what in ("force", "displacement")}
         longest = max(vectors["displacement"], key=lambda v: math.hypot(*v))

@@ -127,6 +127,21 @@ TEST_F(Conditions, WithANameTellTheirForces) {
   EXPECT_NEAR(summary()["supports"]["foot"]["force"][1], force, 2e-3 * force);
 }
 
+TEST_F(Conditions, KeepTheirNamesOnNewMeshes) {
+  std::string text = upset(1.0);
+  text.replace(text.find("quad4"), 5, "tri6");
+  text.replace(text.find("[[support]]"), 11, "[[support]]\nname = \"middle\"");
+  const Outcome done = run(text + "[remesh]\nwhen = { interval = 0.3 }\n");
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_GE(summary()["remeshings"]["number"], 2);
+  const ResultTable table = history();
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    ASSERT_EQ(table.rows[row].size(), table.columns.size()) << row;
+  EXPECT_NE(table.columns.end(),
+            std::find(table.columns.begin(), table.columns.end(), "middle.force_x"));
+  EXPECT_TRUE(summary()["supports"].contains("middle"));
+}
+
 TEST_F(Conditions, CarryAWeightThatComesAndGoes) {
   const Outcome done = run(between_grips(
       "",

@@ -67,6 +67,16 @@ TEST(Ripples, OnAToolAreItsOwn) {
   EXPECT_GE(sides_of_wall(loop), 90);
 }
 
+TEST(Ripples, AreFollowedWhereShorterSidesAreAskedFor) {
+  const SideLoop loop = with_teeth(0.015);
+  RemeshSizes finer = sizes;
+  finer.wanted = [](const Vec2&) { return 0.3; }; // a side of that leaves its chord by 0.0065
+  const RemeshedDomain domain = remesh_domain(std::vector<SideLoop>{loop}, finer, Measure::area);
+  EXPECT_GE(std::count_if(domain.mesh.boundary.begin(), domain.mesh.boundary.end(),
+                          [](const BoundarySide& side) { return side.segment == 1; }),
+            90);
+}
+
 TEST(Ripples, MayNotPassAKeptCorner) {
   SideLoop loop = with_teeth(0.015);
   const auto tooth = std::find(loop.part.begin(), loop.part.end(), 1) - loop.part.begin() + 101;
@@ -78,7 +88,7 @@ TEST(Ripples, MayNotPassAKeptCorner) {
 }
 
 TEST(Ripples, CornersAreKeptWhateverTheSides) {
-  const CornerRule rule{.turn = pi / 6.0, .longest_side = size, .turn_of_side = pi / 18.0};
+  const CornerRule rule{pi / 6.0, pi / 18.0, [](const Vec2&) { return size; }};
   const std::vector<char> even = kept_corners(with_teeth(0.0), rule);
   EXPECT_EQ(std::count(even.begin(), even.end(), 1), 4);
   const std::vector<char> rippled = kept_corners(with_teeth(0.015), rule);
@@ -96,7 +106,7 @@ TEST(Ripples, FlatFoldsAreNone) {
   loop.corners[static_cast<std::size_t>(first) + 1] = {9.998, y};
   for (auto i = static_cast<std::size_t>(first) - 1; i < static_cast<std::size_t>(first) + 2; ++i)
     loop.middles[i] = 0.5 * (loop.corners[i] + loop.corners[i + 1]);
-  const CornerRule rule{.turn = pi / 6.0, .longest_side = size, .turn_of_side = pi / 18.0};
+  const CornerRule rule{pi / 6.0, pi / 18.0, [](const Vec2&) { return size; }};
   const std::vector<char> kept = kept_corners(loop, rule);
   EXPECT_EQ(std::count(kept.begin(), kept.end(), 1), 6);
 }
@@ -116,7 +126,7 @@ TEST(Ripples, OfALoopWithoutCornersAreFoundWhereverItBegins) {
     loop.keep.push_back(0);
     loop.hold.push_back(0);
   }
-  const CornerRule rule{.turn = pi / 60.0, .longest_side = 2.0, .turn_of_side = pi / 18.0};
+  const CornerRule rule{pi / 60.0, pi / 18.0, [](const Vec2&) { return 2.0; }};
   const CornerRule without{.turn = pi / 60.0};
   const std::vector<char> all = kept_corners(loop, without);
   EXPECT_EQ(std::count(all.begin(), all.end(), 1), n);

@@ -32,14 +32,16 @@ std::vector<char> on_bottom(const Mesh& mesh) {
 TEST(MissedNodes, NearAPlaneAreTold) {
   for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex20, ElementKind::tet10}) {
     Mesh mesh = block(kind);
-    EXPECT_FALSE(nodes_near_plane(mesh, on_bottom(mesh), 2, 0.0, size));
+    EXPECT_FALSE(
+        nodes_near_plane(mesh, mechanics::boundary_faces(mesh), on_bottom(mesh), 2, 0.0, size));
     int lifted = 0;
     for (Vec3& x : mesh.points)
       if (x.z() == 0.0 && x.x() == x.y() && lifted < 2) {
         x.z() = 1e-4;
         ++lifted;
       }
-    const auto told = nodes_near_plane(mesh, on_bottom(mesh), 2, 0.0, size);
+    const auto told =
+        nodes_near_plane(mesh, mechanics::boundary_faces(mesh), on_bottom(mesh), 2, 0.0, size);
     ASSERT_TRUE(told);
     EXPECT_EQ(told->find("2 node(s) next to those on the plane z = 0 lie up to 0.0001 off it"), 0U)
         << *told;
@@ -49,8 +51,31 @@ TEST(MissedNodes, NearAPlaneAreTold) {
 TEST(MissedNodes, OfThinLayersAreMeant) {
   Mesh mesh = block(ElementKind::hex8);
   for (Vec3& x : mesh.points)
-    x.z() *= 4e-4; // a first layer of 1e-4
-  EXPECT_FALSE(nodes_near_plane(mesh, on_bottom(mesh), 2, 0.0, size));
+    if (x.z() == 0.25)
+      x.z() = 1e-4;
+  EXPECT_FALSE(
+      nodes_near_plane(mesh, mechanics::boundary_faces(mesh), on_bottom(mesh), 2, 0.0, size));
+}
+
+TEST(MissedNodes, OfARoundThatLeavesThePlaneAreMeant) {
+  Mesh mesh = mechanics::box_mesh({.kind = ElementKind::quad8, .cells = {40, 4, 1}});
+  for (Vec3& x : mesh.points) // flat up to the middle, then round with R = 10
+    if (const double past = x.x() - 0.5; x.y() == 0.0 && past > 0.0)
+      x.y() = 0.05 * past * past;
+  std::vector<char> on_plane(mesh.points.size(), 0);
+  for (Index i = 0; i < mesh.n_points(); ++i)
+    on_plane[idx(i)] = mesh.points[idx(i)].y() <= 1e-6 ? 1 : 0;
+  EXPECT_FALSE(nodes_near_plane(mesh, mechanics::boundary_faces(mesh), on_plane, 1, 0.0, 1.5));
+}
+
+TEST(MissedNodes, OfCornersOfOtherFacesAreMeant) {
+  const Mesh mesh = block(ElementKind::tet10); // its four walls
+  std::vector<char> walls(mesh.points.size(), 0);
+  for (Index i = 0; i < mesh.n_points(); ++i) {
+    const Vec3& x = mesh.points[idx(i)];
+    walls[idx(i)] = x.x() == 0.0 || x.x() == 1.0 || x.y() == 0.0 || x.y() == 1.0 ? 1 : 0;
+  }
+  EXPECT_FALSE(missed_middle_nodes(mesh, mechanics::boundary_faces(mesh), walls));
 }
 
 TEST(MissedNodes, InTheMiddleOfSidesAreTold) {

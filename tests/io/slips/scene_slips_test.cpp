@@ -167,8 +167,8 @@ TEST(SceneSlips, one_element_over_the_height) {
   expect_told(
       edited(flat, {{"quad8", "quad4"}}),
       {"4 of 4 elements are the only one between two faces of the workpiece, the first with "
-       "its centre at (0.625, 3.75): a single quad4 does not bulge, and bends as if it had half of "
-       "its stiffness"});
+       "its centre at (0.625, 3.75): a single quad4 does not bulge, and in bending it is too soft "
+       "where it is short, too stiff where it is long"});
   // A slice in plane strain is one element wide and means it.
   const std::string slice = edited(brick, {{"cells = [3, 3, 3]", "cells = [3, 1, 3]"}});
   expect_told(slice, {"9 of 9 elements", "four or more"});
