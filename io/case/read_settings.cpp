@@ -243,7 +243,7 @@ std::optional<TimeSettings> as_time(const At& at) {
 std::optional<std::vector<std::string>> as_tools(const At& at) {
   const List* const list = at.list(1);
   if (list != nullptr && list->empty()) {
-    at.complain("allowed is a list of at least one tool",
+    at.complain("found an empty list, allowed is a list of at least one tool",
                 "leave the key out, and all act; unload = true lets all of them leave");
     return std::nullopt;
   }
