@@ -30,12 +30,8 @@ std::string nodes_in_words(const io::Support& support, std::size_t nodes) {
 }
 
 double area_of(const process::Scene& scene, const std::vector<mechanics::Face>& faces) {
-  const auto dim = static_cast<std::size_t>(scene.part.mesh.dimension());
-  std::vector<double> x;
-  for (const Vec3& point : scene.part.mesh.points)
-    x.insert(x.end(), point.data(), point.data() + dim);
-  const std::vector<double> areas =
-      mechanics::face_areas(scene.part.mesh, scene.part.analysis, faces, x);
+  const std::vector<double> areas = mechanics::face_areas(
+      scene.part.mesh, scene.part.analysis, faces, mechanics::node_positions(scene.part.mesh));
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 

@@ -85,9 +85,10 @@ void pass_over_ripples(const SideLoop& loop,
   }
   const LongSides long_sides(way, stops, rule.turn_of_side);
   for (std::size_t i = 0; i < n; ++i) {
-    const double sides = way.places[2 * i + 1] - way.places[2 * i];
+    const double half_a_side = way.places[2 * i + 1] - way.places[2 * i];
     if (sharp[i] != 0 && stop[i] == 0 &&
-        long_sides.longest(way.places[2 * i], sides, rule.longest_side(loop.corners[i])) > 0.0)
+        long_sides.longest(way.places[2 * i], half_a_side, rule.longest_side(loop.corners[i])) >
+            0.0)
       sharp[i] = 0;
   }
 }

@@ -1,13 +1,13 @@
 #include "io/case/document.h"
 #include "io/case/read_case.h"
 #include "io/compare/compare_parts.h"
+#include "io/deck/deck.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/scanner.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -17,12 +17,6 @@
 namespace billet::io {
 
 namespace {
-
-std::string capitals(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
 
 using Values = std::map<std::string, Node>;
 
@@ -108,7 +102,7 @@ Difference difference_of_files(const std::string& what,
   const std::string a = read_content(first), b = read_content(second);
   if (a == b) {
     const bool includes =
-        what == "workpiece.mesh" && capitals(a).find("INPUT") != std::string::npos;
+        what == "workpiece.mesh" && in_capitals(a).find("INPUT") != std::string::npos;
     Difference difference = text_difference(quantity, "", "");
     if (includes && !is_same_mesh(first, second)) {
       difference.absolute = infinity;

@@ -45,7 +45,7 @@ private:
   [[nodiscard]] std::optional<int> axis_of(const std::string& label) const;
   [[nodiscard]] std::string body_force_text();
   [[nodiscard]] std::string gravity_text(const std::optional<double>& density);
-  /// Forces per volume have no amplitude in a case.
+  /// Amplitudes of forces per volume, and the step they begin in, are not translated.
   void note_whole_time(const std::string& label,
                        const std::string& amplitude,
                        std::size_t step,

@@ -140,10 +140,9 @@ struct Scene {
   contact::ContactSettings contact;
   std::vector<Stage> stages; ///< at least one
   IncrementLimits increments;
-  std::vector<double> landing_times; ///< times an increment must end at, sorted [s]
-  std::vector<double>
-      hand_overs;                ///< when a tool's load begins to grow as another's forces fade [s]
-  std::vector<Measure> measures; ///< columns of history.csv
+  std::vector<double> landing_times;    ///< times an increment must end at, sorted [s]
+  std::vector<double> hand_overs;       ///< a tool's load grows from then on as others fade [s]
+  std::vector<Measure> measures;        ///< columns of history.csv
   std::optional<RemeshSettings> remesh; ///< none: the mesh of the start serves to the end
   StopRules stop;
   double tolerance = 1e-6;

@@ -5,6 +5,7 @@
 #include "io/case/read_case.h"
 #include "io/translate/deck_case.h"
 #include "io/translate/deck_history.h"
+#include "tests/io/translate/pulled_deck.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -76,34 +77,6 @@ FOOT, 2
 99, 2, 2, 0.
 *END STEP
 )";
-
-Deck deck_of(const std::string& text, const TemporaryFolder& folder) {
-  const auto file = folder.path() / "job.inp";
-  std::ofstream(file) << text;
-  return read_deck(file, {folder.path(), false});
-}
-
-DeckCase case_of_text(const std::string& text, const TemporaryFolder& folder) {
-  return case_of(deck_of(text, folder), deck_units().front(), "job.inp");
-}
-
-/// Writes the files of a case and reads it as the program does.
-Case read_back(const DeckCase& made, const TemporaryFolder& folder) {
-  for (const DeckFile& file : made.files)
-    std::ofstream(folder.path() / file.name) << file.content;
-  return read_case(folder.path() / "case.toml");
-}
-
-bool remarks_say(const DeckCase& made, const std::string& text) {
-  return std::any_of(made.remarks.begin(), made.remarks.end(), [&](const DeckRemark& one) {
-    return (one.place + ": " + one.text).find(text) != std::string::npos;
-  });
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  text.replace(text.find(from), from.size(), to);
-  return text;
-}
 
 TEST(Deck, becomes_a_case_that_can_be_read) {
   const TemporaryFolder folder;
@@ -250,65 +223,6 @@ TEST(Deck, names_and_numbers_stand_for_sets_and_includes_are_followed) {
   EXPECT_EQ(deck.initial.boundary[1].target, "FOOT");
 }
 
-/// A square that is pulled; its parts are put together as a test needs them.
-struct Pulled {
-  std::string material = "*PLASTIC\n300,0\n";
-  std::string model = {};            // before the first step
-  std::string amplitude = "0,0,1,1"; // points
-  std::string parameters = {};       // of *AMPLITUDE
-  std::string first = "*BOUNDARY,AMPLITUDE=A\nTOP,2,2,-0.5\n";
-  std::string second = {}; // of a second step of 1 s; empty: there is none
-
-  [[nodiscard]] std::string text() const {
-    const std::string last =
-        second.empty() ? "" : "*STEP\n*STATIC\n0.1,1\n" + second + "*END STEP\n";
-    return "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*ELEMENT,TYPE=CPE4,ELSET=E\n1,1,2,3,4\n"
-           "*NSET,NSET=BOT\n1,2\n*ELSET,ELSET=PIECE\n1\n*NSET,NSET=TOP\n3,4\n"
-           "*SOLID SECTION,ELSET=E,MATERIAL=M\n1.\n*MATERIAL,NAME=M\n*ELASTIC\n2e5,0.3\n" +
-           material + "*BOUNDARY\nBOT,2,2\nBOT,1,1\n" + "*AMPLITUDE,NAME=A" + parameters + "\n" +
-           amplitude + "\n" + model + "*STEP,NLGEOM\n*STATIC\n0.1,1\n" + first + "*END STEP\n" +
-           last;
-  }
-};
-
-/// How the upper edge moves.
-DeckHistory pull_of(const Pulled& pulled) {
-  const TemporaryFolder folder;
-  Deck deck = deck_of(pulled.text(), folder);
-  return prescribed_motions(deck).at("TOP").components.at(2);
-}
-
-DeckCase case_of_pulled(const Pulled& pulled) {
-  const TemporaryFolder folder;
-  return case_of_text(pulled.text(), folder);
-}
-
-/// The remarks on a deck, one a line.
-std::string remarks_on(const Pulled& pulled) {
-  std::string all;
-  for (const DeckRemark& one : case_of_pulled(pulled).remarks)
-    all += one.place.substr(one.place.find_last_of('/') + 1) + ": " + one.text + "\n";
-  return all;
-}
-
-Case read_pulled(const Pulled& pulled) {
-  const TemporaryFolder folder;
-  return read_back(case_of_text(pulled.text(), folder), folder);
-}
-
-void expect_history(const DeckHistory& found, const DeckHistory& wanted) {
-  constexpr double rounding = 1e-14; // times and values are of the order of 1
-  ASSERT_EQ(found.size(), wanted.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    EXPECT_NEAR(found[i].first, wanted[i].first, rounding) << "point " << i;
-    EXPECT_NEAR(found[i].second, wanted[i].second, rounding) << "point " << i;
-  }
-}
-
-void expect_remark(const std::string& remarks, const std::string& wanted) {
-  EXPECT_NE(remarks.find(wanted), std::string::npos) << wanted << "\nis not in\n" << remarks;
-}
-
 void expect_refusal(const Pulled& pulled, const std::string& wanted) {
   try {
     (void)case_of_pulled(pulled);
@@ -381,21 +295,6 @@ TEST(Deck, an_amplitude_has_its_first_value_before_its_points_and_its_last_after
   expect_history(pull_of({.amplitude = "3,0.5,4,1"}), {{0.0, -0.25}, {1.0, -0.25}});
 }
 
-TEST(Deck, pressures_and_velocities_go_along_amplitudes_that_do_not_end_with_the_step) {
-  const TemporaryFolder folder;
-  Deck deck = deck_of(Pulled{.amplitude = "0,0,2,1",
-                             .first = "*DLOAD,AMPLITUDE=A\nE,P3,40.\n"
-                                      "*BOUNDARY,TYPE=VELOCITY,AMPLITUDE=A\nTOP,2,2,-0.5\n"}
-                          .text(),
-                      folder);
-  const auto pressures = pressure_histories(deck);
-  ASSERT_EQ(pressures.size(), 1U);
-  expect_history(pressures.front().history, {{0.0, 0.0}, {1.0, 20.0}});
-  const DeckHistory pull = prescribed_motions(deck).at("TOP").components.at(2);
-  EXPECT_DOUBLE_EQ(TimeFunction(pull)(0.5), -0.03125); // integral of -t / 4
-  EXPECT_DOUBLE_EQ(TimeFunction(pull)(1.0), -0.125);
-}
-
 TEST(Deck, a_velocity_goes_on_in_later_steps_until_something_else_is_prescribed) {
   const std::string velocity = "*BOUNDARY,TYPE=VELOCITY\nTOP,2,2,-0.5\n";
   expect_history(pull_of({.first = velocity, .second = "*BOUNDARY\nBOT,1\n"}),
@@ -440,20 +339,6 @@ TEST(Deck, an_amplitude_of_absolute_values_or_with_a_shift_is_what_it_says) {
                  {{0.0, 0.0}, {1.0, -0.2}});
   expect_history(pull_of({.amplitude = "0,0,2,1", .parameters = ",SHIFTX=0.5,SHIFTY=0.1"}),
                  {{0.0, -0.05}, {0.5, -0.05}, {1.0, -0.175}}); // as CalculiX 2.20 has it
-}
-
-TEST(Deck, loads_that_a_step_takes_back_end_at_zero) {
-  const TemporaryFolder folder;
-  Deck deck = deck_of(Pulled{.first = "*DLOAD\nE,P3,40.\n*CLOAD\nTOP,2,7.\n",
-                             .second = "*DLOAD,OP=NEW\nE,P2,10.\n*CLOAD,OP=NEW\nBOT,1,3.\n"}
-                          .text(),
-                      folder);
-  const auto pressures = pressure_histories(deck);
-  ASSERT_EQ(pressures.size(), 2U);
-  expect_history(pressures[0].history, {{0.0, 0.0}, {1.0, 40.0}, {2.0, 0.0}});
-  expect_history(pressures[1].history, {{0.0, 0.0}, {1.0, 0.0}, {2.0, 10.0}});
-  expect_history(concentrated_forces(deck).at("TOP").components.at(2),
-                 {{0.0, 0.0}, {1.0, 7.0}, {2.0, 0.0}});
 }
 
 TEST(Deck, names_that_are_not_there_are_remarks_with_line_and_name) {
@@ -563,81 +448,12 @@ TEST(Deck, says_which_friction_and_gravity_are_left_out) {
   EXPECT_EQ(read_pulled(heavy).loads.size(), 1U);
 }
 
-TEST(Deck, a_traction_keeps_its_direction_and_goes_along_its_amplitude) {
-  const std::string surface = "*SURFACE,NAME=S\nE,S3\n";
-  const Pulled along{.model = surface,
-                     .first = "*DSLOAD,AMPLITUDE=A,FOLLOWER=NO,CONSTANT RESULTANT=YES\n"
-                              "S,TRVEC,5.,0.,2.\n"};
-  EXPECT_EQ(remarks_on(along), "");
-  const Case straight = read_pulled(along);
-  ASSERT_EQ(straight.loads.size(), 1U);
-  const auto& traction = std::get<TractionLoad>(straight.loads.front().kind);
-  EXPECT_EQ(traction.traction, Vec3::UnitY());
-  EXPECT_DOUBLE_EQ(traction.amplitude(0.5), 2.5);
-  const Pulled oblique{
-      .model = surface, .first = "*DLOAD\nE,TRVEC3,5.,3.,4.\n", .second = "*DLOAD,OP=NEW\n"};
-  expect_remark(remarks_on(oblique), "job.inp:31: *DLOAD: TRVEC: the traction keeps its direction");
-  const Case two = read_pulled(oblique);
-  ASSERT_EQ(two.loads.size(), 2U);
-  EXPECT_DOUBLE_EQ(std::get<TractionLoad>(two.loads[0].kind).amplitude(1.0), 3.0);
-  EXPECT_DOUBLE_EQ(std::get<TractionLoad>(two.loads[1].kind).amplitude(1.0), 4.0);
-  EXPECT_DOUBLE_EQ(std::get<TractionLoad>(two.loads[1].kind).amplitude(2.0), 0.0);
-  expect_remark(remarks_on({.model = surface, .first = "*DSLOAD\nS,TRVEC,5.,0.,1.,1.\n"}),
-                "job.inp:32: TRVEC: its component along z is left out\n");
-  expect_remark(remarks_on({.model = surface, .first = "*DSLOAD\nS,TRVEC,5.\n"}),
-                "job.inp:32: *DSLOAD: TRVEC without a direction, left out\n");
-}
-
-TEST(Deck, forces_per_volume_are_body_forces) {
-  const Pulled heavy{.first = "*DLOAD\nE,BY,-5.\nE,BX,2.\n"};
-  EXPECT_EQ(remarks_on(heavy), "");
-  const Case content = read_pulled(heavy);
-  ASSERT_EQ(content.loads.size(), 1U);
-  EXPECT_EQ(std::get<BodyForce>(content.loads.front().kind).force, Vec3(2.0, -5.0, 0.0));
-  expect_remark(remarks_on({.first = "*DLOAD\nE,BZ,-5.\n"}),
-                "job.inp:30: BZ: no axis of the case, left out\n");
-  expect_remark(remarks_on({.first = "*DLOAD,AMPLITUDE=A\nE,BX,-5.\n"}),
-                "job.inp:30: BX: it acts in full from the begin of the run to its end\n");
-  expect_remark(remarks_on({.first = "*DLOAD\nE,BX,1.\n", .second = "*DLOAD\nE,BX,2.\n"}),
-                "*DLOAD: BX is another than at ");
-}
-
 TEST(Deck, one_without_a_step_says_how_long_its_case_is) {
   const TemporaryFolder folder;
   std::string text = Pulled{}.text();
   text.erase(text.find("*STEP"));
   const DeckCase made = case_of_text(text, folder);
   EXPECT_TRUE(remarks_say(made, ": the deck has no *STEP: the case ends at time 1"));
-}
-
-TEST(Deck, one_in_inches_and_pounds_is_converted) {
-  const TemporaryFolder folder;
-  const Pulled pulled{.material = "*PLASTIC\n40000,0\n*DENSITY\n7.4e-4\n",
-                      .model = "*SURFACE,NAME=S\nE,S2\n",
-                      .parameters = ",VALUE=ABSOLUTE",
-                      .first = "*BOUNDARY,AMPLITUDE=A\nTOP,2,2\n*DSLOAD\nS,P,1000.\n"
-                               "*DLOAD\nE,BY,-0.283\nE,GRAV,386.1,0.,-1.\n"};
-  const auto units = std::find_if(deck_units().begin(), deck_units().end(),
-                                  [](const auto& one) { return one.name == "in-lbf-s-psi"; });
-  ASSERT_NE(units, deck_units().end());
-  const DeckCase made = case_of(deck_of(pulled.text(), folder), *units, "job.inp");
-  const Case content = read_back(made, folder);
-  constexpr double psi = 6.894757293168361e-3; // [MPa]
-  const auto near = [](double found, double wanted) {
-    EXPECT_NEAR(found, wanted, 1e-9 * std::abs(wanted)); // ten digits are written
-  };
-  EXPECT_EQ(content.units.name, "mm-N-s-MPa-degC");
-  near(content.materials.at("workpiece").elastic.young, 2e5 * psi);
-  EXPECT_NE(made.files[1].content.find("2, 25.39"), std::string::npos) << made.files[1].content;
-  const auto moved = std::find_if(content.supports.begin(), content.supports.end(),
-                                  [](const Support& one) { return one.move[1].has_value(); });
-  ASSERT_NE(moved, content.supports.end());
-  near((*moved->move[1])(1.0), 25.4);
-  ASSERT_EQ(content.loads.size(), 3U);
-  near(std::get<PressureLoad>(content.loads[0].kind).pressure(1.0), 1000.0 * psi);
-  const double weight = 4.4482216152605 / (25.4 * 25.4 * 25.4); // of a pound in a cubic inch
-  near(std::get<BodyForce>(content.loads[1].kind).force.y(), -7.4e-4 * 386.1 * weight);
-  near(std::get<BodyForce>(content.loads[2].kind).force.y(), -0.283 * weight);
 }
 
 TEST(Deck, keywords_are_shown_as_they_are_written) {
