@@ -6,6 +6,7 @@
 #include "io/case/units.h"
 #include "io/mesh/read_mesh.h"
 #include "io/results/checkpoint.h"
+#include "io/text/text.h"
 #include "io/tools/step.h"
 #include "io/tools/stl.h"
 #include "io/tools/stl_report.h"
@@ -15,7 +16,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -112,9 +112,7 @@ int show_info(const Arguments& arguments) {
     throw Error(Fault::input_output, path.string(), "no such file or folder");
   if (std::filesystem::is_directory(path))
     return info_results(path);
-  std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = io::in_small_letters(path.extension().string());
   if (suffix == ".stl")
     return info_stl(path, arguments.unit);
   if (suffix == ".checkpoint")

@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/case/suggestion.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -55,9 +55,8 @@ std::vector<std::string_view> component_names(int n_components) {
 }
 
 /// The number of a component asked for by its name or its number from 0.
-int component(const std::string& field, std::string asked, int n_components) {
-  std::transform(asked.begin(), asked.end(), asked.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+int component(const std::string& field, const std::string& name, int n_components) {
+  const std::string asked = io::in_small_letters(name);
   const std::vector<std::string_view> names = component_names(n_components);
   if (const auto found = std::find(names.begin(), names.end(), asked); found != names.end())
     return static_cast<int>(found - names.begin());

@@ -1,8 +1,9 @@
 #include "io/case/other_words.h"
 
+#include "io/text/text.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace billet::io {
 
@@ -194,11 +195,10 @@ constexpr std::array other_words{
 };
 
 std::string plain(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-    return c == ' ' || c == '_' ? '-'
-                                : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
+  std::string result = in_small_letters(text);
+  for (char& c : result)
+    if (c == ' ' || c == '_')
+      c = '-';
   return result;
 }
 

@@ -1,12 +1,12 @@
 #include "io/case/suggestion.h"
 
 #include "io/case/other_words.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace billet::io {
 
@@ -14,14 +14,6 @@ namespace {
 
 constexpr std::size_t longest_word = 64; // longer text is no misspelt key
 constexpr std::size_t most_listed = 20;
-
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) { return lower(c); });
-  return result;
-}
 
 /// How far apart two words of these lengths may be and still be taken for one another.
 int largest_distance(std::string_view a, std::string_view b) {
@@ -59,7 +51,7 @@ std::optional<Meant> meant(std::string_view found, const std::vector<std::string
   for (const std::string& word : known) {
     if (found.size() > longest_word || word.size() > longest_word)
       continue;
-    const int distance = edit_distance(lower(found), lower(word));
+    const int distance = edit_distance(in_small_letters(found), in_small_letters(word));
     if (distance <= largest_distance(found, word) && (nearest == nullptr || distance < least)) {
       nearest = &word;
       least = distance;

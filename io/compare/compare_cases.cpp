@@ -1,9 +1,9 @@
 #include "io/case/document.h"
 #include "io/case/read_case.h"
 #include "io/compare/compare_parts.h"
-#include "io/deck/deck.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/scanner.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

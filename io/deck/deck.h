@@ -172,9 +172,6 @@ struct Deck {
   [[nodiscard]] std::vector<DeckNumber> elements_of(const std::string& target) const;
 };
 
-/// A name in capitals.
-[[nodiscard]] std::string in_capitals(std::string_view text);
-
 /// @throws Error (Fault::geometry) at "file:line" for what cannot be a deck
 [[nodiscard]] Deck read_deck(const std::filesystem::path& file, const IncludeBounds& bounds);
 

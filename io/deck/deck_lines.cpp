@@ -1,14 +1,12 @@
 #include "io/deck/deck_lines.h"
 
 #include "geometry/base/error.h"
-#include "io/deck/deck.h"
 #include "io/mesh/scanner.h"
 #include "io/text/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace billet::io {
 
@@ -41,13 +39,6 @@ std::string word_of(std::string_view text) {
 }
 
 } // namespace
-
-std::string in_capitals(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return result;
-}
 
 std::string DeckKeyword::value(const char* parameter) const {
   const auto found = parameters.find(parameter);

@@ -8,6 +8,7 @@
 #include "io/deck/read_loads.h"
 #include "io/deck/read_materials.h"
 #include "io/mesh/scanner.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "io/deck/read_loads.h"
 
 #include "geometry/base/error.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

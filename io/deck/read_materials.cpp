@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/deck/deck_names.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

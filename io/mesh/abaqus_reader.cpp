@@ -22,13 +22,6 @@ namespace {
 using mechanics::ElementKind;
 using mechanics::Index;
 
-std::string upper(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return result;
-}
-
 /// The first comma that is not between quotes.
 std::size_t first_comma(std::string_view text) {
   bool quoted = false;
@@ -171,7 +164,7 @@ private:
       if (line().front() != '*')
         return true;
       const std::string_view text = line().substr(1);
-      if (upper(trimmed(text.substr(0, text.find(',')))) != "INCLUDE")
+      if (in_capitals(trimmed(text.substr(0, text.find(',')))) != "INCLUDE")
         return true;
       const Keyword keyword = read_keyword();
       if (keyword.parameters.contains("PASSWORD"))
@@ -188,7 +181,7 @@ private:
     Keyword keyword;
     for (const std::string_view part : comma_parts(text)) {
       const std::size_t equals = part.find('=');
-      const std::string key = upper(trimmed(part.substr(0, equals)));
+      const std::string key = in_capitals(trimmed(part.substr(0, equals)));
       if (keyword.name.empty())
         keyword.name = key;
       else
@@ -201,7 +194,7 @@ private:
 
   void refuse_generators(const Keyword& keyword) const {
     if (keyword.name == "NODE" && !keyword.value("SYSTEM").empty() &&
-        upper(keyword.value("SYSTEM")) != "R")
+        in_capitals(keyword.value("SYSTEM")) != "R")
       lines_.fail(fmt::format("*NODE with SYSTEM={} gives coordinates that are not rectangular",
                               keyword.value("SYSTEM").substr(0, 20)),
                   "write all nodes with x, y, z");
@@ -260,7 +253,7 @@ private:
   }
 
   NamedSet& named(Sets& sets, const std::string& name) const {
-    NamedSet& set = sets[upper(name)];
+    NamedSet& set = sets[in_capitals(name)];
     if (set.name.empty()) {
       set.name = name;
       set.place = lines_.place();
@@ -289,7 +282,7 @@ private:
   }
 
   void start_elements(const Keyword& keyword) {
-    type_name_ = upper(keyword.value("TYPE"));
+    type_name_ = in_capitals(keyword.value("TYPE"));
     type_ = abaqus_type(type_name_);
     if (type_name_ == "B31" || type_name_ == "B21")
       type_ = {1, 2, {}};
@@ -379,7 +372,7 @@ private:
         named(sets, name).members.push_back(member);
         continue;
       }
-      const auto other = sets.find(upper(unquoted(part)));
+      const auto other = sets.find(in_capitals(unquoted(part)));
       if (other == sets.end())
         lines_.fail(fmt::format("\"{}\" is neither a number nor the name of a set given before",
                                 part.substr(0, 40)));

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <fstream>
 #include <optional>
@@ -57,9 +56,7 @@ MeshFormat mesh_format(const std::filesystem::path& path) {
   const std::string_view text(first.data(), static_cast<std::size_t>(stream.gcount()));
   if (const std::optional<MeshFormat> format = format_of(text))
     return *format;
-  std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = in_small_letters(path.extension().string());
   for (const Suffix& known : suffixes)
     if (known.text == suffix)
       return known.format;

@@ -2,6 +2,7 @@
 
 #include "geometry/base/error.h"
 #include "io/case/toml_text.h"
+#include "io/text/text.h"
 #include "io/translate/deck_forces.h"
 #include "io/translate/deck_history.h"
 #include "io/translate/deck_mesh.h"

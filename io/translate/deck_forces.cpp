@@ -1,6 +1,7 @@
 #include "io/translate/deck_forces.h"
 
 #include "io/case/toml_text.h"
+#include "io/text/text.h"
 #include "io/translate/deck_history.h"
 #include "io/translate/deck_tools.h"
 

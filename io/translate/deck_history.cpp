@@ -1,6 +1,7 @@
 #include "io/translate/deck_history.h"
 
 #include "geometry/base/time_function.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

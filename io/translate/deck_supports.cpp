@@ -1,6 +1,7 @@
 #include "io/translate/deck_supports.h"
 
 #include "io/case/toml_text.h"
+#include "io/text/text.h"
 #include "io/translate/deck_tools.h"
 
 #include <fmt/format.h>
