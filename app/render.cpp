@@ -44,7 +44,7 @@ void draw_curves(const std::vector<std::string>& arguments,
     return;
   std::string line;
   for (const std::string& word : command)
-    line += " " + study::quoted(word);
+    line.append(" ").append(study::quoted(word));
   say(fmt::format("a picture could not be drawn (status {}); this tells why:{}", status, line));
 }
 

@@ -43,7 +43,7 @@ std::string command_line() {
   std::string line;
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t end = std::min(words.find('\0', at), words.size());
-    line += (line.empty() ? "" : " ") + shell_word(words.substr(at, end - at));
+    line.append(line.empty() ? "" : " ").append(shell_word(words.substr(at, end - at)));
     at = end + 1;
   }
   return line;

@@ -346,6 +346,20 @@ private:
     return Done{};
   }
 
+  /// Each of two sets of contacts leads to the other: the last residuals are those of two
+  /// iterations before. Half of the correction ends between them. (N.9a)
+  [[nodiscard]] bool goes_to_and_fro() const {
+    constexpr std::size_t rounds = 2;
+    constexpr double same = 0.01;
+    const std::vector<IterationRecord>& all = newton_.records_;
+    if (missing() > 0.0 || all.size() < rounds + 2)
+      return false;
+    for (std::size_t i = all.size() - rounds; i < all.size(); ++i)
+      if (std::abs(all[i].residual - all[i - 2].residual) > same * all[i].residual)
+        return false;
+    return true;
+  }
+
   /// How far unknowns are from what is prescribed [mm].
   [[nodiscard]] double missing() const {
     double most = 0.0;
@@ -401,6 +415,8 @@ private:
       newton_.limit_correction(x_old_, x_);
     if (newton_.shorten_correction() && ++shortened_ > max_shortened)
       return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
+    if (goes_to_and_fro())
+      newton_.halve_correction();
     // While supports still move their work is unknown to the search: it takes the whole step.
     // So it does where contacts were kept: the residual is not that of the real contacts.
     const bool whole = missing() > 0.0 || newton_.system_.kept_contacts;
@@ -482,6 +498,11 @@ bool Newton::shorten_correction() {
   for (double& value : correction_)
     value *= share * settings_.largest_correction / longest;
   return true;
+}
+
+void Newton::halve_correction() {
+  for (double& value : correction_)
+    value *= 0.5;
 }
 
 void Newton::forget() {

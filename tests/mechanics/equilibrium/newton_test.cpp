@@ -9,6 +9,7 @@
 #include "tests/support/patch.h"
 #include "tests/support/sample_materials.h"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -226,6 +227,74 @@ TEST(Newton, does_not_take_a_short_step_of_its_search_for_rounding) {
       EXPECT_FALSE(report) << share << ": " << report->residual;
     }
   }
+}
+
+/// Four unknowns on springs of stiffness 1, and three unilateral supports. From zero Newton's whole
+/// steps go to and fro between two sets of supports that bear, for ever.
+class GoesToAndFro final : public ForceTerm {
+public:
+  GoesToAndFro(std::vector<Index> unknowns, std::vector<double> start)
+      : unknowns_(std::move(unknowns)), start_(std::move(start)) {}
+  [[nodiscard]] Outcome<Assembled> assemble(const Trial& trial, System& system) override {
+    const Eigen::Vector4d load(-0.2, -0.2, 1.7, 0.8);
+    Eigen::Matrix<double, 3, 4> gaps;
+    gaps << -1.7, -2.7, 1.5, -0.8, -1.0, 0.8, -0.2, -0.3, -0.2, -1.4, 0.1, 1.7;
+    Eigen::Matrix<double, 4, 3> pushes;
+    pushes << -0.1, 1.4, -1.1, -1.4, 1.4, -0.8, -1.0, 0.2, 1.3, -0.1, 0.8, -0.5;
+    Eigen::Vector4d u;
+    for (Index i = 0; i < 4; ++i)
+      u[i] = trial.x[idx(unknowns_[idx(i)])] - start_[idx(unknowns_[idx(i)])];
+    const Eigen::Vector3d g = gaps * u;
+    const Eigen::Vector3d bears = (g.array() > 0.0).cast<double>();
+    const Eigen::Vector4d force = u - load + pushes * bears.cwiseProduct(g);
+    const Eigen::Matrix4d tangent =
+        Eigen::Matrix4d::Identity() + pushes * bears.asDiagonal() * gaps;
+    for (Index i = 0; i < 4; ++i) {
+      const Index row = unknowns_[idx(i)];
+      system.residual[idx(row)] += force[i];
+      for (Index j = 0; j < 4; ++j)
+        system.tangent.values[idx(system.tangent.pattern->entry(row, unknowns_[idx(j)]))] +=
+            tangent(i, j);
+    }
+    system.symmetric = false;
+    return Assembled{};
+  }
+  void commit(const Trial& /*trial*/) override {}
+  [[nodiscard]] bool nonsmooth() const override { return true; }
+
+private:
+  std::vector<Index> unknowns_;
+  std::vector<double> start_;
+};
+
+TEST(Newton, leaves_two_sets_of_contacts_that_lead_to_each_other) {
+  const Mesh mesh = box_mesh({.kind = ElementKind::quad4, .cells = {1, 1, 1}});
+  const BlockPattern pattern = block_pattern(mesh);
+  const std::vector<double> start = flat(mesh);
+  Prescribed held;
+  std::vector<Index> free;
+  for (Index i = 0; i < pattern.n_dofs(); ++i) {
+    if (mesh.points[idx(i / 2)][1] != 0.0) {
+      free.push_back(i);
+      continue;
+    }
+    held.unknowns.push_back(i);
+    held.positions.push_back(start[idx(i)]);
+  }
+  GoesToAndFro supports(free, start);
+  ForceTerm* terms[] = {&supports};
+  constexpr double scale = 1e3; // residuals that are not hopeless
+  Newton newton(pattern, SolverSettings{}, {1e-9, 24, scale, 1e6});
+  std::vector<double> x = start;
+  const auto report = newton.solve(terms, held, 0.0, 1.0, start, x);
+  ASSERT_TRUE(report);
+  EXPECT_LE(report->residual, 1e-9);
+  const auto& records = newton.records();
+  ASSERT_GT(records.size(), 6U);
+  for (const std::size_t there : {3U, 5U})
+    EXPECT_NEAR(scale * records[there].residual, 1.228525, 1e-5);
+  for (const std::size_t back : {2U, 4U})
+    EXPECT_NEAR(scale * records[back].residual, 1.141249, 1e-5);
 }
 
 /// Passes on to the bulk and counts what is asked for.
