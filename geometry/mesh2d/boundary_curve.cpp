@@ -139,7 +139,11 @@ BoundaryCurve::BoundaryCurve(const SideLoop& loop, std::int32_t number, const Co
   const std::vector<char> kept = kept_corners(loop, rule);
   const auto first = std::find_if(kept.begin(), kept.end(), [](char k) { return k != 0; });
   const bool any = first != kept.end();
-  add_pieces(loop, any ? static_cast<std::size_t>(first - kept.begin()) : 0, kept);
+  const std::size_t start = any ? static_cast<std::size_t>(first - kept.begin()) : 0;
+  if (rule.parabolas)
+    add_parabolas(loop, start);
+  else
+    add_pieces(loop, start, kept);
   for (Piece& piece : pieces_) {
     piece.start = length_;
     if (piece.xi == 0.0 && kept[static_cast<std::size_t>(piece.side)] != 0)
@@ -173,6 +177,31 @@ void BoundaryCurve::add_pieces(const SideLoop& loop,
         handle(is_kept(i + 1) ? Vec2(-tangent_at_end(-e, -before)) : tangent_between(e, after), e);
     piece.side = static_cast<std::int32_t>((first + i / 2) % loop.corners.size());
     piece.xi = i % 2 == 0 ? 0.0 : 0.5;
+    pieces_.push_back(piece);
+  }
+}
+
+/// Each half of a side as the cubic that is the same parabola.
+void BoundaryCurve::add_parabolas(const SideLoop& loop, std::size_t first) {
+  constexpr double of_half = 1.0 / 6.0; // a third, for the control point, of half a side
+  const std::size_t n = loop.corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t side = (first + i) % n;
+    const Vec2 &a = loop.corners[side], &m = loop.middles[side], &b = loop.corners[(side + 1) % n];
+    const Ends along = ends(loop, side);
+    Piece piece;
+    piece.side = static_cast<std::int32_t>(side);
+    piece.a = a;
+    piece.b = m;
+    piece.u = of_half * along.first;
+    piece.v = of_half * (b - a);
+    piece.xi = 0.0;
+    pieces_.push_back(piece);
+    piece.a = m;
+    piece.b = b;
+    piece.u = piece.v;
+    piece.v = of_half * along.last;
+    piece.xi = 0.5;
     pieces_.push_back(piece);
   }
 }

@@ -27,6 +27,7 @@ struct CornerRule {
   /// Ripples of free sides that one no longer than that, near a place, passes over have none;
   /// empty: they do. [mm]
   std::function<double(const Vec2&)> longest_side = {};
+  bool parabolas = false; ///< sides are taken as they are, and not as a smooth curve (G.41)
 };
 
 class BoundaryCurve {
@@ -85,6 +86,7 @@ private:
 
   [[nodiscard]] At at(double s) const;
   void add_pieces(const SideLoop& loop, std::size_t first, const std::vector<char>& kept);
+  void add_parabolas(const SideLoop& loop, std::size_t first);
   void find_free_stretches(const SideLoop& loop);
 
   std::vector<Piece> pieces_;

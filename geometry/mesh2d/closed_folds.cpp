@@ -13,7 +13,8 @@ namespace {
 
 constexpr double most_way = 0.25;  // of the loop's length that a fold may take
 constexpr double most_area = 0.02; // of the loop's area
-constexpr std::size_t chords_of_side = 4;
+/// Sides that bulge may cross each other in a twelfth of their length next to their corner.
+constexpr std::size_t chords_of_side = 12;
 
 /// A place on a side's parabola.
 Vec2 on_side(const SideLoop& loop, std::size_t side, double xi) {
@@ -103,8 +104,12 @@ double doubled_area(const Chords& all, std::size_t from, std::size_t to, const V
 
 class Finder {
 public:
-  Finder(const SideLoop& loop, std::span<const char> stays, double near, double deepest)
-      : loop_(loop), chords_(loop), stays_(stays), near_(near), deepest_(deepest) {
+  Finder(const SideLoop& loop,
+         std::span<const char> stays,
+         double near,
+         double deepest,
+         std::span<const Vec2> welds)
+      : loop_(loop), chords_(loop), stays_(stays), near_(near), deepest_(deepest), welds_(welds) {
     const std::size_t n = chords_.points.size();
     area_ = doubled_area(chords_, 0, n - 1, chords_.points.front());
   }
@@ -172,7 +177,7 @@ private:
     const bool crosses = crossing(chords_, i, j).has_value();
     if (fold.way > most_way * total || fold.depth() > deepest_ ||
         std::abs(area) > most_area * std::abs(area_) || (!crosses && area > 0.0) ||
-        holds_what_stays(fold))
+        is_rest_of_weld(fold) || holds_what_stays(fold))
       return std::nullopt;
     return fold;
   }
@@ -181,6 +186,11 @@ private:
     const double chords = static_cast<double>(chords_of_side);
     return {0, static_cast<std::int32_t>(chord / chords_of_side),
             (static_cast<double>(chord % chords_of_side) + share) / chords};
+  }
+
+  [[nodiscard]] bool is_rest_of_weld(const ClosedFold& fold) const {
+    return std::any_of(welds_.begin(), welds_.end(),
+                       [&](const Vec2& weld) { return (weld - fold.at).norm() <= 2.0 * deepest_; });
   }
 
   [[nodiscard]] bool holds_what_stays(const ClosedFold& fold) const {
@@ -199,14 +209,18 @@ private:
   std::span<const char> stays_;
   double near_;
   double deepest_;
+  std::span<const Vec2> welds_;
   double area_ = 0.0;
 };
 
 } // namespace
 
-std::optional<ClosedFold>
-closed_fold(const SideLoop& loop, std::span<const char> stays, double near, double deepest) {
-  return Finder(loop, stays, near, deepest).longest();
+std::optional<ClosedFold> closed_fold(const SideLoop& loop,
+                                      std::span<const char> stays,
+                                      double near,
+                                      double deepest,
+                                      std::span<const Vec2> welds) {
+  return Finder(loop, stays, near, deepest, welds).longest();
 }
 
 WeldedLoop without_fold(const SideLoop& loop, const ClosedFold& fold, double rest) {

@@ -35,10 +35,13 @@ struct ClosedFold {
 /// @param near   lips meet that are no farther than this from each other, if what lies between is
 ///               outside and deeper than twice that; 0: they have to cross [mm]
 /// @param deepest  that it may be [mm]
+/// @param welds  places of roots that have been welded: a fold within twice `deepest` of one is the
+///               rest of the same crease, and is left
 [[nodiscard]] std::optional<ClosedFold> closed_fold(const SideLoop& loop,
                                                     std::span<const char> stays,
                                                     double near,
-                                                    double deepest = HUGE_VAL);
+                                                    double deepest = HUGE_VAL,
+                                                    std::span<const Vec2> welds = {});
 
 /// A loop without a fold, and where it comes from.
 struct WeldedLoop {

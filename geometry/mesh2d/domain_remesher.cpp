@@ -313,8 +313,15 @@ RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
     if (error.fault() != Fault::geometry)
       throw;
   }
-  // A smooth curve may cut its own corners: at the mouth of a fold that closes, the other lip.
-  return Remesher(loops, sizes, measure, snap, {.turn = fold_turn}).run();
+  try { // A smooth curve may cut its own corners: at the mouth of a fold that closes, the other
+        // lip.
+    return Remesher(loops, sizes, measure, snap, {.turn = fold_turn}).run();
+  } catch (const Error& error) {
+    if (error.fault() != Fault::geometry)
+      throw;
+  }
+  // Arcs of sides that bulge like half a circle leave their corner backwards, parabolas do not.
+  return Remesher(loops, sizes, measure, snap, {.turn = fold_turn, .parabolas = true}).run();
 }
 
 } // namespace billet::geometry

@@ -261,17 +261,13 @@ std::vector<char> supported_sides(const PartBoundary& boundary, const SideLoop& 
 std::vector<geometry::ClosedFold>
 weld_folds(PartBoundary& boundary, double near, double rest, double deepest) {
   std::vector<geometry::ClosedFold> folds;
-  const auto goes_on_from_weld = [&](const geometry::ClosedFold& fold) {
-    return std::isfinite(deepest) &&
-           std::any_of(folds.begin(), folds.end(), [&](const geometry::ClosedFold& known) {
-             return (known.at - fold.at).norm() <= 2.0 * deepest;
-           });
-  };
+  std::vector<Vec2> roots;
   for (std::size_t l = 0; l < boundary.loops.size(); ++l)
-    while (auto fold = geometry::closed_fold(
-               boundary.loops[l], supported_sides(boundary, boundary.loops[l]), near, deepest)) {
-      if (goes_on_from_weld(*fold))
-        break;
+    while (auto fold = geometry::closed_fold(boundary.loops[l],
+                                             supported_sides(boundary, boundary.loops[l]), near,
+                                             deepest, roots)) {
+      if (std::isfinite(deepest))
+        roots.push_back(fold->at);
       fold->from.loop = fold->to.loop = static_cast<std::int32_t>(l);
       folds.push_back(*fold);
       cut_off(boundary, l, *fold, rest);

@@ -103,6 +103,37 @@ TEST(ClosedFolds, NoDeeperThanAskedForIsTheRootAlone) {
   EXPECT_NEAR(rest->depth(), 1.0 - root->depth(), 0.1);
 }
 
+TEST(ClosedFolds, TheRestOfAWeldedCreaseIsLeftForTheNextOne) {
+  const SideLoop loop = creased(0.05, 0.05);
+  const std::vector<char> nothing_stays(loop.corners.size(), 0);
+  constexpr double deepest = 0.3;
+  const auto root = closed_fold(loop, nothing_stays, 0.06, deepest);
+  ASSERT_TRUE(root);
+  const std::vector<Vec2> here{root->at}, elsewhere{root->at + Vec2(2.1 * deepest, 0)};
+  const WeldedLoop welded = without_fold(loop, *root, 0.05);
+  const std::vector<char> stays(welded.loop.corners.size(), 0);
+  EXPECT_FALSE(closed_fold(welded.loop, stays, 0.06, deepest, here));
+  EXPECT_TRUE(closed_fold(welded.loop, stays, 0.06, deepest, elsewhere));
+}
+
+TEST(ClosedFolds, SidesThatBulgeCrossNextToTheirCorner) {
+  SideLoop loop =
+      straight({{0, 0}, {10, 0}, {10, 10}, {5.5, 10}, {5, 10}, {4.5, 10}, {0, 10}}, 0.5);
+  const auto bulge = [&](const Vec2& from, const Vec2& middle) {
+    const auto side = std::find(loop.corners.begin(), loop.corners.end(), from);
+    ASSERT_NE(side, loop.corners.end());
+    loop.middles[static_cast<std::size_t>(side - loop.corners.begin())] = middle;
+  };
+  // Parabolas that meet again where a sixth of each is left.
+  bulge({5.5, 10}, {5.1, 10.3});
+  bulge({5, 10}, {4.9, 10.3});
+  const auto fold = fold_of(loop);
+  ASSERT_TRUE(fold);
+  EXPECT_NEAR(fold->at.x(), 5.0, 1e-9);
+  EXPECT_NEAR(fold->at.y(), 10.0 + 1.0 / 6.0, 0.01);
+  EXPECT_FALSE(fold_of(without_fold(loop, *fold, 0.1).loop));
+}
+
 TEST(ClosedFolds, AThinWebIsNoFold) {
   // The same shape of the boundary with the metal between the walls.
   const SideLoop loop = straight(

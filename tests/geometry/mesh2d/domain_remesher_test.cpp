@@ -419,6 +419,31 @@ TEST(DomainRemesher, AFoldThatClosesIsMeshedUntilItTouches) {
             std::string::npos);
 }
 
+TEST(DomainRemesher, SidesThatBulgeMoreThanHalfACircleAreMeshedAsTheyAre) {
+  // The circles through their nodes leave the corner between them backwards, into each other.
+  SideLoop loop = outline({{{0, 0}, 0},
+                           {{10, 0}, 0},
+                           {{10, 5}, 0},
+                           {{5.5, 5}, 0},
+                           {{5, 5}, 0},
+                           {{4.5, 5}, 0},
+                           {{0, 5}, 0}},
+                          0.7);
+  std::size_t bulges = 0;
+  for (std::size_t i = 0; i < loop.corners.size(); ++i)
+    if (const Vec2 middle = loop.middles[i];
+        middle.y() == 5.0 && std::abs(middle.x() - 5.0) < 0.5) {
+      loop.middles[i].y() += 0.35;
+      ++bulges;
+    }
+  ASSERT_EQ(bulges, 2U);
+  const RemeshedDomain domain = remeshed(loop, {0.05, 0.7});
+  expect_sound(domain, "bulges");
+  const auto highest = std::max_element(domain.mesh.points.begin(), domain.mesh.points.end(),
+                                        [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  EXPECT_NEAR(highest->y(), 5.35, 0.02);
+}
+
 TEST(DomainRemesher, RepeatsToTheBitInAnyUnit) {
   SideLoop loop = forging();
   for (auto* nodes : {&loop.corners, &loop.middles})
