@@ -317,7 +317,7 @@ RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
         // lip.
     return Remesher(loops, sizes, measure, snap, {.turn = fold_turn}).run();
   } catch (const Error& error) {
-    if (error.fault() != Fault::geometry)
+    if (error.fault() != Fault::geometry || !sizes.or_parabolas)
       throw;
   }
   // Arcs of sides that bulge like half a circle leave their corner backwards, parabolas do not.

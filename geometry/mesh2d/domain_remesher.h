@@ -53,6 +53,8 @@ struct RemeshSizes {
   /// Longest side that passes over ripples of the boundary near a place, 0: none; empty: the size
   /// asked for there. (G.42a) [mm]
   std::function<double(const Vec2&)> over_ripples = {};
+  bool or_parabolas = true; ///< where the smooth curve (G.41) touches itself, sides are taken as
+                            ///< the parabolas they are
 };
 
 /// What is kept of the domain.

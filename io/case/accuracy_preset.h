@@ -18,7 +18,7 @@ struct AccuracyPreset {
   case Accuracy::draft:
     return {1.0 / 0.6, 1e-4};
   case Accuracy::fine:
-    return {0.2, 1e-6};
+    return {0.05, 1e-6};
   case Accuracy::standard:
     break;
   }

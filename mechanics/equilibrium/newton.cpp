@@ -350,7 +350,7 @@ private:
   /// iterations before. Half of the correction ends between them. (N.9a)
   [[nodiscard]] bool goes_to_and_fro() const {
     constexpr std::size_t rounds = 2;
-    constexpr double same = 0.01;
+    constexpr double same = 0.003;
     const std::vector<IterationRecord>& all = newton_.records_;
     if (missing() > 0.0 || all.size() < rounds + 2)
       return false;

@@ -12,8 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace billet::process {
 
@@ -67,29 +70,58 @@ double radius_there(const Run& run) {
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
 
+/// The tool where the part is deepest in it, if it is broad.
+std::optional<geometry::Projection> broad_tool_there(const Run& run) {
+  if (run.attempt.narrow_radius >= 0.0)
+    return std::nullopt;
+  const geometry::Projection there = tool_there(run);
+  return there.found() ? std::optional(there) : std::nullopt;
+}
+
 /// How deep the end of a face that stands at an angle to a broad tool may be before the first of
-/// its contact points, which are away from the end, meets the tool; 0 where the tool is not broad.
+/// contact points, which are away from the end, meets the tool; 0 where the tool is not broad.
 /// [mm] (P.41)
-double ahead_of_points(const Run& run, const geometry::Projection& there) {
+///
+/// @param faces  those whose points may be the first
+double ahead_of_points(const Run& run, std::span<const Index> faces) {
+  const std::optional<geometry::Projection> there = broad_tool_there(run);
+  if (!there)
+    return 0.0;
   const contact::Penetration::Place& deep = run.attempt.penetration.relative;
   const contact::ContactSurface& surface = *run.model.surface;
   const geometry::Pose pose = run.model.contact->pose(deep.tool, run.state.time, run.attempt.x);
   constexpr double one_way = 0.94; // cosine between its normals before the whole face
-  const Vec3 into_tool = -(pose.rotation * there.normal);
+  const Vec3 into_tool = -(pose.rotation * there->normal);
   double deepest_point = -HUGE_VAL, deepest_end = -HUGE_VAL;
   const std::size_t points = idx(surface.points());
-  for (std::size_t k = idx(deep.face) * points; k < (idx(deep.face) + 1) * points; ++k) {
-    const Vec3& position = run.model.contact->state().positions[k];
-    const Vec3 at = pose.to_tool(position);
-    geometry::Projection foot;
-    run.tools()[deep.tool].surface->project({&at, 1}, body_size(run.mesh()), {&foot, 1});
-    if (!foot.found() || foot.normal.dot(there.normal) < one_way)
-      return 0.0;
-    deepest_point = std::max(deepest_point, into_tool.dot(position));
-  }
+  for (const Index face : faces)
+    for (std::size_t k = idx(face) * points; k < (idx(face) + 1) * points; ++k) {
+      const Vec3& position = run.model.contact->state().positions[k];
+      const Vec3 at = pose.to_tool(position);
+      geometry::Projection foot;
+      run.tools()[deep.tool].surface->project({&at, 1}, body_size(run.mesh()), {&foot, 1});
+      if (!foot.found() || foot.normal.dot(there->normal) < one_way)
+        return 0.0;
+      deepest_point = std::max(deepest_point, into_tool.dot(position));
+    }
   for (const Vec3& end : surface.samples(run.attempt.x, deep.face, 1))
     deepest_end = std::max(deepest_end, into_tool.dot(end));
   return deepest_end - deepest_point;
+}
+
+/// The face that is deepest in a tool, and those that share a node with it.
+std::vector<Index> faces_around_deepest(const Run& run) {
+  const contact::ContactSurface& surface = *run.model.surface;
+  const mechanics::Scatter& all = surface.scatter();
+  const auto own = all.nodes(run.attempt.penetration.relative.face);
+  std::vector<Index> faces;
+  const auto n_faces = static_cast<Index>(surface.n_points()) / surface.points();
+  for (Index face = 0; face < n_faces; ++face) {
+    const auto nodes = all.nodes(face);
+    if (std::find_first_of(own.begin(), own.end(), nodes.begin(), nodes.end()) != own.end())
+      faces.push_back(face);
+  }
+  return faces;
 }
 
 /// Whether the deepest place is deeper than where contact points could have met the tool.
@@ -103,9 +135,7 @@ bool is_unfelt(const Run& run) {
   const double spacing = between_points * length;
   if (radius >= narrow * length && !(deep.depth > 0.125 * spacing * spacing / radius))
     return false;
-  const bool is_narrow = run.attempt.narrow_radius >= 0.0;
-  const geometry::Projection there = tool_there(run);
-  return is_narrow || !there.found() || deep.depth > ahead_of_points(run, there);
+  return deep.depth > ahead_of_points(run, {&deep.face, 1});
 }
 
 Outcome<Done> check_unfelt(const Run& run) {
@@ -229,10 +259,16 @@ void note_deepest_tool(Run& run) {
   constexpr double slender = 0.7; // elements of another shape are as large as they are thick
   const double size =
       std::max(run.model.surface->depth(deep.face), slender * run.model.narrow->length(deep.face));
-  if (deep.depth > run.state.record.deepest_tool.share * size)
-    run.state.record.deepest_tool = {
-        deep.depth / size, deep.depth, run.attempt.penetration.at_points,
-        run.state.time,    deep.tool,  deep.position};
+  DeepestTool& deepest = run.state.record.deepest_tool;
+  if (!(deep.depth > deepest.share * size))
+    return;
+  // The end of a face that meets a broad tool at an angle, as in the bite of a roll, comes first on
+  // any mesh; where it comes much too early the mesh is too coarse.
+  const double ahead = std::max(0.0, ahead_of_points(run, faces_around_deepest(run)));
+  const double share = (deep.depth - (ahead < deepest_unfelt * size ? ahead : 0.0)) / size;
+  if (share > deepest.share)
+    deepest = {share,          deep.depth, run.attempt.penetration.at_points,
+               run.state.time, deep.tool,  deep.position};
 }
 
 } // namespace billet::process

@@ -15,8 +15,9 @@ std::vector<Lap> laps(const Run& run) {
   constexpr double noticed = 0.25; // of an element: in a hollow corner of a die sides touch
   const std::vector<int> none(run.part().contact_faces.size(), -1);
   const double element = mean_side(run.mesh());
-  // Walls that contact holds lie in each other by what its penalty needs: that is no crossing.
-  constexpr double held = 1e-3; // of an element
+  // Walls that contact holds lie in each other by what its penalty needs, and by more between its
+  // points: that is no crossing.
+  constexpr double held = 0.02; // of an element
   const std::vector<double> x = positions_with_parted_walls(run, held * element);
   std::vector<Lap> found;
   if (run.mesh().dimension() == 2) {

@@ -117,6 +117,7 @@ new_plane_part_within(const Run& run, const PartBoundary& boundary, const AskedS
           .head<2>();
     };
   geometry::RemeshSizes sizes = remesh_sizes(run);
+  sizes.or_parabolas = !run.scene.remesh->weld; // a fold that closes is welded then
   sizes.at = contact_sizes(boundary, usual_sizes(run).zones);
   sizes.at.insert(sizes.at.end(), asked.at.begin(), asked.at.end());
   const std::vector<geometry::SizeAt> flow = sizes_for_flow(run);

@@ -77,7 +77,7 @@ struct InitialPenetration {
 /// Where a tool has been the deepest in the part so far, relative to the element there: to its
 /// depth or the length of its face, whichever is larger.
 struct DeepestTool {
-  double share = 0.0;     ///< [-]
+  double share = 0.0;     ///< of the element, without what an end is ahead of its points [-]
   double depth = 0.0;     ///< of the deepest point found [mm]
   double at_points = 0.0; ///< of the deepest contact point then [mm]
   double time = 0.0;      ///< [s]

@@ -149,7 +149,8 @@ TEST_F(NarrowTool, InThePlaneAWireHasAForce) {
 // Its end is in the wall before a contact point is: small increments came to that, large ones went
 // past it.
 TEST_F(NarrowTool, AFaceMayMeetABroadToolEndFirst) {
-  const Outcome outcome = run(R"(analysis = "plane-strain"
+  const auto case_text = [](const std::string& normal) {
+    return R"(analysis = "plane-strain"
 [workpiece]
 element = "quad4"
 material = "m"
@@ -165,13 +166,18 @@ where = "set:x-min"
 move = { x = [[0, 0], [1, 0.3]] }
 [[tool]]
 name = "wall"
-surface = { plane = { point = [0.05, 1], normal = [-0.643, -0.766] } }
+surface = { plane = { point = [0.05, 1], normal = )" +
+           normal + R"( } }
 [contact]
 surface = "set:y-max"
 [time]
 end = 1
 increments = { first = 0.005, max = 0.005 }
-)");
+)";
+  };
+  const Outcome slight = run(case_text("[-0.342, -0.940]"));
+  EXPECT_EQ(slight.status, 0) << slight.err;
+  const Outcome outcome = run(case_text("[-0.643, -0.766]"));
   EXPECT_EQ(outcome.status, 8) << outcome.err;
   EXPECT_TRUE(outcome.says("failed check 'tool-in-part'")) << "the mesh is too coarse for it";
   EXPECT_EQ(summary()["cutbacks"], 0);

@@ -244,10 +244,14 @@ move = { x = [[0, 0], [1, -1]] }
 [time]
 end = 1
 )";
-  EXPECT_TRUE(warns(run(pressed, "kept"), "the boundary of the part crosses itself near"));
+  const std::string unfelt = "[contact]\nself = false\n";
+  EXPECT_TRUE(warns(run(pressed + unfelt, "kept"), "the boundary of the part crosses itself near"));
   const std::string remesh = "[remesh]\nwhen = { interval = 0.25 }\n";
   EXPECT_FALSE(warns(run(pressed + remesh, "two"), "welded a fold, 4")) << "not unasked";
-  const auto anew = run(pressed + remesh + "weld = true\n", "anew");
+  const auto kept = run(pressed + remesh + "weld = true\n", "kept-anew");
+  EXPECT_TRUE(warns(kept, "walls of the part have met")) << "there is a mesh without a weld";
+  EXPECT_FALSE(warns(kept, "crosses itself"));
+  const auto anew = run(pressed + remesh + "weld = true\n" + unfelt, "welded-anew");
   EXPECT_TRUE(warns(anew, "welded a fold, 4.1")) << "4 deep";
   EXPECT_FALSE(warns(anew, "crosses itself"));
 }
