@@ -169,7 +169,7 @@ void print_trapped(const process::Scene& scene, const io::UnitSystem& units) {
 }
 
 void print_activity(const process::Scene& scene, const process::Run& run, const io::Case& content) {
-  fmt::print("active: {} unknowns a node, {}, {}wear, {}remeshing\n", scene.part.mesh.dimension(),
+  fmt::print("active: {} unknowns per node, {}, {}wear, {}remeshing\n", scene.part.mesh.dimension(),
              describe(scene, content), run.model.wear.get() != nullptr ? "" : "no ",
              scene.remesh ? "" : "no ");
   if (scene.remesh)

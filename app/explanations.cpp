@@ -20,7 +20,7 @@ constexpr std::array table{
         "Nothing has been run.",
         "Misspelt keys, units that do not fit the quantity, tools or materials that are named and "
         "not there.",
-        "All errors are printed in one go, with line and column; billet check shows them without a "
+        "All errors are printed together, with line and column; billet check shows them without a "
         "run, and an editor with the schema of billet schema shows them while you write."},
     Explanation{"exit-4", "exit status", "A mesh, an STL or STEP file or a profile cannot be used.",
                 "Elements that are turned inside out or lie on each other, open surfaces, a tool "

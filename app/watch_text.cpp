@@ -94,7 +94,7 @@ std::string tool_lines(const ResultsFolder& results, int columns) {
     text += fmt::format("{:<{}}  {}  {}", tool, name_width, text_curve(forces, width),
                         results.of_whole(readable_number(forces.back(), units.force)));
     if (!ways.empty() && ways.back() > 0.0)
-      text += fmt::format("  way {}", readable_number(ways.back(), units.length));
+      text += fmt::format("  stroke {}", readable_number(ways.back(), units.length));
     text += "\n";
   }
   return text;

@@ -43,8 +43,8 @@ def pictures(name, asked):
     """Names of the pictures of a case and the options they are drawn with."""
     yield "film.gif", ["--animate", "--size", "480x360", "--fps", "8",
                        "--frames", asked.get("frames", "::"), *asked["film"]]
-    if asked.get("stroke"):
-        yield "stroke.png", ["--curve", "--size", "640x480"]
+    if curve := asked.get("stroke"):
+        yield "stroke.png", ["--curve", *([curve] if isinstance(curve, str) else []), "--size", "640x480"]
 
 
 def main():

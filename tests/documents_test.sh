@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The words keep step with the code: an equation tag such as (F.3) in a source stands in
 # docs/theory/, no tag is given twice, a link from one page to another leads somewhere, and no page
-# uses a word of tests/dialect.txt; the citation has the version of the program.
+# and no message uses a word of tests/dialect.txt; the citation has the version of the program.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 export LC_ALL=C.UTF-8
@@ -47,10 +47,17 @@ running_text() { # FILE...: "file:line:text"
        { gsub(/`[^`]*`|\$[^$]*\$|\]\([^)]*\)/, " "); print FILENAME ":" FNR ":" $0 }' "$@"
 }
 
+# Texts of the program: what stands in quotes and has a blank, in lines that are no comments.
+messages() { # "file:line:text"
+  find "${folders[@]}" study billet python/billet \( -name '*.h' -o -name '*.cpp' -o -name '*.py' \) -print0 | sort -z |
+    xargs -0 grep -nvE '^ *(//|#)' | grep -oE '^[^:]*:[0-9]+:|"([^"\]|\\.)* ([^"\]|\\.)*"' |
+    awk '/^[^"]*:[0-9]+:$/ { place = $0; next } { print place $0 }'
+}
+
 dialect() {
   local all word advice
   mapfile -t all < <(pages | sort)
-  running_text "${all[@]#./}" >"$scratch"
+  { running_text "${all[@]#./}"; messages; } >"$scratch"
   while IFS=$'\t' read -r word advice; do
     [[ -z $word || $word == '#'* ]] ||
       { grep -oiE "^[^:]*:[0-9]+:.*$word" "$scratch" || true; } |

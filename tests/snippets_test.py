@@ -4,30 +4,37 @@ every command and option of the program is on the page of the command line.
 
 usage: snippets_test.py PROGRAM [--long | --list] [PAGE ...]
 
-PROGRAM is the built `billet`. Pages are README.md, docs/tutorials and docs/guide. Each is taken in a
-folder of its own, from top to bottom. What is to be done with a block of code stands in a comment in
-the line before it, which no reader of the page sees:
+PROGRAM is the built `billet`. Pages are README.md and those of docs/, docs/tutorials, docs/guide and
+docs/theory. Each is taken in a folder of its own, from top to bottom. What is to be done with a block
+of code stands in a comment in the line before it, which no reader of the page sees:
 
     <!-- file: NAME -->                     the block is the file NAME
     <!-- not run: REASON -->                commands that are not run
     <!-- long -->                           commands that are run with --long only
+    <!-- before: COMMAND -->                is run before the block; $CASES is the folder cases/
+    <!-- program: NAME -->                  commands that are run only where that program is installed
     <!-- needs: PAGE -->                    files of another page are written first
     <!-- output of the last command -->     the last command prints this: the same words, numbers to 2 %
     <!-- snippets: long -->                 (first line of a page) all of the page with --long only
 
-Blocks of `sh` are run, blocks of `toml` without a name are fragments, which have to be TOML; a
-complete case (it has `analysis`) needs a name and has to pass `billet check`.
+Blocks of `sh` and `python` are run, blocks of `toml` without a name are fragments, which have to be
+TOML; a complete case (it has `analysis`) needs a name and has to pass `billet check`. A command that
+is indented in place of standing in a block is refused: nothing would run it.
 """
 import os
 import pathlib
 import re
+import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", "docs/tutorials/*.md", "docs/guide/*.md"]
+PAGES = ["README.md", "docs/*.md", "docs/tutorials/*.md", "docs/guide/*.md", "docs/theory/*.md"]
+OF_THE_PACKAGE = ["docs/guide/python.md", "docs/tutorials/scripting.md"]  # python/tests run their Python
+INDENTED = re.compile(r" {4,}(\$ )?(billet |\./dev |apt |git |pip |mpiexec )")
 MARK = re.compile(r"<!-- (.*?)(?:: (.*?))? -->$")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]\d+)?")
 
@@ -45,19 +52,30 @@ def blocks(page):
     """The fenced blocks of a page, each with the comments before it."""
     found, marks, block = [], {}, None
     for number, line in enumerate((ROOT / page).read_text(encoding="utf-8").splitlines(), 1):
-        if line.startswith("```"):
+        if line.lstrip().startswith("```"):  # in a list it is indented
             if block is None:
-                block = Block(page, number, line[3:].strip(), marks)
+                indent = len(line) - len(line.lstrip())
+                block = Block(page, number, line.strip()[3:].strip(), marks)
             else:
                 found.append(block)
                 block, marks = None, {}
         elif block is not None:
-            block.text += line + "\n"
+            block.text += line[min(indent, len(line) - len(line.lstrip())):] + "\n"
         elif mark := MARK.match(line):
             marks[mark[1]] = mark[2] or ""
         elif line.strip():
             marks = {}
     return found
+
+
+def indented_commands(page):
+    """Commands that stand in no block; those within blocks of output are the blocks' own."""
+    within = False
+    for number, line in enumerate((ROOT / page).read_text(encoding="utf-8").splitlines(), 1):
+        if line.lstrip().startswith("```"):
+            within = not within
+        elif not within and INDENTED.match(line):
+            yield f"{page}:{number}: an indented command, which nothing runs: put it into a block of sh"
 
 
 def is_long(page):
@@ -78,7 +96,8 @@ class Page:
 
     def __init__(self, page, program, long):
         self.page, self.long = page, long
-        self.environment = dict(os.environ, PATH=f"{program.parent}:{os.environ['PATH']}", LC_ALL="C.UTF-8")
+        self.environment = dict(os.environ, PATH=f"{program.parent}:{os.environ['PATH']}", LC_ALL="C.UTF-8",
+                                CASES=str(ROOT / "cases"))
         self.output, self.complaints = "", []
 
     def complain(self, block, what):
@@ -101,10 +120,19 @@ class Page:
             self.check_case(block)
         elif block.language == "toml":
             self.check_fragment(block)
-        elif block.language == "sh" and "not run" not in block.marks and (self.long or "long" not in block.marks):
-            self.run_commands(block)
+        elif block.language in ("sh", "python") and self.is_run(block):
+            if "before" in block.marks:
+                self.call(block, block.marks["before"])
+            if block.language == "sh":
+                self.run_commands(block)
+            elif self.page not in OF_THE_PACKAGE:
+                self.run_python(block)
         elif "output of the last command" in block.marks and not same_output(self.output, block.text):
             self.complain(block, f"the last command printed\n{self.output}")
+
+    def is_run(self, block):
+        missing = "program" in block.marks and not shutil.which(block.marks["program"])
+        return not missing and "not run" not in block.marks and (self.long or "long" not in block.marks)
 
     def write(self, block):
         file = self.folder / block.marks["file"]
@@ -133,6 +161,10 @@ class Page:
         for command in re.sub(r"\\\n", " ", block.text).splitlines():
             if command.strip():
                 self.call(block, command)
+
+    def run_python(self, block):
+        (self.folder / "block.py").write_text(block.text, encoding="utf-8")
+        self.call(block, f"{shlex.quote(sys.executable)} block.py")
 
     def call(self, block, command):
         done = subprocess.run(["bash", "-c", command], cwd=self.folder, env=self.environment, text=True,
@@ -166,6 +198,7 @@ def main():
         return
     complaints = list(undocumented_options(program))
     for page in pages:
+        complaints += indented_commands(page)
         if long or not is_long(page):
             complaints += Page(page, program, long).run()
     print("\n".join(complaints), end="\n" if complaints else "")

@@ -69,11 +69,11 @@ std::string tools_of_history(const ResultsFolder& results) {
   }
   if (rows.empty())
     return {};
-  return section(
-      "tools", "Tools",
-      table({"tool", headed("last force", results.of_whole(units.force)),
-             headed("largest force", results.of_whole(units.force)), headed("way", units.length)},
-            rows));
+  return section("tools", "Tools",
+                 table({"tool", headed("last force", results.of_whole(units.force)),
+                        headed("largest force", results.of_whole(units.force)),
+                        headed("stroke", units.length)},
+                       rows));
 }
 
 } // namespace

@@ -173,20 +173,20 @@ def _written(case: Case, output: Path) -> Path:
     if output.name in ("", ".."):
         raise Error(f"simulate: output is '{output}'; needed is the name of a folder, such as results/a")
     if _names_files(case):
-        beside, candidates = Path(case._native.folder() or "."), 1000
+        folder, candidates = Path(case._native.folder() or "."), 1000
     else:
-        beside, candidates = output.parent, 1
+        folder, candidates = output.parent, 1
     text = case.text.removeprefix("\ufeff")
     try:
-        beside.mkdir(parents=True, exist_ok=True)
-        words = os.path.relpath(output, beside)
+        folder.mkdir(parents=True, exist_ok=True)
+        words = os.path.relpath(output, folder)
         mark = _WRITTEN + json.dumps(words) + ", which writes it anew.\n"
         for i in range(1, candidates + 1):
-            file = beside / f"{output.name}{f'-{i}' if i > 1 else ''}.toml"
+            file = folder / f"{output.name}{f'-{i}' if i > 1 else ''}.toml"
             if _write(file, mark, text):
                 return file
     except OSError as error:
-        raise Error(f"simulate: {error.filename or beside}: {error.strerror}") from None
+        raise Error(f"simulate: {error.filename or folder}: {error.strerror}") from None
     raise Error(f"simulate: {file} is there already, and not by billet.simulate; choose another output")
 
 

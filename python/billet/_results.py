@@ -123,7 +123,7 @@ class Results:
 
     @cached_property
     def iterations(self) -> Table:
-        """iterations.csv: columns by name, a row an iteration of Newton's method."""
+        """iterations.csv: columns by name, one row per iteration of Newton's method."""
         return read_csv(self.folder / "iterations.csv")
 
     @cached_property

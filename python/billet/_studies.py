@@ -60,7 +60,7 @@ class Study:
 
     @property
     def rows(self) -> list[dict[str, Any]]:
-        """A row a run: "settings", "status", "reason", "quantities", "cost", "folder" (absolute)."""
+        """One row per run: "settings", "status", "reason", "quantities", "cost", "folder" (absolute)."""
         return [{**row, "folder": self._absolute(row.get("folder", ""))} for row in self.data["rows"]]
 
     def _absolute(self, folder: str) -> str:

@@ -5,11 +5,12 @@ As a macro: Macros > Import new macro..., choose this file; then select the .pvd
 the pipeline browser, or let the macro ask for the folder.
 From a shell, without a window: pvbatch billet.py RESULTS [-o PICTURE.png] [--field NAME[:COMPONENT]]
 
-Made for ParaView 5.11. Forces and strokes are in the units of the case.
+Made for ParaView 5.11.
 """
 
 import argparse
 import csv
+import json
 import math
 import pathlib
 import re
@@ -75,6 +76,16 @@ def travels(folder):
     return curves
 
 
+def units(folder):
+    """Of stroke and force, in brackets; of a run that goes on they are not known."""
+    try:
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        length, force = summary["units"].split("-")[:2]
+    except (OSError, ValueError, KeyError):
+        return "", ""
+    return f" [{length}]", f" [{force}/{length}]" if summary.get("analysis") == "plane-strain" else f" [{force}]"
+
+
 def add_part(reader, name, view):
     """One part of the frames as a source of its own."""
     part = simple.ExtractBlock(registrationName=name, Input=reader)
@@ -114,7 +125,8 @@ def add_chart(folder, layout):
         return
     view = simple.CreateView("XYChartView")
     view.ChartTitle = "force over stroke"
-    view.BottomAxisTitle, view.LeftAxisTitle = "stroke", "force"
+    stroke, force = units(folder)
+    view.BottomAxisTitle, view.LeftAxisTitle = f"stroke{stroke}", f"force{force}"
     layout.AssignView(2, view)
     for name, points in curves.items():
         table = simple.ProgrammableSource(registrationName=f"force of {name}")

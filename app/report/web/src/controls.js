@@ -141,7 +141,7 @@ export function showLegend(legend, quantity, { low, high, least, largest }) {
     element('div', {},
       element('div', { class: 'name' }, quantity.label + unit),
       element('div', { style: 'display:flex;gap:8px' }, colours, element('div', { class: 'ticks' }, ...ticks)),
-      element('div', { class: 'all' }, `least ${digits(least)}`),
+      element('div', { class: 'all' }, `smallest ${digits(least)}`),
       element('div', { class: 'all', style: 'margin:0' }, `largest ${digits(largest)}`)));
 }
 
