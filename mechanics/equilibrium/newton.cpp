@@ -347,9 +347,9 @@ private:
   }
 
   /// Each of two sets of contacts leads to the other: the last residuals are those of two
-  /// iterations before. Half of the correction ends between them. (N.9a)
-  [[nodiscard]] bool goes_to_and_fro() const {
-    constexpr std::size_t rounds = 2;
+  /// iterations before. (N.9a)
+  [[nodiscard]] bool goes_to_and_fro() {
+    const std::size_t rounds = 2 + turns_ % 2; // a way out there may be from one of them only
     constexpr double same = 0.003;
     const std::vector<IterationRecord>& all = newton_.records_;
     if (missing() > 0.0 || all.size() < rounds + 2)
@@ -357,7 +357,16 @@ private:
     for (std::size_t i = all.size() - rounds; i < all.size(); ++i)
       if (std::abs(all[i].residual - all[i - 2].residual) > same * all[i].residual)
         return false;
+    ++turns_;
     return true;
+  }
+
+  /// Half of the correction, the third and fourth time a quarter, and so on. (N.9a)
+  Outcome<Evaluation> half_way(double& step) {
+    step = std::ldexp(1.0, -static_cast<int>((turns_ + 1) / 2));
+    newton_.base_ = x_;
+    newton_.contact_changes_ = 0;
+    return newton_.try_step(terms_, trial(), x_, step);
   }
 
   /// How far unknowns are from what is prescribed [mm].
@@ -415,14 +424,14 @@ private:
       newton_.limit_correction(x_old_, x_);
     if (newton_.shorten_correction() && ++shortened_ > max_shortened)
       return Failure{"the workpiece, or part of it, moves away freely: nothing holds it"};
-    if (goes_to_and_fro())
-      newton_.halve_correction();
     // While supports still move their work is unknown to the search: it takes the whole step.
     // So it does where contacts were kept: the residual is not that of the real contacts.
     const bool whole = missing() > 0.0 || newton_.system_.kept_contacts;
     const Norms reference = whole ? Norms{HUGE_VAL, norms_.scale} : norms_;
     double step = 1.0;
-    const auto evaluation = newton_.search(terms_, trial(), x_, reference, expected_last, step);
+    const auto evaluation =
+        goes_to_and_fro() ? half_way(step)
+                          : newton_.search(terms_, trial(), x_, reference, expected_last, step);
     if (!evaluation)
       return evaluation.error();
     if (step == 1.0)
@@ -432,8 +441,8 @@ private:
     constexpr double shrinks = 0.2;
     newton_.settled_ = step == 1.0 && norms_.residual < shrinks * relative * norms_.scale;
     const double moved = largest_difference(x_, x_old_);
-    taken_ =
-        largest(newton_.correction_); // the whole of it: a step may be short for want of a way down
+    // The whole of it: a step may be short for want of a way down.
+    taken_ = largest(newton_.correction_);
     correction_ = moved > 0.0 ? step * largest(newton_.correction_) / moved : 0.0;
     newton_.records_.push_back(
         {iteration, this->relative(), correction_, step, solved->method, newton_.contact_changes_});
@@ -455,6 +464,7 @@ private:
   double before_ = 0.0;     ///< relative residual of the iteration before
   double taken_ = HUGE_VAL; ///< length of the last correction [mm]
   double correction_ = 0.0; ///< likewise, over what has moved [-]
+  std::size_t turns_ = 0;   ///< how often it went to and fro
   int shortened_ = 0;       ///< corrections that were cut
   int hardened_ = 0;        ///< the iteration that the last softness was left at
 };
@@ -498,11 +508,6 @@ bool Newton::shorten_correction() {
   for (double& value : correction_)
     value *= share * settings_.largest_correction / longest;
   return true;
-}
-
-void Newton::halve_correction() {
-  for (double& value : correction_)
-    value *= 0.5;
 }
 
 void Newton::forget() {

@@ -151,7 +151,6 @@ private:
   void limit_correction(std::span<const double> x_old, std::span<const double> x);
   /// Whether the correction was longer than any can be, and has been cut.
   [[nodiscard]] bool shorten_correction();
-  void halve_correction();
   void mark(const Prescribed& prescribed);
 
   const BlockPattern* pattern_;
