@@ -305,23 +305,21 @@ RemeshedDomain remesh_domain(std::span<const SideLoop> loops,
   require_sound(sizes);
   for (const SideLoop& loop : loops)
     require_sound(loop);
-  try {
-    const CornerRule rule{corner_turn, sizes.turn,
-                          [&sizes](const Vec2& x) { return longest_over_ripples(sizes, x); }};
-    return Remesher(loops, sizes, measure, snap, rule).run();
-  } catch (const Error& error) {
-    if (error.fault() != Fault::geometry)
-      throw;
-  }
-  try { // A smooth curve may cut its own corners: at the mouth of a fold that closes, the other
-        // lip.
-    return Remesher(loops, sizes, measure, snap, {.turn = fold_turn}).run();
-  } catch (const Error& error) {
-    if (error.fault() != Fault::geometry || !sizes.or_parabolas)
-      throw;
-  }
-  // Arcs of sides that bulge like half a circle leave their corner backwards, parabolas do not.
-  return Remesher(loops, sizes, measure, snap, {.turn = fold_turn, .parabolas = true}).run();
+  // A smooth curve may cut its own corners: at the mouth of a fold that closes, the other lip. Arcs
+  // of sides that bulge like half a circle leave their corner backwards, parabolas do not.
+  std::vector<CornerRule> rules{
+      {corner_turn, sizes.turn, [&sizes](const Vec2& x) { return longest_over_ripples(sizes, x); }},
+      {.turn = fold_turn}};
+  if (sizes.or_parabolas)
+    rules.push_back({.turn = fold_turn, .parabolas = true});
+  for (std::size_t i = 0; i + 1 < rules.size(); ++i)
+    try {
+      return Remesher(loops, sizes, measure, snap, rules[i]).run();
+    } catch (const Error& error) {
+      if (error.fault() != Fault::geometry)
+        throw;
+    }
+  return Remesher(loops, sizes, measure, snap, rules.back()).run();
 }
 
 } // namespace billet::geometry

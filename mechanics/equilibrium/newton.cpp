@@ -348,7 +348,7 @@ private:
 
   /// Each of two sets of contacts leads to the other: the last residuals are those of two
   /// iterations before. (N.9a)
-  [[nodiscard]] bool goes_to_and_fro() {
+  [[nodiscard]] bool goes_to_and_fro() const {
     const std::size_t rounds = 2 + turns_ % 2; // a way out there may be from one of them only
     constexpr double same = 0.003;
     const std::vector<IterationRecord>& all = newton_.records_;
@@ -357,13 +357,12 @@ private:
     for (std::size_t i = all.size() - rounds; i < all.size(); ++i)
       if (std::abs(all[i].residual - all[i - 2].residual) > same * all[i].residual)
         return false;
-    ++turns_;
     return true;
   }
 
   /// Half of the correction, the third and fourth time a quarter, and so on. (N.9a)
   Outcome<Evaluation> half_way(double& step) {
-    step = std::ldexp(1.0, -static_cast<int>((turns_ + 1) / 2));
+    step = std::ldexp(0.5, -static_cast<int>(turns_++ / 2));
     newton_.base_ = x_;
     newton_.contact_changes_ = 0;
     return newton_.try_step(terms_, trial(), x_, step);

@@ -149,7 +149,7 @@ TEST_F(NarrowTool, InThePlaneAWireHasAForce) {
 // Its end is in the wall before a contact point is: small increments came to that, large ones went
 // past it.
 TEST_F(NarrowTool, AFaceMayMeetABroadToolEndFirst) {
-  const auto case_text = [](const std::string& normal) {
+  const auto case_text = [](const std::string& normal, double penalty) {
     return R"(analysis = "plane-strain"
 [workpiece]
 element = "quad4"
@@ -170,14 +170,19 @@ surface = { plane = { point = [0.05, 1], normal = )" +
            normal + R"( } }
 [contact]
 surface = "set:y-max"
+penalty = )" +
+           std::to_string(penalty) +
+           R"(
 [time]
 end = 1
 increments = { first = 0.005, max = 0.005 }
 )";
   };
-  const Outcome slight = run(case_text("[-0.342, -0.940]"));
+  // 0.096 of an element at 27 degrees, and a little of a soft penalty: more than a tenth in all.
+  const Outcome slight = run(case_text("[-0.454, -0.891]", 0.5));
   EXPECT_EQ(slight.status, 0) << slight.err;
-  const Outcome outcome = run(case_text("[-0.643, -0.766]"));
+  EXPECT_TRUE(slight.says("10.2 % of the parent element"));
+  const Outcome outcome = run(case_text("[-0.643, -0.766]", 100.0));
   EXPECT_EQ(outcome.status, 8) << outcome.err;
   EXPECT_TRUE(outcome.says("failed check 'tool-in-part'")) << "the mesh is too coarse for it";
   EXPECT_EQ(summary()["cutbacks"], 0);

@@ -87,11 +87,16 @@ TEST(ClosedFolds, ANarrowCreaseIsFilledToWhereItIsAsWideAsAskedFor) {
     }
 }
 
+constexpr double deepest = 0.3;
+
+/// The root of a crease, no deeper than that.
+std::optional<ClosedFold> root_of(const SideLoop& loop, const std::vector<Vec2>& welds = {}) {
+  return closed_fold(loop, std::vector<char>(loop.corners.size(), 0), 0.06, deepest, welds);
+}
+
 TEST(ClosedFolds, NoDeeperThanAskedForIsTheRootAlone) {
   const SideLoop loop = creased(0.05, 0.05);
-  const std::vector<char> nothing_stays(loop.corners.size(), 0);
-  constexpr double deepest = 0.3;
-  const auto root = closed_fold(loop, nothing_stays, 0.06, deepest);
+  const auto root = root_of(loop);
   ASSERT_TRUE(root);
   EXPECT_LE(root->depth(), deepest);
   EXPECT_GT(root->depth(), 0.5 * deepest);
@@ -105,15 +110,12 @@ TEST(ClosedFolds, NoDeeperThanAskedForIsTheRootAlone) {
 
 TEST(ClosedFolds, TheRestOfAWeldedCreaseIsLeftForTheNextOne) {
   const SideLoop loop = creased(0.05, 0.05);
-  const std::vector<char> nothing_stays(loop.corners.size(), 0);
-  constexpr double deepest = 0.3;
-  const auto root = closed_fold(loop, nothing_stays, 0.06, deepest);
+  const auto root = root_of(loop);
   ASSERT_TRUE(root);
   const std::vector<Vec2> here{root->at}, elsewhere{root->at + Vec2(2.1 * deepest, 0)};
   const WeldedLoop welded = without_fold(loop, *root, 0.05);
-  const std::vector<char> stays(welded.loop.corners.size(), 0);
-  EXPECT_FALSE(closed_fold(welded.loop, stays, 0.06, deepest, here));
-  EXPECT_TRUE(closed_fold(welded.loop, stays, 0.06, deepest, elsewhere));
+  EXPECT_FALSE(root_of(welded.loop, here));
+  EXPECT_TRUE(root_of(welded.loop, elsewhere));
 }
 
 TEST(ClosedFolds, SidesThatBulgeCrossNextToTheirCorner) {
