@@ -60,6 +60,70 @@ constexpr std::array table{
                 "The system had no memory left, a queue's limit was passed, or somebody killed it.",
                 "billet run --resume goes on from the last checkpoint; a smaller mesh needs less "
                 "memory."},
+    Explanation{"usage", "error",
+                "The command line names something that is not known or not there.",
+                "A misspelt option or command, a file that is missing, a value that an option does "
+                "not take.",
+                "The message names the word; billet COMMAND --help lists the options."},
+    Explanation{
+        "toml-syntax", "error", "The text is no valid TOML.",
+        "A bracket or quote that is not closed, text without quotes, a key that is given twice.",
+        "Look at the line and the one before it; an editor with TOML support marks the place."},
+    Explanation{
+        "key-unknown", "error", "A table has a key that the program does not know there.",
+        "A misspelt key, or one that belongs to another table.",
+        "The message names the nearest key that is known; billet schema gives an editor the list."},
+    Explanation{"key-missing", "error", "A key that must be given is not there.", "",
+                "Add the key; docs/guide/case-file.md has its meaning and unit."},
+    Explanation{"value-refused", "error",
+                "The value of a key is not one of those that are allowed.",
+                "A wrong unit or type, a number outside its bounds, a misspelt word.",
+                "The message says what was found and what is allowed."},
+    Explanation{"case-refused", "error",
+                "Parts of the case contradict each other, or one names what is not there.",
+                "A set, tool, stage or material that is named and not defined; a law that needs a "
+                "value of another table; a file that cannot be opened.",
+                "The message names the keys of both."},
+    Explanation{
+        "mesh-file", "error", "A mesh file cannot be read.",
+        "A file cut short, an export in another format, an element type that is not supported.",
+        "billet info FILE shows what is in it; the message names line or byte."},
+    Explanation{
+        "mesh-elements", "error", "The elements of a mesh cannot be calculated with.",
+        "Elements inside out, of no volume, on top of each other, or joined along one line.",
+        "Repair the mesh in the mesher; the message names the first elements and where they are."},
+    Explanation{"surface-file", "error",
+                "The surface of a tool or body (STL, STEP) cannot be read.",
+                "A file cut short, an export in another format, an empty body.",
+                "Export it again: STL as binary, STEP as AP203, AP214 or AP242; billet info FILE "
+                "shows what is in it."},
+    Explanation{"geometry", "error",
+                "A shape cannot be used: a surface, profile, mesh or tool, or the way in which "
+                "they lie to each other.",
+                "Open or crossing surfaces, a tool inside the part or on its wrong side, a deck "
+                "with parts that have no counterpart.",
+                "The message has the place; billet render CASE shows part and tools."},
+    Explanation{"results-unreadable", "error", "Results cannot be read.",
+                "A file that was cut short or written by another program.",
+                "Run the case again, or name another frame."},
+    Explanation{
+        "no-checkpoint", "error", "There is no checkpoint that the run can go on from.",
+        "Another case, another version of the program, a damaged file.",
+        "The message gives the reason for each; billet info FILE says what a checkpoint holds."},
+    Explanation{"folder-in-use", "error", "Another run writes its results into this folder.", "",
+                "Wait for its end, or choose another folder with -o."},
+    Explanation{
+        "not-written", "error", "A file cannot be written.",
+        "A full disk, a quota, missing permissions.",
+        "Free some space or choose another folder with -o; what was written before is complete."},
+    Explanation{"file", "error", "A file or folder is not there, or is not what the command needs.",
+                "A misspelt name, the results of another program.",
+                "The message names the file and the reason."},
+    Explanation{
+        "limit", "error", "The memory, or another limit, does not suffice.",
+        "A mesh that is too fine for a factorization, a limit of the shell or of the batch system.",
+        "billet check estimates the memory; a symmetric half, larger elements or multigrid take "
+        "less."},
     Explanation{"energy-balance", "failed check",
                 "The work of the tools is not what the part has taken up, by more than 5 %.",
                 "Forces that jump within an increment, a part that snaps through or moves freely.",

@@ -10,7 +10,8 @@ namespace billet::app {
 /// A kind of message.
 struct Explanation {
   std::string_view code;
-  std::string_view kind;    ///< "exit status", "failed check", "warning", "slip", "advice", "cause"
+  std::string_view
+      kind; ///< "exit status", "error", "failed check", "warning", "slip", "advice", "cause"
   std::string_view meaning; ///< what has happened, or what the number means
   std::string_view causes;  ///< as a rule; may be empty
   std::string_view remedy;  ///< may be empty

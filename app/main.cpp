@@ -96,7 +96,7 @@ int after_output(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
     return status;
   return report(status != 0 ? status : static_cast<int>(Fault::input_output),
-                fmt::format("standard output cannot be written: {}",
+                fmt::format("standard output cannot be written: {} [not-written]",
                             errno != 0 ? std::strerror(errno) : "unknown reason"));
 }
 
@@ -119,10 +119,11 @@ int program(int argc, char** argv) {
       return app::report_no_memory();
     if (std::ferror(stdout) != 0)
       return report(static_cast<int>(Fault::input_output),
-                    fmt::format("standard output cannot be written: {}", error.code().message()));
-    return report(static_cast<int>(Fault::input_output), error.what());
+                    fmt::format("standard output cannot be written: {} [not-written]",
+                                error.code().message()));
+    return report(static_cast<int>(Fault::input_output), fmt::format("{} [file]", error.what()));
   } catch (const std::exception& error) {
-    return report(internal_error, std::string("internal error: ") + error.what());
+    return report(internal_error, fmt::format("internal error: {} [exit-70]", error.what()));
   }
 }
 

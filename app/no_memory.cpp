@@ -32,7 +32,7 @@ void say(std::string_view text) noexcept {
   constexpr int internal_error = 70;
   say("billet: internal error: ");
   say(what);
-  say("\n");
+  say(" [exit-70]\n");
   ::_exit(internal_error);
 }
 
@@ -105,7 +105,7 @@ bool is_of_openblas(const void* caller) noexcept {
 } // namespace
 
 int report_no_memory() noexcept {
-  say("billet: not enough memory for this case\n");
+  say("billet: not enough memory for this case [limit]\n");
   return static_cast<int>(Fault::limit);
 }
 

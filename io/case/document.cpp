@@ -28,8 +28,11 @@ int Complaints::add_override(std::string text) {
   return static_cast<int>(overrides_.size());
 }
 
-std::size_t Complaints::add(const TextPlace& place, std::string message, std::string remedy) {
-  found_.push_back({place, std::move(message), std::move(remedy)});
+std::size_t Complaints::add(const TextPlace& place,
+                            std::string message,
+                            std::string remedy,
+                            std::string_view code) {
+  found_.push_back({place, std::move(message), std::move(remedy), code});
   return found_.size() - 1;
 }
 
@@ -61,7 +64,7 @@ void Complaints::throw_if_any() {
           {name_, fmt::format("and {} more", found_.size() - most_complaints), ""});
       break;
     }
-    complaints.push_back({text(found.place), found.message, found.remedy});
+    complaints.push_back({text(found.place), found.message, found.remedy, found.code});
   }
   throw Error(Fault::case_file, std::move(complaints));
 }

@@ -24,7 +24,7 @@ struct TextPlace {
   int override = 0; ///< from 1: number of the override; 0: the file
 };
 
-/// Collects what is wrong with a file, to report it in one go.
+/// Collects what is wrong with a file, to report it together.
 class Complaints {
 public:
   /// @param name  of the file, as the user gave it
@@ -33,7 +33,10 @@ public:
   /// Makes an override known; its number for TextPlace.
   int add_override(std::string text);
   /// @return  the number of the complaint, to withdraw it by
-  std::size_t add(const TextPlace& place, std::string message, std::string remedy = {});
+  std::size_t add(const TextPlace& place,
+                  std::string message,
+                  std::string remedy = {},
+                  std::string_view code = error_code::case_refused);
   /// Takes a complaint back that follows from another one.
   void withdraw(std::size_t number) { found_[number].is_withdrawn = true; }
   [[nodiscard]] bool empty() const;
@@ -49,6 +52,7 @@ private:
     TextPlace place;
     std::string message;
     std::string remedy;
+    std::string_view code;
     bool is_withdrawn = false;
   };
 

@@ -17,14 +17,17 @@ std::string joined(const std::string& path, std::string_view key) {
 
 } // namespace
 
-void At::complain(const std::string& message, const std::string& remedy) const {
+void At::complain(const std::string& message,
+                  const std::string& remedy,
+                  std::string_view code) const {
   if (inquiry() != nullptr)
     return; // nothing is wrong where nothing is given
-  context.complaints.add(node.place, path.empty() ? message : path + ": " + message, remedy);
+  context.complaints.add(node.place, path.empty() ? message : path + ": " + message, remedy, code);
 }
 
 void At::complain_found(const std::string& allowed, const std::string& remedy) const {
-  complain(fmt::format("found {}, allowed is {}", shown(node), allowed), remedy);
+  complain(fmt::format("found {}, allowed is {}", shown(node), allowed), remedy,
+           error_code::value_refused);
 }
 
 const List* At::list(std::size_t least) const {
@@ -65,7 +68,8 @@ std::optional<At> TableReader::require(std::string_view key) {
     missing_.push_back(
         {std::string(key),
          at_.context.complaints.add(
-             at_.node.place, fmt::format("{}: missing, it must be given", joined(at_.path, key)))});
+             at_.node.place, fmt::format("{}: missing, it must be given", joined(at_.path, key)),
+             "", error_code::key_missing)});
   return at;
 }
 
@@ -149,7 +153,7 @@ void TableReader::finish() {
       continue;
     const TextPlace place = entry.node.place.override != 0 ? entry.node.place : entry.place;
     at_.context.complaints.add(place, fmt::format("{}: unknown key", joined(at_.path, entry.key)),
-                               remedy_for(entry.key, n_unknown));
+                               remedy_for(entry.key, n_unknown), error_code::key_unknown);
   }
 }
 

@@ -42,7 +42,9 @@ struct At {
   ReadContext& context;
 
   /// Complains "PATH: MESSAGE" at the node's place.
-  void complain(const std::string& message, const std::string& remedy = {}) const;
+  void complain(const std::string& message,
+                const std::string& remedy = {},
+                std::string_view code = error_code::case_refused) const;
   /// Complains "PATH: found VALUE, allowed is ALLOWED".
   void complain_found(const std::string& allowed, const std::string& remedy = {}) const;
   /// Where the node stands, for messages: "case.toml:12:9".

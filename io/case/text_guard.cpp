@@ -96,7 +96,8 @@ private:
     std::size_t line = 1;
     for (const char c : text_.substr(0, at_))
       line += c == '\n' ? 1U : 0U;
-    throw Error(Fault::case_file, fmt::format("{}:{}", name_, line), what);
+    throw Error(Fault::case_file, fmt::format("{}:{}", name_, line), what, "",
+                error_code::toml_syntax);
   }
 
   std::string_view text_;

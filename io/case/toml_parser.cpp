@@ -61,11 +61,13 @@ Node parse_document(std::string_view text, const std::string& name, const TextPl
     return root;
   } catch (const BrokenInvariant& broken) {
     throw Error(Fault::case_file, name,
-                fmt::format("not valid TOML (parser: {})", broken.condition));
+                fmt::format("not valid TOML (parser: {})", broken.condition), "",
+                error_code::toml_syntax);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     throw Error(Fault::case_file, fmt::format("{}:{}:{}", name, at.line, at.column),
-                fmt::format("not valid TOML: {}", error.description()));
+                fmt::format("not valid TOML: {}", error.description()), "",
+                error_code::toml_syntax);
   }
 }
 

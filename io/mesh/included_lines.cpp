@@ -110,7 +110,7 @@ std::string IncludedLines::place_in_note() const {
 }
 
 void IncludedLines::fail(const std::string& message, const std::string& remedy) const {
-  throw Error(Fault::geometry, place(), message, remedy);
+  throw Error(Fault::geometry, place(), message, remedy, error_code::mesh_file);
 }
 
 } // namespace billet::io

@@ -38,9 +38,11 @@ void require_readable(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
-    throw Error(Fault::geometry, path.string(), "the mesh file does not exist");
+    throw Error(Fault::geometry, path.string(), "the mesh file does not exist", "",
+                error_code::mesh_file);
   if (!std::filesystem::is_regular_file(status))
-    throw Error(Fault::geometry, path.string(), "the mesh is not a file but a folder or device");
+    throw Error(Fault::geometry, path.string(), "the mesh is not a file but a folder or device", "",
+                error_code::mesh_file);
 }
 
 std::string read_content(const std::filesystem::path& path) {
@@ -50,7 +52,8 @@ std::string read_content(const std::filesystem::path& path) {
   std::string content(std::istreambuf_iterator<char>(stream), {});
   if (!stream.is_open() || stream.bad())
     throw Error(Fault::geometry, path.string(),
-                fmt::format("the mesh file cannot be read: {}", std::strerror(errno)));
+                fmt::format("the mesh file cannot be read: {}", std::strerror(errno)), "",
+                error_code::mesh_file);
   return content;
 }
 
@@ -138,8 +141,10 @@ void Scanner::copy_bytes(unsigned char* to, std::size_t n, bool swapped) {
 
 void Scanner::fail(const std::string& message, const std::string& remedy) const {
   if (binary_)
-    throw Error(Fault::geometry, file_, fmt::format("{} (near byte {})", message, at_), remedy);
-  throw Error(Fault::geometry, fmt::format("{}:{}", file_, line_), message, remedy);
+    throw Error(Fault::geometry, file_, fmt::format("{} (near byte {})", message, at_), remedy,
+                error_code::mesh_file);
+  throw Error(Fault::geometry, fmt::format("{}:{}", file_, line_), message, remedy,
+              error_code::mesh_file);
 }
 
 } // namespace billet::io

@@ -26,7 +26,7 @@ struct File {
   bool compressed = false;
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw Error(Fault::geometry, place, message, "the file may be damaged");
+    throw Error(Fault::geometry, place, message, "the file may be damaged", error_code::mesh_file);
   }
 };
 

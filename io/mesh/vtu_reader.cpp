@@ -39,7 +39,7 @@ constexpr std::array vtk_types{
 [[noreturn]] void refuse(const std::filesystem::path& path,
                          const std::string& message,
                          const std::string& remedy = {}) {
-  throw Error(Fault::geometry, path.string(), message, remedy);
+  throw Error(Fault::geometry, path.string(), message, remedy, error_code::mesh_file);
 }
 
 const VtkType* find_type(int number) {

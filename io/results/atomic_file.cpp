@@ -92,7 +92,7 @@ void cannot_write(const std::filesystem::path& path, int reason) {
   throw Error(
       Fault::input_output, path.string(),
       fmt::format("cannot be written: {}", reason == 0 ? "unknown reason" : std::strerror(reason)),
-      remedy_for(reason));
+      remedy_for(reason), error_code::not_written);
 }
 
 int write_all(int file, std::string_view text) {

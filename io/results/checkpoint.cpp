@@ -46,7 +46,7 @@ struct Header {
 fs::path checkpoint_folder(const fs::path& results) { return results / "checkpoints"; }
 
 [[noreturn]] void unusable(const fs::path& file, const std::string& why) {
-  throw Error(Fault::input_output, file.string(), why);
+  throw Error(Fault::input_output, file.string(), why, "", error_code::no_checkpoint);
 }
 
 std::string bytes_of(const fs::path& file) {
@@ -211,7 +211,7 @@ FoundCheckpoint latest_checkpoint(const fs::path& results, std::optional<double>
         return {file, std::move(checkpoint), std::move(notes)};
       earliest = checkpoint.time;
     } catch (const Error& error) {
-      notes.push_back(error.what());
+      notes.push_back(error.complaints().front().place + ": " + error.complaints().front().message);
     }
   }
   std::string why = fs::exists(results) ? "has no checkpoint to go on from"
@@ -222,7 +222,7 @@ FoundCheckpoint latest_checkpoint(const fs::path& results, std::optional<double>
   for (const std::string& note : notes)
     why += "; " + note;
   throw Error(Fault::input_output, results.string(), why,
-              "run it from the start, without --resume or --from");
+              "run it from the start, without --resume or --from", error_code::no_checkpoint);
 }
 
 std::vector<std::string>

@@ -23,7 +23,7 @@ namespace {
 [[noreturn]] void refuse_table(const std::filesystem::path& path,
                                const std::string& message,
                                const std::string& remedy = {}) {
-  throw Error(Fault::input_output, path.string(), message, remedy);
+  throw Error(Fault::input_output, path.string(), message, remedy, error_code::not_written);
 }
 
 int open_table(const std::filesystem::path& path, int mode) {

@@ -120,7 +120,8 @@ refuse(const std::filesystem::path& folder, const Holder& holder, const std::str
           ? std::string("one that has just begun")
           : fmt::format("process {} on {}, since {}", holder.process, holder.machine, holder.since);
   throw Error(Fault::input_output, folder.string(), "another run writes its results here: " + who,
-              "wait for its end, or choose another folder with -o" + more);
+              "wait for its end, or choose another folder with -o" + more,
+              error_code::folder_in_use);
 }
 
 } // namespace

@@ -32,7 +32,7 @@ PvdEntry entry_of(vtkXMLDataElement& element, const std::string& place) {
   const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), entry.time);
   if (error != std::errc() || end != time.data() + time.size() || entry.file.empty())
     throw Error(Fault::input_output, place, "an entry has no time or no file",
-                "the list was not written by this program");
+                "the list was not written by this program", error_code::results_unreadable);
   return entry;
 }
 
@@ -74,7 +74,7 @@ std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {
       root == nullptr ? nullptr : root->FindNestedElementWithName("Collection");
   if (collection == nullptr)
     throw Error(Fault::input_output, path.string(), "is not a list of frames",
-                "the list was not written by this program");
+                "the list was not written by this program", error_code::results_unreadable);
   std::vector<PvdEntry> entries;
   entries.reserve(idx(collection->GetNumberOfNestedElements()));
   for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)

@@ -33,7 +33,8 @@ using mechanics::Index;
 
 [[noreturn]] void refuse_frame(const fs::path& file, const std::string& message) {
   throw Error(Fault::input_output, file.string(), message,
-              "the file is damaged, or another program has written it");
+              "the file is damaged, or another program has written it",
+              error_code::results_unreadable);
 }
 
 ElementKind kind_of_cells(int vtk_type, const fs::path& file) {

@@ -44,7 +44,7 @@ constexpr double most_turn = 0.1;          // from facet to facet of a curved fa
 
 [[noreturn]] void
 refuse(const std::filesystem::path& path, const std::string& why, const std::string& remedy) {
-  throw Error(Fault::geometry, path.string(), why, remedy);
+  throw Error(Fault::geometry, path.string(), why, remedy, error_code::surface_file);
 }
 
 /// The text of the file; OpenCASCADE is given it once it is known to be there and to be STEP.

@@ -31,7 +31,8 @@ static_assert(std::endian::native == std::endian::little);
 constexpr std::size_t most_facets = std::numeric_limits<std::int32_t>::max() / 3;
 
 [[noreturn]] void refuse(const std::string& place, std::string message, std::string remedy = {}) {
-  throw Error(Fault::geometry, place, std::move(message), std::move(remedy));
+  throw Error(Fault::geometry, place, std::move(message), std::move(remedy),
+              error_code::surface_file);
 }
 
 std::string contents(const std::filesystem::path& path) {

@@ -30,13 +30,16 @@ public:
 
   void add(std::string message, const std::string& remedy = {}) {
     if (++count_ <= 10)
-      list_.push_back({place_, std::move(message), remedy});
+      list_.push_back({place_, std::move(message), remedy, error_code::mesh_elements});
   }
 
   /// Ends a sort: says how many more of it there are.
   void close(const char* what) {
     if (count_ > 10)
-      list_.push_back({place_, fmt::format("and {} more {}", count_ - 10, what), {}});
+      list_.push_back({place_,
+                       fmt::format("and {} more {}", count_ - 10, what),
+                       {},
+                       error_code::mesh_elements});
     count_ = 0;
   }
 

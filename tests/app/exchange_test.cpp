@@ -149,6 +149,8 @@ std::set<std::string> used_codes() {
       if (file.filename() == "scene_advice.cpp")
         codes.merge(found_in(file, of_advice));
     }
+  const std::vector<std::regex> of_errors{std::regex("string_view \\w+ = \"" + code + "\"")};
+  codes.merge(found_in(fs::path(BILLET_SOURCE_DIR) / "geometry/base/error.h", of_errors));
   return codes;
 }
 
@@ -177,6 +179,30 @@ TEST_F(Exchange, every_warning_has_a_code) {
         const std::string text = whole_file(entry.path());
         EXPECT_FALSE(std::regex_search(text, bare)) << entry.path();
       }
+}
+
+TEST_F(Exchange, every_error_ends_with_a_code_that_is_explained) {
+  const auto file = [&](const char* name, const char* text) {
+    write_text(folder_.path() / name, text);
+    return std::string(name);
+  };
+  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> commands{
+      {{"check", file("broken.toml", "title = [")}, {"toml-syntax"}},
+      {{"check", file("wrong.toml", "analysis = \"plane\"\nwrokpiece = {}\n")},
+       {"value-refused", "key-unknown", "key-missing"}},
+      {{"run", "none.toml"}, {"case-refused"}},
+      {{"info", file("cut.msh", "$MeshFormat\n")}, {"mesh-file"}},
+      {{"info", file("cut.stl", "solid x\nfacet")}, {"surface-file"}},
+      {{"info", "none.stl"}, {"file"}},
+      {{"run", "--no-such-option"}, {"usage"}},
+  };
+  for (const auto& [words, codes] : commands) {
+    const std::string said = run(words).err;
+    for (const std::string& code : codes) {
+      EXPECT_NE(said.find(" [" + code + "]\n"), std::string::npos) << code << ": " << said;
+      EXPECT_EQ(run({"explain", code}).status, 0) << code;
+    }
+  }
 }
 
 TEST_F(Exchange, every_code_stands_on_the_page_of_messages) {
