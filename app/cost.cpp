@@ -96,7 +96,7 @@ double seconds_of_a_system(const CostEstimate& cost) {
 void add_totals(CostEstimate& cost) {
   // Of an entry: value, column, the symmetric neighbour's value, and the copy that is permuted.
   const double matrix = 30.0 * static_cast<double>(cost.entries);
-  // Cholesky's factor, or an LU's two in single precision, and the working front besides.
+  // Cholesky's factor, or an LU's two in single precision, plus the working front.
   const double factors = 8.0 * cost.factor_entries * 1.5;
   cost.memory =
       matrix + (cost.by_multigrid ? mechanics::cost_by_multigrid(cost.systems).memory : factors);

@@ -42,7 +42,8 @@ struct CostEstimate {
 /// That the machine has too little memory, "warning: ..."; none: it has enough, or nobody knows.
 [[nodiscard]] std::optional<std::string> memory_warning(const CostEstimate& cost);
 
-/// Scenes of so many unknowns are worth the estimate before every run: it is nothing beside that.
+/// Scenes with more unknowns are worth the estimate before every run: its cost is negligible
+/// compared with that of the run.
 inline constexpr std::int64_t many_unknowns = 100'000;
 
 } // namespace billet::app

@@ -33,8 +33,9 @@ namespace app = billet::app;
 
 constexpr int internal_error = 70;
 
-/// Gives standard streams that are closed to /dev/null: no file of ours may take their numbers. To
-/// a standard output that was closed nothing can be written, and this is told at the end.
+/// Opens /dev/null for standard streams that are closed, so that no file of ours takes their
+/// numbers. Nothing can be written to a standard output that was closed; this is reported at the
+/// end.
 void open_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 &&

@@ -21,7 +21,7 @@ struct ReadyProcess {
 };
 
 /// @param file  of the case: the place of complaints that have none of their own
-/// @param say   is told what takes a while, before it begins; may be empty
+/// @param say   called before each step that takes a while, with what it is; may be empty
 /// @throws Error
 [[nodiscard]] ReadyProcess
 make_process(const io::Case& content, const std::string& file, const io::Say& say = {});

@@ -27,7 +27,7 @@ public:
 
   /// Adds a line to the log and, unless quiet, to standard error.
   void say(const std::string& line);
-  /// Likewise, but not to the log.
+  /// Prints a line to standard error, unless quiet, but not to the log.
   void say_aside(const std::string& line) const;
   /// Adds a line to the log and to standard error, quiet or not: what went wrong.
   void insist(const std::string& line);

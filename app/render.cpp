@@ -1,4 +1,4 @@
-// billet render: goes on as billet-render, the program beside this one.
+// billet render: continues as billet-render, the program in the same folder as this one.
 
 #include "app/render.h"
 

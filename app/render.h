@@ -1,4 +1,4 @@
-// The program billet-render, which stands beside this one and draws.
+// The program billet-render, which is in the same folder as this one and draws.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// billet verify: runs problems that have closed forms, and prints every figure beside its
+// billet verify: runs problems that have closed forms, and prints every figure next to its
 // reference.
 
 #include "study/verify/verify.h"

@@ -85,7 +85,7 @@ public:
   ~Run();
   /// A run that has been moved from may only be assigned to or destroyed.
   Run(Run&& other) noexcept;
-  /// Likewise.
+  /// As the move constructor.
   Run& operator=(Run&& other) noexcept;
 
   /// Solves for one increment, or for as many as a new mesh needs.

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Runs cases and prints their figures beside references. Needs Python 3.11, nothing else.
+"""Runs cases and prints their figures next to references. Needs Python 3.11, nothing else.
 
 usage: cases/run_cases.py [--list] [--results DIR] [--billet PROGRAM] [NAME...]   (no name: all)
 
-What is compared stands in cases/NAME/check.toml; cases/README.md describes it. The balance of
+What is compared is listed in cases/NAME/check.toml; cases/README.md describes it. The balance of
 energy is checked in every case. Exit status 1 if a run or a check fails.
 """
 

@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 
 # billet_package(COMPONENT NAME DEPENDS RECOMMENDS SUGGESTS SUMMARY TEXT): the fields of one package,
-# besides the libraries that its programs are linked with. The text's paragraphs are indented by CPack.
+# in addition to the libraries that its programs are linked with. The text's paragraphs are indented by CPack.
 macro(billet_package component name depends recommends suggests summary text)
   string(TOUPPER ${component} COMPONENT)
   set(CPACK_DEBIAN_${COMPONENT}_PACKAGE_NAME ${name})

@@ -1,6 +1,6 @@
 # The site: `./dev docs` builds it from the Markdown pages into build/docs.
 #
-# Pages stay plain Markdown that reads well on a git host. What a site needs besides is added here:
+# Pages stay plain Markdown that reads well on a git host. What else a site needs is added here:
 # the tree of contents from the links of an index page, anchors and links for equation tags such as
 # (F.3), MathJax from Debian's package. See docs/_site.
 import pathlib

@@ -18,7 +18,7 @@ from setuptools.command.build_ext import build_ext
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 TARGETS = ["billet", "billet_library", "billet-render", "billet_multigrid"]  # as far as configured
-COMPONENTS = ["program", "development", "multigrid"]  # of its installation, likewise
+COMPONENTS = ["program", "development", "multigrid"]  # of its installation, as far as configured
 
 
 def cmake(*words: object) -> None:

@@ -60,7 +60,7 @@ struct ChartFile {
 [[nodiscard]] ChartFile read_chart_file(const std::filesystem::path& file,
                                         const std::vector<std::string>& overrides = {});
 
-/// What may stand in a chart file.
+/// What a chart file may contain.
 [[nodiscard]] io::Shape chart_file_shape();
 
 /// One measured quantity of a law's runs.
@@ -69,7 +69,8 @@ struct ChartedQuantity {
   /// Shape (n_points of the parameters' grid, n_stations), the last parameter changing fastest; not
   /// a number where a run did not get there.
   std::vector<std::vector<double>> values;
-  /// Half widths of 95 % for what mesh and increments leave; likewise, 0 without refinement.
+  /// Half widths of the 95 % interval for the error that mesh and increments leave, of the same
+  /// shape; 0 without refinement.
   std::vector<std::vector<double>> model_error;
   /// What a standard uncertainty of each uncertain number changes, shape (n_uncertain, ...).
   std::vector<std::vector<std::vector<double>>> change;
@@ -100,8 +101,8 @@ void write_chart(const Chart& chart, const std::filesystem::path& folder);
 /// @throws Error (Fault::input_output) for a file that is no chart
 [[nodiscard]] Chart read_chart(const std::filesystem::path& chart_json);
 
-/// Charts for billet-render: each quantity over x, a curve a value of the parameter; and over the
-/// parameter, a curve a station.
+/// Charts for billet-render: each quantity over x, one curve per value of the parameter; and over
+/// the parameter, one curve per station.
 [[nodiscard]] std::vector<std::vector<std::string>>
 chart_pictures(const Chart& chart, const std::filesystem::path& folder);
 

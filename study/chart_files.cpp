@@ -115,7 +115,7 @@ bool is_whole(const Chart& chart, const ChartedLaw& law) {
   return true;
 }
 
-/// A row a point of a law's grid and station.
+/// One row per point of a law's grid and station.
 std::string chart_csv(const Chart& chart) {
   std::string text = fmt::format("law,parameter_1,parameter_2,{}", io::csv_cell(chart.x));
   for (const ChartedQuantity& quantity : chart.laws.front().quantities)

@@ -16,7 +16,7 @@ struct Extrapolation {
   enum class Range {
     asymptotic,  ///< the order is between 1/2 and 2.1
     too_fast,    ///< the order is above 2: as of first or second order, whichever fits
-    too_slow,    ///< the order is below 1/2: likewise, or both
+    too_slow,    ///< the order is below 1/2: as of first or second order or both
     no_monotony, ///< values go up and down: nothing to extrapolate
     constant     ///< all values are the same
   };

@@ -27,7 +27,7 @@ struct Misfit {
   double chi_squared = 0.0;
 };
 
-/// Measurements beside a law.
+/// Measurements compared with a law.
 class Likelihood {
 public:
   /// @param variance  of every measurement where none is known; 0: they are
@@ -370,8 +370,8 @@ std::string where_they_differ(const Chart& chart,
       most, known ? "times the standard uncertainty" : "%");
 }
 
-/// A law is told apart from the best one where it does not fit by itself, and is less likely by a
-/// factor of 100.
+/// A law is distinguished from the best one where it does not fit by itself, and is less likely by
+/// a factor of 100.
 void compare(const Chart& chart, std::span<const Measured> data, Identification& found) {
   const double much = 2.0 * std::log(100.0);
   constexpr double does_not_fit = 0.05;

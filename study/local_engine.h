@@ -19,10 +19,9 @@ struct Job {
 /// Starts jobs in their order, at most `processes` at once, and waits for all of them. They end
 /// with this program, however that ends.
 ///
-/// @param ended    is told the number of a job and its status: that of its program, 128 + the
-/// signal
-///                 that ended it, 127 where it could not be started
-/// @param stopped  once true no more are started, and those that run are told to stop
+/// @param ended    called with the number of a job and its status: that of its program, 128 + the
+///                 signal that ended it, 127 where it could not be started
+/// @param stopped  once true no more are started, and those that run are asked to stop
 void run_jobs(const std::vector<Job>& jobs,
               int processes,
               const std::function<bool()>& stopped,

@@ -1,4 +1,4 @@
-// What the runs of a study gave: a row a run.
+// What the runs of a study gave: one row per run.
 
 #pragma once
 
@@ -38,7 +38,7 @@ struct OutcomeRow {
 /// row's reason.
 [[nodiscard]] OutcomeRow outcome_of(const Study& study, const Row& row, const PlannedRun& run);
 
-/// Columns of study.csv besides those of axes and quantities.
+/// Columns of study.csv in addition to those of axes and quantities.
 inline constexpr std::array<std::string_view, 8> columns_of_every_study{
     "row", "status", "reason", "processor_time", "iterations", "memory_mb", "error", "folder"};
 

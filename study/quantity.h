@@ -21,7 +21,7 @@ struct Quantity {
 
   std::string name = {};
   std::string of = {};       ///< an expression of columns of history.csv and of summary.json
-  std::string over = "time"; ///< likewise: what `at`, `from` and `to` are values of
+  std::string over = "time"; ///< the same: what `at`, `from` and `to` are values of
   Take take = Take::end;
   std::optional<double> at = {};            ///< of `over`
   std::optional<double> from = {}, to = {}; ///< of `over`; none: the whole run

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The words keep step with the code: an equation tag such as (F.3) in a source stands in
-# docs/theory/, no tag is given twice, a link from one page to another leads somewhere, and no page
-# and no message uses a word of tests/dialect.txt; the citation has the version of the program.
+# Documents agree with the code: an equation tag such as (F.3) in a source is defined in
+# docs/theory/, no tag is given twice, a link from one page to another leads somewhere, and no page,
+# no message and no comment uses a word of tests/dialect.txt; the citation has the version of the
+# program.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 export LC_ALL=C.UTF-8
@@ -47,17 +48,36 @@ running_text() { # FILE...: "file:line:text"
        { gsub(/`[^`]*`|\$[^$]*\$|\]\([^)]*\)/, " "); print FILENAME ":" FNR ":" $0 }' "$@"
 }
 
-# Texts of the program: what stands in quotes and has a blank, in lines that are no comments.
+# Texts of the program: what is in quotes and contains a blank, in lines that are not comments.
 messages() { # "file:line:text"
   find "${folders[@]}" study billet python/billet \( -name '*.h' -o -name '*.cpp' -o -name '*.py' \) -print0 | sort -z |
     xargs -0 grep -nvE '^ *(//|#)' | grep -oE '^[^:]*:[0-9]+:|"([^"\]|\\.)* ([^"\]|\\.)*"' |
     awk '/^[^"]*:[0-9]+:$/ { place = $0; next } { print place $0 }'
 }
 
+# Comments of sources and docstrings, without `code`: what follows // or a # after a blank, and what
+# is within /* */ or """ """; all of it outside of strings.
+comments() { # "file:line:text"
+  find . \( -path ./.git -o -path ./build -o -path ./results -o -path ./python/build \) -prune -o -type f \( \
+    -name '*.h' -o -name '*.cpp' -o -name '*.js' -o -name '*.mjs' -o -name '*.py' -o -name '*.sh' -o -name '*.toml' \
+    -o -name '*.cmake' -o -name CMakeLists.txt -o -name packages.txt -o -not -name '*.*' \) -print0 | sort -z |
+    xargs -0 awk '
+      BEGIN {
+        string = "\"([^\"\\\\]|\\\\.)*\"|\047[^\047]*\047"
+        line["#"] = "^(([^\"#]|" string "|[^ \"]#)* )?#"; start["#"] = "^([^\"]|" string ")*\"\"\""; end["#"] = "\"\"\""
+        line["/"] = "^([^\"/]|" string "|/[^/*])*//"; start["/"] = "^([^\"/]|" string "|/[^/*])*/[*]"; end["/"] = "[*]/"
+      }
+      FNR == 1 { kind = FILENAME ~ /\.(h|cpp|m?js)$/ ? "/" : "#"; within = 0 }
+      within { within = $0 !~ end[kind]; found = 1 }
+      !found && sub(line[kind], "") { found = 1 }
+      !found && sub(start[kind], "") { within = $0 !~ end[kind]; found = 1 }
+      found { gsub(/`[^`]*`/, " "); print substr(FILENAME, 3) ":" FNR ":" $0; found = 0 }'
+}
+
 dialect() {
   local all word advice
   mapfile -t all < <(pages | sort)
-  { running_text "${all[@]#./}"; messages; } >"$scratch"
+  { running_text "${all[@]#./}"; messages; comments; } >"$scratch"
   while IFS=$'\t' read -r word advice; do
     [[ -z $word || $word == '#'* ]] ||
       { grep -oiE "^[^:]*:[0-9]+:.*$word" "$scratch" || true; } |

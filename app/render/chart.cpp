@@ -40,7 +40,7 @@ std::array<Vec2, 2> range_of(const std::vector<Curve>& curves) {
   return range;
 }
 
-/// The place of the curves on the paper, and the scale of what is drawn beside them.
+/// The place of the curves on the paper, and the scale of what is drawn next to them.
 struct Layout {
   Axis x, y;
   Vec2 low, high; ///< corners of the field [pixels]

@@ -33,7 +33,7 @@ std::string text_of(const std::filesystem::path& resolved, const std::string& ke
   return {};
 }
 
-/// Forces on a tool and its ways, a row an increment.
+/// Forces on a tool and its ways, one row per increment.
 struct Record {
   std::string name;
   std::vector<Vec3> forces;
@@ -41,7 +41,7 @@ struct Record {
   Vec3 direction = Vec3::Zero(); ///< of the longest way; zero: it does not travel
 };
 
-/// Vectors whose components are columns next to each other, a row an increment.
+/// Vectors whose components are columns next to each other, one row per increment.
 std::vector<Vec3> vectors(const io::CsvTable& history, std::size_t first) {
   std::vector<Vec3> result(history.rows.size());
   for (std::size_t i = 0; i < 3; ++i) {

@@ -178,7 +178,7 @@ void FrameEncoder::add(const io::FrameFiles& files) {
       frames_.back()["tools"].push_back(tools_.add(name, std::move(surface), blob));
       if (tools_.blobs().size() > n_shapes)
         size_ += tools_.blobs().back().size();
-    } catch (const Error&) { // likewise
+    } catch (const Error&) { // the frame is worth showing without this tool
     }
   frame_blobs_.push_back(blob.text());
   size_ += frame_blobs_.back().size();

@@ -22,7 +22,7 @@ SAME_BITS = 1e-13                  # lengths times a power of two: not even roun
 BALANCE = 0.05                     # energy that may be missing
 SHORTER = (1.0, 0.5, 0.25, 0.125) # increments of the reference where they decide what metal that lets go does
 SOFT = 1.05                        # a soft tool presses no harder than a hard one, to this
-SOFT_LONG = 1.15                   # likewise where a roll takes its whole way in a few increments
+SOFT_LONG = 1.15                   # the same where a roll takes its whole way in a few increments
 
 
 @dataclass

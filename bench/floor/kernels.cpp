@@ -1,6 +1,6 @@
-// Rates of the kernels beside those of the machine: matrix products and memory.
+// Rates of the kernels compared with those of the machine: matrix products and memory.
 //
-// Prints one line a kernel: what it is, the best rate of several passes, the unit. One thread.
+// Prints one line per kernel: what it is, the best rate of several passes, the unit. One thread.
 // Theory  none.
 
 #include "geometry/base/stopwatch.h"

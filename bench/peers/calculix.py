@@ -84,7 +84,8 @@ def plate(mesh, settings):
     """The tool: one linear element above the end face.
 
     Contact between surfaces never finds a face that degenerates at the axis (2.20, silently), so
-    that face begins beside it, short of the first contact point; nodes need it to begin there.
+    that face begins next to it, short of the first contact point; node to surface contact needs it
+    to begin at the axis.
     """
     inner = 0.0 if settings.contact == "NODE TO SURFACE" else 0.005 * RADIUS
     first, n = len(mesh.nodes) + 1, len(mesh.elements) + 1

@@ -1,5 +1,6 @@
 // How fast the search of triangulated dies is: time to build, queries per second with and without
-// the hint of the last query, beside CGAL and FCL, and what a die of a million triangles costs.
+// the hint of the last query, compared with CGAL and FCL, and what a die of a million triangles
+// costs.
 //
 // bench-search [--markdown FILE] [--seconds S] [--largest TRIANGLES]; one thread, processor time.
 // Each rate is the best of several passes, every one at least S seconds long (0.2).

@@ -7,7 +7,7 @@ import math
 def rounded(corners):
     """Ends of lines and arcs (x, y, radius; > 0 turns left, 0: a line) of a chain of corners (x, y, radius).
 
-    A rounding takes at most 45 % of the shorter side beside it: neighbours never overlap."""
+    A rounding takes at most 45 % of the shorter adjacent side, so that neighbours never overlap."""
     ends = [(*corners[0][:2], 0.0)]
     for (x0, y0, _), (x1, y1, radius), (x2, y2, _) in zip(corners, corners[1:], corners[2:]):
         back, on = math.hypot(x1 - x0, y1 - y0), math.hypot(x2 - x1, y2 - y1)

@@ -12,7 +12,7 @@ def relief(draw):
     b, height, pattern, hollow = a * b, a * draw.between(0.5, 1.0), draw.one("rib", "dome", "cross"), draw.chance(0.5)
     deep, wide, element = draw.between(0.15, 0.3) * height, draw.between(0.3, 0.5) * a, draw.one("hex8", "hex8", "tet10")
     way = draw.way(0.15, 0.3) * height
-    blend = 1.5 * deep                       # width of the slope beside a feature
+    blend = 1.5 * deep                       # width of the slope next to a feature
 
     def surface(x, y):
         inside = {"rib": wide - abs(x), "dome": wide - math.hypot(x, y), "cross": wide - min(abs(x), abs(y))}[pattern]

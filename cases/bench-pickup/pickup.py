@@ -4,7 +4,7 @@
 usage: pickup.py RESULTS
 
 pickup.csv: way of the cylinder's surface [m], T/N (the paper's eq 2), T the torque over the radius, iterations and seconds so far. pickup.json:
-the largest error of the normal force, the wear beside K/H N s and beside K/H times the friction work over T/N,
+the largest error of the normal force, the wear over K/H N s and over K/H times the friction work over T/N,
 iterations per metre of the first and the last third of the slide.
 """
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How far the relief is filled: filling.csv (a row a frame) and coining.json (the last of them).
+"""How far the relief is filled: filling.csv (one row per frame) and coining.json (the last of them).
 
 usage: coining.py RESULTS
 
-The upper face of the workpiece stands above the die's land by z - (LAND + travel). `boss`, `petal`
+The upper face of the workpiece is above the die's land by z - (LAND + travel). `boss`, `petal`
 and `ring`: its largest height there over the relief's depth; `volume`: the integral of the height over
 that of the relief, on the same nodes. `out_of_balance`: what die, anvil and collar do not carry between
 them along z, over the die's force.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A wedge beneath a constant load pushes a wave: T/N beside Challen and Oxley's; writes a table.
+"""A wedge under a constant load pushes a wave: T/N compared with Challen and Oxley's; writes a table.
 
 usage: ploughing.py RESULTS [--billet PROGRAM] [--cells N]   (N along the block; 200)
 

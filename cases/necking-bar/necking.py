@@ -4,7 +4,7 @@
 usage: necking.py RESULTS
 
 force.csv: the mean load of each increment, the work done on the bar over the way of its end, at the middle of
-the increment. neck.csv: the radius in the middle of the bar over that of the bar, a row a frame.
+the increment. neck.csv: the radius in the middle of the bar over that of the bar, one row per frame.
 """
 
 import csv

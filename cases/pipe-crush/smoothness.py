@@ -3,8 +3,8 @@
 
 usage: smoothness.py RESULTS
 
-The force on the platen from 4 to 70 mm of approach beside a polynomial of degree 6 (least squares): `ripple` is the largest
-departure less the smallest one over the mean force, `rms` the root of the mean square.
+The force on the platen from 4 to 70 mm of approach compared with a polynomial of degree 6 (least squares): `ripple` is the
+largest deviation minus the smallest one over the mean force, `rms` the root mean square deviation over it.
 """
 
 import csv

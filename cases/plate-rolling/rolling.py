@@ -32,7 +32,7 @@ def steady_frames(results, part):
 
 
 def arrays(path, section, names):
-    """Named arrays of a frame's section; vectors as tuples, a row a point or cell."""
+    """Named arrays of a frame's section; vectors as tuples, one row per point or cell."""
     root = xml.parse(path).getroot()
     data = {e.get("Name"): e for e in root.find(f".//{section}")}
     columns = []

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pressure on the bore over its radius, beside the closed form: pressure.csv.
+"""The pressure on the bore over its radius, compared with the closed form: pressure.csv.
 
 usage: pressure.py RESULTS
 

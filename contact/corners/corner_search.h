@@ -25,11 +25,10 @@ struct PlacedCorner {
 /// A place of the workpiece's boundary that a corner is inside of.
 struct CornerFoot {
   Index face;
-  double xi;    ///< on the face, in [-1, 1]; at an end the node is the closest place
-  Vec2 normal;  ///< out of the tool, into the workpiece [-]
-  double depth; ///< of the corner in the workpiece [mm]
-  double
-      facing; ///< 1: the normal is one of the corner's; less at the sides beside it, 0 beyond [-]
+  double xi;     ///< on the face, in [-1, 1]; at an end the node is the closest place
+  Vec2 normal;   ///< out of the tool, into the workpiece [-]
+  double depth;  ///< of the corner in the workpiece [mm]
+  double facing; ///< 1: the normal is one of the corner's; less on its two sides, 0 beyond [-]
 
   template <class Archive> void fields(Archive& archive) {
     archive(face, xi, normal, depth, facing);
@@ -45,7 +44,7 @@ struct CornerFoot {
          static_cast<std::size_t>(std::clamp(i, 0.0, points - 1.0));
 }
 
-/// How far a corner has taken over from the side beside it where the angle between their normals
+/// How far a corner has taken over from the adjacent side where the angle between their normals
 /// has this sine: a half where there is none.
 template <class Scalar> [[nodiscard]] Scalar taken_over(const Scalar& sine) {
   constexpr double width = 0.02;

@@ -1,5 +1,5 @@
-// The inertia of tools that strike, as a force term: it stands in the equation of the tool's travel
-// beside the load and the contact (C.14).
+// The inertia of tools that strike, as a force term: it is added to the load and the contact in the
+// equation of the tool's travel (C.14).
 //
 // Theory: docs/theory/process.md (P.10).
 

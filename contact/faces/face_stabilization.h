@@ -1,9 +1,9 @@
 // What holds the shape of quadratic faces on a tool where the mixed form has no say. (C.44)
 //
 // A contact stress of one order less than the displacement does no work on the rest of the gap: a
-// corner could sink into the tool and the nodes beside it rise, held by the solid alone. Springs as
-// stiff as the parent elements press on the rest of the gap where it is inside the tool. They have
-// no resultant, so force and friction stay those of the contact points, and they are a hundred
+// corner could sink into the tool and the nodes next to it rise, held by the solid alone. Springs
+// as stiff as the parent elements press on the rest of the gap where it is inside the tool. They
+// have no resultant, so force and friction stay those of the contact points, and they are a hundred
 // times softer than the penalty, so a face need not follow the tool closer than the solid lets it.
 
 #pragma once
@@ -33,7 +33,7 @@ public:
   /// inside the tool and deeper than its face's points make it, by the lesser of the two: what
   /// bridges a groove is not pulled down, and a force begins and ends with nothing. Nor do they
   /// press more than ten times what the face's points do: a slender part's corner can be deep
-  /// inside before a point beside it closes. Springs that are there go half of the way to that.
+  /// inside before a point next to it closes. Existing springs go half of the way to that.
   ///
   /// @param history    of the contact points, shape (n_points)
   /// @param x          shape (n_dofs) [mm]

@@ -19,7 +19,7 @@ namespace billet::contact {
 struct SmoothedPressure {
   std::vector<char> known;  ///< whether a face and all around it lie on the tool
   std::vector<double> mean; ///< of the face of a point, 0 where not known [MPa]
-  std::vector<double> rise; ///< of a point above it, in sum zero on a face, likewise [MPa]
+  std::vector<double> rise; ///< of a point above it, in sum zero on a face, 0 where not known [MPa]
 };
 
 /// What the pressure rises by along each face, as the means of the faces around it tell. At the end

@@ -7,7 +7,7 @@
 // that touches within the increment rubs from then on: over the share of the way that its motion
 // predicts, with a limit of no more than the pressure. A share that followed the gap of the trial
 // would let the shear grow faster than the pressure and destroy uniqueness. A point that has slid a
-// long way turns its shear round within a small part of that way: beside a neutral point a sharper
+// long way turns its shear round within a small part of that way: next to a neutral point a sharper
 // turn would be a jump.
 //
 // Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
@@ -87,7 +87,7 @@ struct SharedPressure {
   double stiffness; ///< by which it falls with the point's own gap [MPa/mm]
 };
 
-/// What the traction depends on besides the history.
+/// What the traction depends on in addition to the history.
 struct InterfaceInput {
   Vec3 position;                   ///< tool frame [mm]
   geometry::Projection projection; ///< of that position

@@ -1,10 +1,10 @@
 // Contact and friction of the workpiece with itself, as a force term.
 //
-// Every contact point of the surface is pushed out of the faces ahead of it, and these feel the
-// opposite at the closest place: both sides are looked at, each with half of the weight, so neither
-// has to be chosen and the forces of a pair add up to nothing. The law is that of tools, its
-// penalty as well. The entries of the tangent that couple two faces stand beside the mesh's
-// pattern.
+// Every contact point of the surface is pushed out of the faces ahead of it, and the opposite force
+// acts on these at the closest place: both sides are considered, each with half of the weight, so
+// neither has to be chosen and the forces of a pair add up to zero. The law is that of tools, and
+// so is its penalty. The entries of the tangent that couple two faces are kept outside of the
+// mesh's pattern.
 //
 // Where nothing lies ahead of anything the term does nothing. Theory: docs/theory/contact.md
 // (C.50)-(C.55).

@@ -15,7 +15,7 @@ struct MeetingWalls {
   Vec3 place = Vec3::Zero();  ///< in the middle of the area [mm]
   double since = 0.0;         ///< the first of its points has touched without a break [s]
   double area = 0.0;          ///< of one of both walls [mm^2]
-  double length = 0.0;        ///< likewise along the section; in space 0 [mm]
+  double length = 0.0;        ///< of one of both walls, along the section; in space 0 [mm]
   double mean_pressure = 0.0; ///< [MPa]
 };
 

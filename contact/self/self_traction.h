@@ -32,7 +32,7 @@ struct SelfFoot {
   Vec3 normal = Vec3::Zero();
 };
 
-/// What the traction depends on besides the history.
+/// What the traction depends on in addition to the history.
 struct SelfInput {
   Vec3 point; ///< [mm]
   SelfFoot foot;

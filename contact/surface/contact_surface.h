@@ -37,7 +37,7 @@ enum class Method { penalty, augmented };
 struct ContactSettings {
   Form form = Form::mixed;
   double penalty = 100.0;        ///< multiple of E / h of the adjacent element [-]
-  double penalty_tangent = 10.0; ///< likewise, against slip [-]
+  double penalty_tangent = 10.0; ///< the same against slip [-]
   Method method = Method::penalty;
   std::optional<double> max_penetration = std::nullopt; ///< of any point of a face [mm]
   SlipScheme scheme{};                                  ///< how sliding is integrated

@@ -1,9 +1,10 @@
 // The sagitta offsets of linear faces on a curved tool. (C.43)
 //
 // A linear face, which is straight, whose nodes lie on a convex tool is inside it by its sagitta,
-// which goes with the square of its length. Beside a longer face one of a shorter's two points
-// would stand off by more than a penalty lets the other sink: half of the contact would be open and
-// carry no friction. So gaps are counted from where the faces around a node agree.
+// which is proportional to the square of its length. Of the two points of a face next to a longer
+// one, one would be off the tool by more than a penalty lets the other sink: half of the contact
+// would be open and carry no friction. So gaps are counted from where the faces around a node
+// agree.
 
 #pragma once
 
@@ -17,8 +18,8 @@
 namespace billet::contact {
 
 /// What is added to the gap of each contact point: the sagitta of its face over the mean of those
-/// around its nodes. Zero on quadratic faces, on a flat tool, beside edges of the tool and where it
-/// is curved too sharply for the face.
+/// around its nodes. Zero on quadratic faces, on a flat tool, next to edges of the tool and where
+/// it is curved too sharply for the face.
 ///
 /// @param x     shape (n_dofs) [mm]
 /// @param pose  of the tool

@@ -22,7 +22,7 @@ constexpr double correction_of_limit = 0.25;
 /// A point of an averaged face that is farther off than this does not press, whatever the others
 /// do: of the parent element.
 constexpr double beyond_contact = 0.1;
-/// Gap up to which pressure oscillation may have lifted a point off, likewise.
+/// Gap up to which pressure oscillation may have lifted a point off: of the parent element.
 constexpr double lifted_off = 0.01;
 
 /// What evening the pressure moves a point by at most [mm].

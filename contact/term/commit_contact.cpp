@@ -280,7 +280,7 @@ void ToolCommit::close_corner(std::size_t c, const PointHistory& old, double sti
   history.slips = T.status == Status::slip;
   history.stiffness = stiffness;
   committed_.touches = true;
-  // A corner that shares its place with the side beside it has a softer penalty.
+  // A corner that shares its place with the adjacent side has a softer penalty.
   committed_.stored +=
       now.area * (0.5 * (T.pressure + history.multiplier) * (now.foot->depth - old.offset) +
                   shear_energy(history.shear, history.stiffness));

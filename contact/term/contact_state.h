@@ -76,7 +76,7 @@ struct TrialContact {
   /// yet asked for.
   std::vector<Vec3> turn;
   double retreat = 0.0;    ///< of its surface in the increment, along its normals [mm]
-  double drawn_back = 0.0; ///< likewise since it began to [mm]
+  double drawn_back = 0.0; ///< the same, since it began to retreat [mm]
 
   template <class Archive> void fields(Archive& archive) {
     archive(traction, position, foot, rotation, corners, averaged, multiplier, changes,

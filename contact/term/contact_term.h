@@ -36,9 +36,9 @@ public:
 
   /// Places the points at the start of the run; histories begin here.
   void start(std::span<const double> x, double time);
-  /// Likewise for a tool that has been moved between increments; its history must be none.
+  /// The same for a tool that has been moved between increments; it must have no history.
   void start(std::size_t tool, std::span<const double> x, double time);
-  /// Goes on where a term on an earlier mesh of the same part stood. After `start`.
+  /// Goes on where a term on an earlier mesh of the same part was. After `start`.
   void go_on_from(const ContactSnapshot& before, const NewPlaces& at);
 
   [[nodiscard]] Outcome<mechanics::Assembled> assemble(const mechanics::Trial& trial,
@@ -69,8 +69,8 @@ public:
   /// Begins a try of an increment: penalties are those of the committed state, nothing is
   /// predicted.
   void restart();
-  /// Likewise, and points that were chattering in the last try, with more shear than pressure, get
-  /// no more of it than that in this one. (F.3)
+  /// Does the same, and limits the shear of points that were chattering in the last try, with more
+  /// shear than pressure, to the pressure in this one. (F.3)
   ///
   /// @return whether there are any
   bool restart_friction_limited();

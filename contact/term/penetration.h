@@ -15,8 +15,8 @@ struct Penetration {
   double share = 0.0;           ///< nor deeper than this relative to the parent element [-]
   double sampled = 0.0;         ///< depth of the deepest point found [mm]
   double at_points = 0.0;       ///< of the deepest contact point [mm]
-  double pressed = 0.0;         ///< likewise, as contact counts its gap [mm]
-  double share_pressed = 0.0;   ///< likewise, relative to the parent element [-]
+  double pressed = 0.0;         ///< the same, as contact counts its gap [mm]
+  double share_pressed = 0.0;   ///< the same, relative to the parent element [-]
   Vec3 position = Vec3::Zero(); ///< of the deepest point found, in space [mm]
   std::size_t tool = 0;         ///< in which that point lies
   /// The deepest point found relative to its parent element: another one on a graded mesh.

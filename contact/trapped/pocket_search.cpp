@@ -20,8 +20,8 @@ Vec3 place_of(std::span<const double> x, Index node) {
 /// towards it.
 struct Stretch {
   std::vector<Index> faces;
-  Index before = -1; ///< the face that a tool touches; -1: the surface begins there
-  Index after = -1;  ///< likewise, where it ends
+  Index before = -1; ///< face before it that a tool touches; -1: the surface begins there
+  Index after = -1;  ///< face after it that a tool touches; -1: the surface ends there
 };
 
 class Surface {

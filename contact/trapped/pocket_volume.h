@@ -31,7 +31,7 @@ struct Chain {
   double length = 0.0;        ///< of the line [mm]
   Vec3 centre = Vec3::Zero(); ///< in space [mm]
   Vec3 first = Vec3::Zero();  ///< where it begins, seen from the tool [mm]
-  Vec3 last = Vec3::Zero();   ///< where it ends, likewise [mm]
+  Vec3 last = Vec3::Zero();   ///< where it ends, seen from the tool [mm]
 };
 
 /// @param faces  in turn

@@ -2,8 +2,8 @@
 //
 // A pocket is found at the end of an increment, once its ends touch; its medium then has the
 // pressure of the surroundings. During an increment its faces stay the same, and the pressure
-// follows the volume that metal and tool leave: the tangent couples all of its nodes, beside the
-// mesh's pattern. Where a pocket's end leaves the tool it is vented.
+// follows the volume that metal and tool leave: the tangent couples all of its nodes, outside of
+// the mesh's pattern. Where a pocket's end leaves the tool it is vented.
 //
 // Theory: docs/theory/contact.md (C.57)-(C.61).
 

@@ -79,7 +79,7 @@ private:
                 double pressed_way,
                 const Place& place,
                 const Vec3& moved);
-  /// Likewise for a corner of the tool. (C.46)
+  /// The same for a corner of the tool. (C.46)
   void wear_off(std::size_t tool, const CornerPress& press, const Place& place);
   /// What points that have opened wore off before they did.
   void leave(std::size_t tool, std::span<const ClosedPoint> closed, const Place& place);

@@ -12,7 +12,7 @@ namespace billet::contact {
 namespace {
 
 /// Where a shape without end is cut off, in sizes of the workpiece: farther than any slides, and
-/// rounding there is still nothing beside a cell.
+/// rounding there is still negligible compared with a cell.
 constexpr double farthest = 1e6;
 
 /// Edges of cells beneath a footprint, in its sizes.
@@ -153,7 +153,7 @@ WornPatch earlier(WornPatch patch, double share) {
   const auto back = [&](const Vec3& x, double by) -> Vec3 {
     return patch.centre + turned(x - patch.centre, by);
   };
-  // What it has gone besides.
+  // Its way in addition to the turn.
   const Vec3 rest = share * (patch.foot - patch.way - back(patch.foot, 1.0));
   for (Vec3& corner : patch.footprint.corners)
     corner = back(corner, share) + rest;

@@ -24,7 +24,7 @@ constexpr int most_remembered = 5;    // halvings: what is smaller is soon anoth
 constexpr double looser = 3.0;        // excess that balls of the search before may leave
 constexpr int most_balls = 5;         // tried for a piece
 constexpr double largest_ball = 1e6;  // radius over that of the piece; more is rounding
-constexpr double small_ball = 30.0;   // likewise, tried first: from afar many facets are near
+constexpr double small_ball = 30.0;   // the same, tried first: from afar many facets are near
 constexpr double least_shrink = 0.02; // of a ball that would touch in two places
 constexpr double most_shrink = 0.2;
 constexpr double share_of_room = 0.25; // that the curvature of the ball may take
@@ -97,7 +97,7 @@ private:
   std::span<const KnownPiece> known_;
   std::vector<KnownPiece> found_;
   double deepest_;          ///< sample so far, anywhere [mm]
-  double deepest_relative_; ///< likewise [-]
+  double deepest_relative_; ///< the same, relative to the parent element [-]
   PenetrationBound result_;
 };
 
@@ -170,7 +170,7 @@ double Search::together(const Heights& a, const Heights& b) {
   return largest(0.5 * (low + high));
 }
 
-/// Bounds the piece by a ball, alone and beside those that it has.
+/// Bounds the piece by a ball, alone and together with each of those that it has.
 void Search::use(Piece& piece, const ClearBall& ball) {
   const Heights now = heights(piece.shape, ball);
   if (now.largest() < piece.bound) {

@@ -22,11 +22,10 @@ namespace billet::geometry {
 class BezierPatch {
 public:
   /// The piece that passes through points at the parameters -1, 0 and 1; of a triangle, through its
-  /// corners and points in the middle of its sides' parameters.
+  /// corners and the points at the middle of its edges' parameters.
   ///
-  /// @param at  shape (3), or (9) with the first parameter running fastest, or (6) likewise: rows
-  /// of
-  ///            3, 2 and 1 [mm]
+  /// @param at  shape (3), (9) or (6), the first parameter running fastest; the 6 of a triangle are
+  ///            rows of 3, 2 and 1 [mm]
   explicit BezierPatch(std::span<const Vec3> at);
 
   [[nodiscard]] std::span<const Vec3> control() const { return std::span(control_).first(size_); }
@@ -37,7 +36,7 @@ public:
   /// The end or corner of the piece that is farthest from `from` [mm].
   [[nodiscard]] Vec3 farthest_corner(const Vec3& from) const;
   /// The two halves, cut across the direction in which the piece is longer, of a triangle from the
-  /// middle of its longest side to the corner opposite.
+  /// middle of its longest edge to the corner opposite.
   [[nodiscard]] std::array<BezierPatch, 2> halves() const;
   /// The same piece seen from a tool's frame.
   [[nodiscard]] BezierPatch in_tool(const Pose& pose) const;

@@ -21,8 +21,8 @@ constexpr double converged = 1e-8;    // step after which there is nothing but r
 constexpr double rough = 1e-3;        // step that ends the search on the cubic alone
 constexpr double least_share = 1e-3;  // of a step
 constexpr double overrun = 0.1;       // of the barycentric coordinates
-constexpr double overlap = 1e-13;     // of two triangles: a foot on their side is never lost
-constexpr int intervals = 8;          // along a side, for bounds and shape
+constexpr double overlap = 1e-13;     // of two triangles: a foot on their edge is never lost
+constexpr int intervals = 8;          // along an edge, for bounds and shape
 constexpr double least_convex = 0.05; // of the squared distance against the metric
 
 /// Barycentric coordinates as functions of (v, w).
@@ -123,7 +123,7 @@ Parameters CurvedTriangle::on_side(std::size_t i, double t) const {
   return {b[1], b[2]};
 }
 
-// What the derivative across side i lacks to be at right angles to the normal of the edge. (G.20)
+// What the derivative across edge i lacks to be at right angles to the normal of the edge. (G.20)
 Taylor1<Vec3> CurvedTriangle::bend(std::size_t side, double t) const {
   const EdgeCurve& curve = sides_[side].curve;
   const auto& c = curve.control;
@@ -141,7 +141,7 @@ Taylor1<Vec3> CurvedTriangle::bend(std::size_t side, double t) const {
   return Taylor1<Vec3>{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()} - share * normal;
 }
 
-// Each bend acts on the slope across its own side only: the blend is 1 there and vanishes with its
+// Each bend acts on the slope across its own edge only: the blend is 1 there and vanishes with its
 // slope on the other two. (G.20)
 void CurvedTriangle::add_bends(double v, double w, SurfacePoint& at) const {
   if (!bends_[0] && !bends_[1] && !bends_[2])
@@ -232,7 +232,7 @@ Box CurvedTriangle::bounds() const {
   return box;
 }
 
-// De Casteljau's steps with another place in each: the control points are the corners', the sides'
+// De Casteljau's steps with another place in each: the control points are the corners', the edges'
 // and the middle's, each known by how many of the three steps go to each corner.
 Vec3 CurvedTriangle::blossom(const Corners& at) const {
   const auto control = [&](const std::array<std::size_t, 3>& to) -> const Vec3& {
@@ -272,7 +272,7 @@ double CurvedTriangle::rise() const {
   return rise_between({{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}});
 }
 
-// Bends vanish on the sides, so their middles are the cubic's.
+// Bends vanish on the edges, so their middles are the cubic's.
 Quarters CurvedTriangle::quarters() const {
   constexpr std::array<std::array<double, 3>, 6> places{{{1.0, 0.0, 0.0},
                                                          {0.0, 1.0, 0.0},
@@ -318,7 +318,8 @@ CurvedTriangle::Shape CurvedTriangle::shape() const {
 
 namespace {
 
-/// Where a search for the foot has led, and whether that is one, inside the triangle or beside it.
+/// Where a search for the foot has led, and whether that is a foot, inside the triangle or outside
+/// of it.
 struct Approach {
   Parameters at;
   bool converged;

@@ -24,7 +24,7 @@ constexpr double line_corner_turn = std::numbers::pi / 4.0;
 struct Marked {
   std::array<std::int32_t, 2> ends; ///< the smaller number first
   std::int32_t triangle, side;
-  std::vector<std::int32_t> triangles; ///< beside it
+  std::vector<std::int32_t> triangles; ///< adjacent to it
   bool crease;                         ///< stays only because it is sharp
   bool used = false;
 };

@@ -28,7 +28,7 @@ struct LinePiece {
 
 struct FeatureLines {
   std::vector<std::vector<LinePiece>> chains;
-  std::vector<std::vector<std::int32_t>> patches; ///< beside each chain, sorted
+  std::vector<std::vector<std::int32_t>> patches; ///< adjacent to each chain, sorted
   std::vector<std::int32_t> patch;                ///< of each triangle, from 0
   std::int32_t n_patches = 0;
   std::vector<std::int32_t> lone_corners; ///< kept points that are on no chain

@@ -18,25 +18,25 @@ namespace billet::geometry {
 
 namespace {
 
-/// Steps of the integral of 1 / size, per side.
+/// Steps of the integral of 1 / size, per edge.
 constexpr double steps_per_side = 4.0;
 
-/// Rounding of the number of sides.
+/// Rounding of the number of edges.
 constexpr double rounding_of_counts = 1e-6;
 
 /// Most of them between two kept corners; such a domain has too many triangles.
 constexpr double most_sides = 1e6;
 
-/// Least number of sides of a loop.
+/// Least number of edges of a loop.
 constexpr double least_sides = 3.0;
 
-/// A corner with a smaller angle is a tip: both its sides get the same length, 60 degrees.
+/// A corner with a smaller angle is a tip: both its edges get the same length, 60 degrees.
 constexpr double tip_angle = std::numbers::pi / 3.0;
 
-/// A side at a tip takes no more of the way to the next kept corner.
+/// An edge at a tip takes no more of the way to the next kept corner.
 constexpr double most_of_span = 0.4;
 
-/// How many sides fit up to a place.
+/// How many edges fit up to a place.
 struct Count {
   double s, sides;
 };
@@ -84,7 +84,7 @@ void spread(const BoundaryCurve& curve,
   }
 }
 
-/// Of each kept corner: length of the sides beside it, where it is a tip; otherwise 0. (G.42)
+/// Of each kept corner: length of the edges next to it, where it is a tip; otherwise 0. (G.42)
 std::vector<double> tip_lengths(const BoundaryCurve& curve,
                                 const std::function<double(const Vec2&)>& size,
                                 double min) {
@@ -102,7 +102,7 @@ std::vector<double> tip_lengths(const BoundaryCurve& curve,
   return result;
 }
 
-/// The triangle that holds the parabola of a side: its ends and where its end tangents meet.
+/// The triangle that holds the parabola of an edge: its ends and where its end tangents meet.
 struct Hull {
   Vec2 a, apex, b;
 };
@@ -169,7 +169,7 @@ Box box(const Hull& hull) {
   return result;
 }
 
-/// Sets the flags of sides whose hulls hulls_overlap.
+/// Sets the flags of edges whose hulls overlap.
 bool flag_overlaps(const std::vector<Hull>& hulls, std::vector<char>& flags) {
   std::vector<Box> boxes(hulls.size());
   std::transform(hulls.begin(), hulls.end(), boxes.begin(), box);

@@ -56,7 +56,7 @@ std::vector<std::int32_t> walls(const TriangleMesh& mesh, double near) {
   return {found.begin(), found.end()};
 }
 
-/// Points beside each point, and the lines that stay.
+/// The neighbours of each point, and the lines that stay.
 class Net {
 public:
   explicit Net(const SolidBoundary& boundary) : boundary_(boundary) {
@@ -148,7 +148,7 @@ inner_points(const TriangleMesh& mesh, const Net& net, std::span<const std::int3
   return {inner.begin(), inner.end()};
 }
 
-/// Puts each of these points into the mean of those beside it: wherever they were, what they span
+/// Puts each of these points into the mean of its neighbours: wherever they were, what they span
 /// depends on the rim alone (Tutte 1963).
 void span_skin(TriangleMesh& mesh, const Net& net, std::span<const std::int32_t> inner) {
   const auto n = static_cast<Eigen::Index>(inner.size());

@@ -1,8 +1,8 @@
 // Places where a boundary in the plane meets itself: folds whose mouth has closed.
 //
-// Metal that rolls over itself leaves a crease; once its walls touch, a mesh that does not feel its
-// own contact lets them cross. Cutting the crease off welds its walls: the boundary then passes
-// from one lip of the mouth to the other. Theory: docs/theory/geometry.md (G.54).
+// Metal that rolls over itself leaves a crease; once its walls touch, a mesh without contact with
+// itself lets them cross. Cutting the crease off welds its walls: the boundary then passes from one
+// lip of the mouth to the other. Theory: docs/theory/geometry.md (G.54).
 //
 // Units   mm.
 
@@ -28,10 +28,10 @@ struct ClosedFold {
   [[nodiscard]] double depth() const { return 0.5 * way; } ///< of the crease [mm]
 };
 
-/// The longest closed fold of a loop that is small beside it: a quarter of the way round and 2 % of
-/// the area at most.
+/// The longest closed fold of a loop that is small compared with it: a quarter of the way round and
+/// 2 % of the area at most.
 ///
-/// @param stays  sides that no fold may hold, shape (n_sides): supports, say
+/// @param stays  edges that no fold may hold, shape (n_sides): supports, say
 /// @param near   lips meet that are no farther than this from each other, if what lies between is
 ///               outside and deeper than twice that; 0: they have to cross [mm]
 /// @param deepest  that it may be [mm]
@@ -47,12 +47,12 @@ struct ClosedFold {
 struct WeldedLoop {
   SideLoop loop;
   std::vector<std::int32_t> sides;   ///< of the old loop
-  std::vector<std::int32_t> corners; ///< likewise; -1: the place of the weld
+  std::vector<std::int32_t> corners; ///< of the old loop; -1: the place of the weld
 };
 
-/// Cuts a fold off. The sides that meet at the weld are straight.
+/// Cuts a fold off. The edges that meet at the weld are straight.
 ///
-/// @param rest  shortest side there, but for sides between kept corners [mm]
+/// @param rest  shortest edge there, but for edges between kept corners [mm]
 [[nodiscard]] WeldedLoop without_fold(const SideLoop& loop, const ClosedFold& fold, double rest);
 
 } // namespace billet::geometry

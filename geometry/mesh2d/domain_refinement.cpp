@@ -122,7 +122,7 @@ private:
     std::array<double, 3> lengths2; ///< of the sides opposite to them, squared
     int opposite;                   ///< corner opposite to the shortest
   };
-  /// A corner with a small angle of the domain, and the spans of the boundary beside it.
+  /// A corner with a small angle of the domain, and the spans of the boundary next to it.
   struct Sharp {
     Vec2 at;
     std::int32_t loop;
@@ -293,8 +293,8 @@ bool Refinement::is_encroached(std::size_t number) const {
   return encroaches(vec(face->vertex(edge)), vec(side.a), vec(side.b));
 }
 
-/// The middle; beside a sharp corner, a power of two from it, so that both sides of the corner are
-/// split at the same distances.
+/// The middle; next to a sharp corner, a power of two from it, so that both edges that meet there
+/// are split at the same distances.
 double Refinement::place_to_split(const Side& side) const {
   const auto is_sharp = [&](Vertex v) {
     return std::any_of(sharp_.begin(), sharp_.end(),
@@ -347,7 +347,7 @@ void Refinement::mark_around(Vertex vertex, Vertex before, Vertex after) {
 bool Refinement::split(std::size_t number) {
   const Side side = sides_[number];
   const auto [face, edge] = edge_of(side);
-  // Without the constraint, but still an edge: the new vertex lies beside it and makes it flip.
+  // Without the constraint, but still an edge: the new vertex lies next to it and makes it flip.
   face->set_constraint(edge, false);
   face->neighbor(edge)->set_constraint(triangulation_.tds().mirror_index(face, edge), false);
   const double place = place_to_split(side);

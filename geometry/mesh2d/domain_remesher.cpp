@@ -34,7 +34,7 @@ constexpr double corner_turn = std::numbers::pi / 6.0;
 /// The same where the boundary would touch itself otherwise, 10 degrees.
 constexpr double fold_turn = std::numbers::pi / 18.0;
 
-/// Poor angles are mended by boundary sides down to this fraction of the smallest size.
+/// Poor angles are improved by boundary edges down to this fraction of the smallest size.
 constexpr double least_fraction = 1.0 / 16.0;
 
 /// Chords that stand for the old boundary turn by no more than this [rad].

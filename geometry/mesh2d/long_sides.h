@@ -1,9 +1,9 @@
-// How long a side may be that stands for a stretch of a boundary. Internal to geometry/.
+// How long an edge may be that represents a stretch of a boundary. Internal to geometry/.
 //
-// A side stands for a stretch that leaves the chord between its ends by no more than an arc would
-// which turns by a given angle. A long side may do where shorter ones do not: ripples that are
-// small for it need no short sides, which otherwise would stay for good where metal has left an
-// edge of a tool. Theory: docs/theory/geometry.md (G.42a).
+// An edge represents a stretch that deviates from the chord between its ends by no more than an arc
+// that turns by a given angle. A long edge may do so where shorter ones do not: ripples that are
+// small compared with it need no short edges, which would otherwise stay for good where metal has
+// left an edge of a tool. Theory: docs/theory/geometry.md (G.42a).
 //
 // Units   mm.
 
@@ -24,11 +24,11 @@ struct ClosedWay {
 
 class LongSides {
 public:
-  /// @param stops  places that no side passes, rising
-  /// @param turn   of the arc that a stretch may leave its chord as far as [rad]
+  /// @param stops  places that no edge passes, rising
+  /// @param turn   of the arc that limits how far a stretch may deviate from its chord [rad]
   LongSides(ClosedWay way, const std::vector<double>& stops, double turn);
 
-  /// The longest side about a place that stands for its stretch, of those tried from `most` down
+  /// The longest edge about a place that represents its stretch, of those tried from `most` down
   /// to `least`, or 0. [mm]
   [[nodiscard]] double longest(double place, double least, double most) const;
 

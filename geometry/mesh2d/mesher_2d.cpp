@@ -214,7 +214,7 @@ PlaneMesh mesh_outline(const Profile& outline, double size) {
                 fmt::format("triangles of size {} would be about {:.3g}; at most {:.0e} are made",
                             size, expected, most_triangles),
                 "give a larger size");
-  // Small pieces take triangles beside those that the area takes, but not without end.
+  // Small pieces take triangles in addition to those that the area takes, but not without limit.
   constexpr double for_small_pieces = 2e5;
   constexpr double over_expected = 10.0;
   const auto most = static_cast<std::size_t>(for_small_pieces + over_expected * expected);

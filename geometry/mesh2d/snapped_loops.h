@@ -36,7 +36,7 @@ private:
     double from, to; ///< [-]
   };
 
-  /// Joins pieces that have come to have no length with those beside them.
+  /// Joins pieces whose length has become zero with their neighbours.
   static void join_short(SideLoop& loop, std::vector<Piece>& pieces, double shortest);
   static void erase(SideLoop& loop, std::vector<Piece>& pieces, std::size_t i);
   void add(const SideLoop& loop, std::int32_t number, const Snap& snap, double least);

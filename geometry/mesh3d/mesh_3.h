@@ -76,8 +76,8 @@ struct Refined {
 /// Where refinement does not end edges get ever shorter. [mm]
 [[nodiscard]] Vec3 middle_of_shortest_edge(const Triangulation& triangulation);
 
-/// Moves vertices until few tetrahedra have a dihedral angle below that. Exudation besides does not
-/// end on some bodies and makes others no better.
+/// Moves vertices until few tetrahedra have a dihedral angle below that. Exudation, in addition,
+/// does not end on some bodies and makes others no better.
 void remove_slivers(Complex& complex, const Domain& domain, double angle = sliver);
 
 } // namespace billet::geometry::mesh_3

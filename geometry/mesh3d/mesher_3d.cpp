@@ -27,7 +27,7 @@ constexpr double wanted_quality = 0.3; ///< `shape_quality`, as far as that is p
 /// for larger ones without end.
 constexpr double angle_with_details = 10.0;
 
-/// Dihedral angle to be reached there: more takes minutes beside edges that are not kept.
+/// Dihedral angle to be reached there: more takes minutes next to edges that are not kept.
 constexpr double sliver_with_details = 5.0;
 
 /// Of the volume, that a mesh may lose or win.

@@ -45,7 +45,7 @@ struct Polyline {
   std::vector<int> patches;
 };
 
-/// Property maps from a line to its points and to the patches beside it.
+/// Property maps from a line to its points and to the patches adjacent to it.
 struct PointsOf {
   using key_type = Polyline;
   using value_type = std::vector<Kernel::Point_3>;

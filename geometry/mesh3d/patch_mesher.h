@@ -23,7 +23,7 @@ namespace billet::geometry {
 /// A chain of edges of the surface; closed if it ends where it begins.
 struct FeatureLine {
   std::vector<Vec3> points;          ///< two at least [mm]
-  std::vector<std::int32_t> patches; ///< beside it
+  std::vector<std::int32_t> patches; ///< adjacent to it
 };
 
 /// A closed surface, turned outwards, and what of it stays.

@@ -27,7 +27,7 @@ constexpr double worth_it = 1e-3;             ///< of quality, that a change mus
 constexpr double most_length =
     1.4; ///< of an edge that may come of a contraction, over the size there
 constexpr double least_turn = 0.8;          ///< cosine of the angle by which facets may turn
-constexpr double least_turn_of_line = 0.95; ///< likewise, at a node that goes along one
+constexpr double least_turn_of_line = 0.95; ///< the same for a line, at a node that moves along it
 
 bool among(const auto& corners, std::int32_t node) {
   return std::find(corners.begin(), corners.end(), node) != corners.end();

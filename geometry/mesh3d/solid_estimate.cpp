@@ -31,9 +31,9 @@ constexpr double in_a_cube = 4.0;       ///< tetrahedra of size 1
 constexpr double on_a_square = 0.5;     ///< further ones of size 1 along the surface
 constexpr double on_an_edge = 1.5;      ///< and along sharp edges
 constexpr double on_small_square = 3.0; ///< of smaller ones: those that lead over to the size too
-constexpr double at_small_edge = 9.0;   ///< likewise, around a piece of a sharp edge
+constexpr double at_small_edge = 9.0;   ///< the same, around a piece of a sharp edge
 constexpr double edge_share = 0.4; ///< length of such a piece over the distance to the next edge
-constexpr double wall_share = 1.3; ///< side of tetrahedra in a wall over its thickness
+constexpr double wall_share = 1.3; ///< edge of tetrahedra in a wall over its thickness
 /// Radius of a rounding, over what facets may lie off, that they do not bridge.
 constexpr double least_curve = 3.0;
 
@@ -72,7 +72,7 @@ void add_edges(const TriangleMesh& mesh, const SolidRefinement& wanted, SolidEst
   }
 }
 
-/// The largest curvature at each triangle, by the angles to those beside it [1/mm].
+/// The largest curvature at each triangle, by the angles to its neighbours [1/mm].
 std::vector<double> curvatures(const TriangleMesh& mesh, double feature_angle) {
   std::vector<double> result(mesh.triangles.size(), 0.0);
   for_each_edge(edge_uses(mesh), [&](std::span<const EdgeUse> uses) {

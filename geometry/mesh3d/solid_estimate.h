@@ -53,8 +53,8 @@ struct SolidEstimate {
 /// the closest at (1, 2, 3)"; empty if there is nothing to be said.
 [[nodiscard]] std::string reason(const SolidEstimate& estimate);
 
-/// Tetrahedra that may be made: ten times those that the volume and the surface take, and two
-/// hundred thousand besides.
+/// Tetrahedra that may be made: ten times those that the volume and the surface take, plus two
+/// hundred thousand.
 [[nodiscard]] double most_tetrahedra(const SolidEstimate& estimate);
 
 /// @throws Error(Fault::limit), with the reason, if it would take more than `most_tetrahedra`

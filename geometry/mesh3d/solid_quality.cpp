@@ -19,7 +19,7 @@ namespace {
 constexpr int most_rounds_of_moves = 12; // through all poor tetrahedra
 constexpr double most_moves = 2.0;   // of nodes, over the number of tetrahedra: a bound of the time
 constexpr double first_step = 0.25;  // over the shortest edge at a node
-constexpr double least_step = 0.004; // likewise
+constexpr double least_step = 0.004; // over the same edge
 
 /// Of the angles between two faces of a tetrahedron that is turned the right way round; the
 /// largest one is that of the smallest angle.
@@ -150,7 +150,7 @@ private:
   const std::vector<char>& movable_;
   const Confine& confine_;
   double wanted_;
-  std::vector<char> fresh_; ///< something beside the node has moved since it was tried
+  std::vector<char> fresh_; ///< something next to the node has moved since it was tried
   std::vector<Vec3> ways_;
   std::int64_t moves_; ///< that are left
 };

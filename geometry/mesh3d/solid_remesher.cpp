@@ -107,7 +107,7 @@ PatchedSurface patched(const BoundarySurface& surface) {
 }
 
 /// Refinement does not end on two sheets of the surface before its edges are as short as the sheets
-/// are apart: a lap that closes is told at once.
+/// are apart: a lap that closes is reported at once.
 void require_room(const std::vector<WallWidth>& walls) {
   constexpr double tetrahedra_a_square = 4.0; // or more, on a surface of that area
   double needed = 0.0;

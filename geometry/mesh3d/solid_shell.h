@@ -82,7 +82,7 @@ private:
   [[nodiscard]] const Vec3& position(std::size_t node) const;
   [[nodiscard]] Enclosed enclosed() const;
   [[nodiscard]] std::array<std::size_t, 6> nodes_of(const PatchedSolid::Facet& facet) const;
-  /// From 0 at held nodes and one half beside them to 1; of nodes inside 0.
+  /// From 0 at held nodes and one half next to them to 1; 0 for nodes inside.
   [[nodiscard]] std::vector<double> freedom() const;
   [[nodiscard]] std::vector<Vec3> normals() const;
   [[nodiscard]] std::array<Vec3, 4> corners_of(std::size_t tetrahedron) const;
@@ -95,7 +95,7 @@ private:
   std::vector<std::array<std::int32_t, 3>> facet_edges_; ///< from corner i to the next
   std::vector<std::array<std::int32_t, 6>> tetra_edges_; ///< numbers in `edges_`; -1: inside
   std::vector<Seat> seats_;                              ///< of all nodes
-  std::vector<SurfacePlace> places_;                     ///< likewise; of no meaning inside
+  std::vector<SurfacePlace> places_;                     ///< of all nodes; without meaning inside
   std::vector<std::int32_t> old_line_piece_;             ///< of the edges, of those on lines
   std::vector<Vec3> flaws_;
 };

@@ -27,7 +27,7 @@ constexpr int most_rounds_of_balls = 30;
 std::optional<double>
 ball_at(const RigidSurface& surface, const Vec3& x, const Vec3& n, double most) {
   double radius = 0.5 * most;
-  std::optional<Vec3> beyond; // where the ball touches besides
+  std::optional<Vec3> beyond; // where else the ball touches
   for (int round = 0; round < most_rounds_of_balls; ++round) {
     const Vec3 middle = x + radius * n;
     Projection foot;

@@ -1,4 +1,4 @@
-// How thin a body is, and how narrow the gaps are beside it. Internal to geometry/.
+// How thin a body is, and how narrow the gaps next to it are. Internal to geometry/.
 //
 // Units   mm. Theory: docs/theory/geometry.md (G.45).
 

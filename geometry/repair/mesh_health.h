@@ -1,7 +1,7 @@
 // What is wrong with a triangulated surface.
 //
 // Counts, measures and places of everything a tool's surface may suffer from, cuts of triangles
-// through each other excepted (self_intersection.h). Nothing is mended here (mesh_repair.h).
+// through each other excepted (self_intersection.h). Nothing is repaired here (mesh_repair.h).
 //
 // Units   those of the caller (mm). Guide: docs/guide/stl-tools.md.
 

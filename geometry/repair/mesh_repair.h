@@ -43,7 +43,7 @@ struct Repaired {
   MeshParts parts; ///< of the repaired surface
 };
 
-/// Mends `mesh`.
+/// Repairs `mesh`.
 ///
 /// @param tolerance  how far points may move [mm], > 0
 /// @param precision  of the coordinates [mm], >= 0; triangles flatter than it are flat

@@ -147,7 +147,7 @@ Kind SmoothTriangleSurface::classify(std::size_t t, const CurvedTriangle& patch)
   }
   ++smoothing_.curved;
   smoothing_.chord_error = std::max(smoothing_.chord_error, shape.departure);
-  double turn2 = 0.0; // square of the largest angle between two normals along a side
+  double turn2 = 0.0; // square of the largest angle between two normals along an edge
   for (const CurvedTriangle::Side& side : patch.sides())
     turn2 = std::max(turn2, (side.curve.normals[1] - side.curve.normals[0]).squaredNorm());
   smoothing_.remaining_error = std::max(smoothing_.remaining_error, shape.departure * turn2 / 16.0);

@@ -79,7 +79,8 @@ struct AxisCoordinates {
   Vec3 e_r;
 };
 
-/// @param size  length of the shape; distances that are rounding errors beside it count as zero
+/// @param size  length of the shape; distances that are rounding errors relative to it count as
+///              zero
 [[nodiscard]] AxisCoordinates axis_coordinates(const Axis& axis, const Vec3& point, double size);
 
 /// Range of h over the corners of `window`.

@@ -53,14 +53,14 @@ private:
 
   struct alignas(64) Node {
     std::array<std::array<float, width>, 3> low;  ///< of the children, from `centre_`; +inf: none
-    std::array<std::array<float, width>, 3> high; ///< likewise; -inf: none
+    std::array<std::array<float, width>, 3> high; ///< of the children, from `centre_`; -inf: none
     std::array<std::int32_t, width> child;        ///< number of a node, or -1 - number of a box
   };
   /// Between which planes the children lie, from `centre_`.
   struct alignas(64) Slabs {
     std::array<std::array<double, width>, 3> normal; ///< unit
     std::array<double, width> low;                   ///< along it, from `centre_`
-    std::array<double, width> high;                  ///< likewise
+    std::array<double, width> high;                  ///< along it, from `centre_`
   };
   struct Item {
     double distance2; ///< less than or equal to that of every box below

@@ -33,7 +33,7 @@ struct ClosestFeature {
 
 /// How far a point of the plane of a triangle lies within its nearest side.
 struct Inside {
-  double distance;  ///< [mm]; < 0: beside the triangle
+  double distance;  ///< [mm]; < 0: outside of the triangle
   std::size_t side; ///< 0, 1, 2: from that corner to the next
 };
 

@@ -1,8 +1,8 @@
 // Triangles in space, as read from an STL, and their clean-up.
 //
 // Triangles turn counter-clockwise seen from outside the tool. The clean-up changes no shape beyond
-// the rounding of the coordinates. What is wrong with a surface says mesh_health.h; cracks, turned
-// triangles and the like are mended by mesh_repair.h.
+// the rounding of the coordinates. What is wrong with a surface is found by mesh_health.h; cracks,
+// turned triangles and the like are repaired by mesh_repair.h.
 //
 // Units   those of the caller (mm). Theory: docs/theory/geometry.md (G.12), (G.13).
 

@@ -60,15 +60,15 @@ SurroundingsOf::Other SurroundingsOf::other(std::int32_t triangle) const {
   return other;
 }
 
-// Height and way beside the triangle are linear over the other one, so that their ratio is largest
-// at a corner, if all corners lie beside.
+// Height above the triangle and distance outside of it are linear over the other one, so that their
+// ratio is largest at a corner, if all corners lie outside.
 double SurroundingsOf::slope(const Other& other, const Way& way) {
   double slope = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (other.shared[k] >= 0 && !way.farthest[static_cast<std::size_t>(other.shared[k])])
       return infinity;
     if (other.shared[k] >= 0)
-      continue; // in the plane, and nothing beside
+      continue; // in the plane, at no distance
     const double beside = way.direction.dot(other.corners[k]) - way.reach;
     if (beside <= 0.0)
       return infinity;
@@ -77,7 +77,7 @@ double SurroundingsOf::slope(const Other& other, const Way& way) {
   return slope;
 }
 
-// A distance that the other triangle has at least: beside this one, or above or below it.
+// A lower bound of the distance to the other triangle: outside of this one, or above or below it.
 double SurroundingsOf::distance(const Other& other) const {
   const auto [low, high] = std::minmax_element(other.heights.begin(), other.heights.end());
   double distance = std::max({0.0, *low, -*high});

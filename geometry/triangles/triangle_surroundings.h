@@ -20,7 +20,7 @@ namespace billet::geometry {
 /// One word, so that threads can store and load it as a whole.
 struct alignas(8) Surroundings {
   /// Largest height of points of other triangles over or under the plane of this one, as a multiple
-  /// of how far they lie beside it [-]; infinite: nothing is known
+  /// of how far they lie outside of it [-]; infinite: nothing is known
   float slope;
   /// The slope holds for points nearer to the triangle than this [mm]
   float radius;
@@ -71,7 +71,7 @@ private:
 /// near but for `margin`.
 ///
 /// @param distance  of the point from the plane of the triangle [mm]
-/// @param inside    of its foot from the nearest side [mm]; < 0: beside the triangle
+/// @param inside    of its foot from the nearest edge [mm]; < 0: outside of the triangle
 [[nodiscard]] bool
 is_nearest(const Surroundings& around, double distance, double inside, double margin);
 

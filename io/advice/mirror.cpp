@@ -170,7 +170,7 @@ private:
     }
     return true;
   }
-  /// The way of the plane that lies between two tools, beside that between them at the start.
+  /// The way of the plane half-way between two tools, from where it is at the start.
   [[nodiscard]] Travel between(std::size_t a, std::size_t b) const {
     Travel halfway;
     for (const double t : times_)

@@ -116,7 +116,7 @@ chill_advice(const Case& content, const NominalFlow& flow, const NominalState& s
                   content.units.time, layer, content.units.length, fourier, metal->name)};
 }
 
-/// Inertia beside the flow stress.
+/// Inertia compared with the flow stress.
 std::optional<Advice>
 inertia_advice(const Case& content, const NominalFlow& flow, const NominalState& state) {
   constexpr double most = 0.01, density_of_steel = 7850.0; // [-], [kg/m^3]

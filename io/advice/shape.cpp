@@ -99,7 +99,7 @@ std::optional<std::string> is_out_of_reach(const Scene& scene,
                                            std::size_t t,
                                            const ReachesOfTools& reaches,
                                            const UnitSystem& units) {
-  constexpr double far = 3.0; // sizes of the part, beside all ways
+  constexpr double far = 3.0; // of the part's size plus all ways
   const std::optional<process::ToolReach>& reach = reaches[t];
   const std::optional<double> ways = way_of_all(scene, reaches);
   if (!reach || !ways || reach->way > 0.0 || reach->has_all_behind)

@@ -28,7 +28,7 @@ namespace billet::io {
 
 using mechanics::Analysis;
 
-/// The system of units of all numbers of a case, and the labels to print beside them.
+/// The system of units of all numbers of a case, and the labels to print next to them.
 struct UnitSystem {
   std::string name = "mm-N-s-MPa-degC"; ///< as in the case file
   std::string length = "mm";

@@ -1,6 +1,6 @@
 // Reads a case file: TOML text and the user's overrides to a validated Case, and back to text.
 //
-// Everything that is wrong with a file is found and reported in one go, with its line and column.
+// Everything that is wrong with a file is found and reported together, with its line and column.
 // What is read: docs/guide/case-file.md.
 
 #pragma once

@@ -78,7 +78,7 @@ private:
       law_.*parameter.member = 1.0;
   }
 
-  /// Complains of a number that is too small beside another one, if both are numbers at all.
+  /// Complains of a number that is too small compared with another one, if both are numbers at all.
   template <class Value> void compare(const Parameter<Law, Value>& parameter) {
     if constexpr (std::same_as<Value, double>) {
       const LowerLimit<Law>& above = parameter.above;

@@ -53,7 +53,7 @@ void check_heating(TableReader& table, const Material& material) {
     return;
   for (const auto& [key, given] : {std::pair("density", material.density.has_value()),
                                    std::pair("heat_capacity", material.heat_capacity.has_value())})
-    if (!given && !table.find(key)) // one that could not be read is told already
+    if (!given && !table.find(key)) // one that could not be read is reported already
       at->complain(fmt::format("heating needs the {} of the metal", key),
                    fmt::format("give {} in the same section", key));
   if (!material.flow)

@@ -13,7 +13,7 @@ namespace billet::io {
 
 namespace {
 
-/// `inside` stands beside the kind's key or in its table.
+/// `inside` is given next to the kind's key or in its table.
 void read_inside(TableReader& outer, TableReader& inner, bool& inside) {
   const bool is_inner = inner.optional("inside", inside, as_flag);
   const bool is_outer = outer.optional("inside", inside, as_flag);
@@ -122,7 +122,7 @@ template <class Vec> std::optional<std::vector<Vec>> as_points(const At& at) {
   return points;
 }
 
-/// `points`, and `closed` beside them; false if they could not be read.
+/// `points`, and `closed` next to them; false if they could not be read.
 template <class Vec>
 bool read_chain(TableReader& table, const At& at, std::vector<Vec>& chain, bool& closed) {
   table.optional("closed", closed, as_flag);

@@ -2,7 +2,7 @@
 //
 // A reader remembers which keys it was asked for: what is left over in the end is unknown. Nothing
 // is thrown: a value that cannot be read leaves the target as it is and adds a complaint, so that
-// all errors of a file come out in one go.
+// all errors of a file are reported together.
 
 #pragma once
 

@@ -11,7 +11,7 @@
 
 namespace billet::io {
 
-// Texts of the members of laws, besides those of toml_text.h.
+// Texts of the members of laws, in addition to those of toml_text.h.
 [[nodiscard]] std::string toml_text(const mechanics::AnyStaticLaw& law);
 [[nodiscard]] inline std::string toml_text(contact::Flattening flattening) {
   return word_text(flattening, real_contacts);

@@ -100,7 +100,7 @@ AbaqusType abaqus_type(const std::string& name) {
   return {};
 }
 
-/// What stands beside a body and is no part of it: springs, masses, couplings, beams, users' own.
+/// What may come with a body and is no part of it: springs, masses, couplings, beams, users' own.
 bool is_no_body(std::string_view type) {
   constexpr std::array<std::string_view, 13> beginnings{
       "SPRING", "DASHPOT", "MASS", "ROTARYI", "GAP", "DCOUP", "CONN",

@@ -17,7 +17,7 @@
 
 namespace billet::io {
 
-/// Where included files may lie, besides the folder of the file that is read.
+/// Where included files may be, in addition to the folder of the file that is read.
 struct IncludeBounds {
   std::filesystem::path folder = {}; ///< or below; empty: nowhere else
   bool anywhere = false;

@@ -78,7 +78,7 @@ struct FoundCheckpoint {
 /// and what is. The end of the run, later stages, output and threads may.
 ///
 /// @param before  resolved case of the run so far
-/// @param now     likewise, of the run to be
+/// @param now     resolved case of the run that goes on from it
 /// @param stage   in which the run is
 [[nodiscard]] std::vector<std::string>
 changes_of_case(const std::string& before, const std::string& now, std::size_t stage);

@@ -1,4 +1,4 @@
-// What a run says of itself at its end: figures that are off, and what mends them.
+// What a run reports about itself at its end: figures that are off, and what corrects them.
 
 #include "contact/self/laps.h"
 #include "io/case/material_range.h"

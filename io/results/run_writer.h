@@ -1,9 +1,9 @@
 // Writes the results of a run as it goes: frames for ParaView, tables, the summary.
 //
 // DIR/<case>.pvd, DIR/frames/, DIR/history.csv, DIR/iterations.csv, DIR/summary.json,
-// DIR/case.resolved.toml; DIR/remesh.csv with a row a remeshing; DIR/failure/ when an increment
+// DIR/case.resolved.toml; DIR/remesh.csv with one row per remeshing; DIR/failure/ when an increment
 // cannot be solved. Every file is written under a temporary name and renamed, the tables grow by
-// whole rows. The folder is locked as long as the writer lives. What the summary speaks for is on
+// whole rows. The folder is locked as long as the writer lives. What the summary describes is on
 // the disk before the summary is.
 
 #pragma once
@@ -97,7 +97,7 @@ private:
   double every_;
   RunBeginning beginning_;
   double stored_at_ = 0.0;   ///< when the run was stored last, time of the process [s]
-  double stored_wall_ = 0.0; ///< likewise, of the wall clock [s]
+  double stored_wall_ = 0.0; ///< the same by the wall clock [s]
   process::CheckpointReason reason_ = process::CheckpointReason::due;
   std::optional<CsvWriter> history_;
   std::optional<CsvWriter> iterations_;

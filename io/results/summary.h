@@ -29,7 +29,7 @@ struct RunEnd {
   std::vector<process::FailedCheck> failed; ///< checks
 };
 
-/// What the summary says besides what the process knows.
+/// What the summary says in addition to what the process knows.
 struct SummaryFacts {
   const std::string& title;
   const std::string& units; ///< name of their system
@@ -38,7 +38,7 @@ struct SummaryFacts {
   const RunEnd& end;
   const std::optional<process::IncrementReport>& last; ///< none: there has been no increment
   double largest_penetration;                          ///< of the run [mm]
-  double largest_share;                                ///< likewise, of the parent element [-]
+  double largest_share;                                ///< of the parent element, of the run [-]
   std::span<const LargestForce> largest_forces;        ///< on each tool, shape (n_tools) or none
   std::vector<std::string> warnings;                   ///< about inputs and result
   const std::optional<process::PostMortem>& post;      ///< none: every increment was solved

@@ -145,7 +145,7 @@ void ensure_room_for(vtkDataObject& data) {
   std::free(room);
 }
 
-/// Writes through memory, for what fails is told by the system (atomic_file.h).
+/// Writes through memory, so that the system reports what fails (atomic_file.h).
 template <class Writer>
 void write(const std::filesystem::path& path, vtkDataObject& data, bool compressed) {
   ensure_room_for(data);

@@ -20,7 +20,7 @@ struct BuiltScene {
 /// Builds the scene of a case.
 ///
 /// @param place  what complaints about the case's contents begin with (the case file)
-/// @param say    is told what takes a while, before it begins; may be empty
+/// @param say    called before each step that takes a while, with what it is; may be empty
 /// @throws Error with Fault::geometry for a mesh or surface that cannot be used, Fault::case_file
 ///         for a name or place that finds nothing
 [[nodiscard]] BuiltScene

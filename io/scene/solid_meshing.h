@@ -27,7 +27,7 @@ struct BodyFile {
 
 /// Meshes it; what is to be known of the surface and the mesh is added to the notes.
 ///
-/// @param say  is told, before it is meshed, how many tetrahedra it will take and why
+/// @param say  called, before it is meshed, with how many tetrahedra it will take and why
 /// @throws Error at the file: what is wrong with its surface, several bodies, too many tetrahedra
 [[nodiscard]] mechanics::Mesh solid_mesh(const BodyFile& body,
                                          const geometry::SolidRefinement& wanted,

@@ -177,7 +177,7 @@ Slip turned_in_radians(const std::string& whose, const Place& place) {
                       : std::nullopt;
 }
 
-/// Angles of a tool that are given in degrees besides its place.
+/// Angles of a tool that are given in degrees, other than that of its place.
 Slip angle_in_radians(const Tool& tool) {
   const std::string whose = fmt::format("tool '{}'", tool.name);
   if (const auto* const cone = std::get_if<ConeSurface>(&tool.surface))

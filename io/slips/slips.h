@@ -2,8 +2,8 @@
 //
 // A modulus in GPa where MPa are asked for, a punch that never arrives, one element over the
 // height: the run would go on and its figures would be wrong, or right for another job. Each slip
-// is looked for by a small function of its own, which says the number and the remedy; limits are so
-// wide that what is told is worth a look. Nothing is stopped.
+// is looked for by a small function of its own, which gives the number and the remedy; limits are
+// so wide that what is reported is worth a look. Nothing is stopped.
 //
 // Numbers with a dimension are compared in fixed units, whatever the units of the case.
 // Guide: docs/guide/case-file.md, "Slips that are warned of".

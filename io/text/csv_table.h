@@ -1,4 +1,4 @@
-// Tables in text, a row a line, cells between commas: history.csv, measured values of a user.
+// Tables in text, one row per line, cells between commas: history.csv, measured values of a user.
 
 #pragma once
 

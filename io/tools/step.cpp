@@ -38,8 +38,8 @@ namespace billet::io {
 namespace {
 
 constexpr double usual_chord_error = 2e-4; // of the diagonal of the box
-constexpr double least_chord_error = 1e-5; // likewise; a ball takes half a million facets and 3 GB
-constexpr double most_chord_error = 0.01;  // likewise
+constexpr double least_chord_error = 1e-5; // of it; a ball takes half a million facets and 3 GB
+constexpr double most_chord_error = 0.01;  // of it
 constexpr double most_turn = 0.1;          // from facet to facet of a curved face [rad]
 
 [[noreturn]] void

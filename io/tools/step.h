@@ -22,7 +22,7 @@ namespace billet::io {
 ///
 /// @param chord_error  how far they may be off the surface, at least 1e-5 of the part's size [mm];
 ///                     none: 1/5000 of it.
-///                     Facets of a curved face turn by at most 6 degrees besides
+///                     Also, facets of a curved face turn by at most 6 degrees
 /// @throws Error(Fault::geometry) naming what is wrong with the file, or the build;
 ///         Error(Fault::input_output) if it cannot be read
 [[nodiscard]] FacetFile read_step(const std::filesystem::path& path,

@@ -1,4 +1,4 @@
-// What is told of an STL: in the log, by `billet check` and by `billet info`.
+// What is reported of an STL: in the log, by `billet check` and by `billet info`.
 
 #pragma once
 

@@ -1,7 +1,8 @@
 // From the triangles of an STL, or of a STEP file cut into such, to a surface fit for a tool.
 //
-// `examine` mends what can be mended within a tolerance and looks for everything a rigid tool must
-// not have; `tool_mesh` refuses what it found. What was found and done is told by stl_report.h.
+// `examine` repairs what can be repaired within a tolerance and looks for everything a rigid tool
+// must not have; `tool_mesh` refuses what it found. What was found and done is reported by
+// stl_report.h.
 //
 // Units   lengths of the case after scaling. Guide: docs/guide/stl-tools.md.
 
@@ -37,7 +38,7 @@ struct StlTool {
   std::vector<Complaint> complaints; ///< why it cannot serve as a tool; empty: it can
 };
 
-/// Scales, mends and checks.
+/// Scales, repairs and checks.
 [[nodiscard]] StlTool examine(const FacetFile& file, const StlUse& use);
 
 /// The same for a surface that must serve as a tool.

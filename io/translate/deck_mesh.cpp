@@ -123,8 +123,8 @@ private:
                                 std::move(nodes));
   }
 
-  /// Into tetrahedra from the corner with the lowest number, and faces likewise: so neighbours
-  /// divide the face between them in the same way.
+  /// Into tetrahedra from the corner with the lowest number, and faces into triangles from theirs:
+  /// so neighbours divide the face between them in the same way.
   void divide(const DeckElement& element) {
     const DeckNumber apex = *distinct_corners(deck_, element).begin();
     for (const DeckFace& face : faces_of(deck_, element, "")) {

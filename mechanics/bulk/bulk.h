@@ -30,7 +30,7 @@ public:
   ///
   /// @param x             where the nodes are, shape (n_dofs) or longer [mm]
   /// @param states        shape (n_elements, points)
-  /// @param temperatures  likewise [degC]; empty: the material's
+  /// @param temperatures  shape (n_elements, points) [degC]; empty: the material's
   /// @param plastic_work  done so far [N mm]
   void adopt(std::span<const double> x,
              std::vector<PointState> states,

@@ -1,8 +1,8 @@
 // The elements the solver knows: shape, integration rule, treatment of volume change.
 //
 // quad8, hex20   displacement elements with the reduced rule (2 per direction), as in the paper.
-// tri6, tet10    likewise with 3 and 4 points (docs/decisions/0008-simplex-elements.md).
-// tet4           one point, uniform strain; locks where volume is kept (likewise).
+// tri6, tet10    the same with 3 and 4 points (docs/decisions/0008-simplex-elements.md).
+// tet4           one point, uniform strain; locks where volume is kept (same decision).
 // quad4, hex8    variational mean dilatation: one pressure and one dilatation per element.
 // A new element is one struct here and one line in `visit_element`.
 

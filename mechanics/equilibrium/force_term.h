@@ -37,7 +37,7 @@ struct Trial {
 };
 
 /// Row and column of the tangent for an unknown that belongs to no node: a tool's free degree of
-/// freedom. They stay beside the matrix, which they would fill.
+/// freedom. They are kept outside of the matrix, which they would fill.
 struct Border {
   std::vector<double> column; ///< d residual / d unknown, shape (n_dofs) [N/mm]
   std::vector<double> row;    ///< d residual of the unknown / d x, shape (n_dofs) [N/mm]
@@ -50,7 +50,7 @@ struct System {
   std::vector<double> residual;      ///< shape (n_dofs + n_extra) [N]
   bool symmetric = true;             ///< every term said that its tangent is symmetric
   std::vector<Border> borders{};     ///< shape (n_extra)
-  std::vector<Coupling> couplings{}; ///< parts of the tangent beside its pattern
+  std::vector<Coupling> couplings{}; ///< parts of the tangent outside of its pattern
   int contact_changes = 0; ///< contact points that opened, closed, stuck or slid since the last
                            ///< trial: the iteration is not smooth where there are any
 
@@ -86,7 +86,7 @@ public:
   /// Adds residual and exact tangent at a trial. A failure (inverted element, return map) ends the
   /// trial; nothing that matters later has changed.
   [[nodiscard]] virtual Outcome<Assembled> assemble(const Trial& trial, System& system) = 0;
-  /// Whether its forces are nonsmooth, and cost little beside those of the bulk: a line
+  /// Whether its forces are nonsmooth, and cost little compared with those of the bulk: a line
   /// search asks it alone.
   [[nodiscard]] virtual bool nonsmooth() const { return false; }
   /// The last assembled trial becomes the committed state.

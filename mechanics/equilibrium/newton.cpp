@@ -401,7 +401,7 @@ private:
     const double next = before_ > 0.0 ? correction_ * std::min(1.0, relative / before_) : 0.0;
     constexpr double small_correction = 1e-5;
     // Of a guess it is not known how long its correction would be: a slender body bends far under
-    // forces that are little beside those within it.
+    // forces that are small compared with those within it.
     constexpr double of_a_guess = 1e-3;
     const bool is_guess = guessed_ && iteration == 1;
     const double allowed = (is_guess ? of_a_guess : 1.0) * newton_.settings_.tolerance;
@@ -462,7 +462,7 @@ private:
   double position_ = 0.0;   ///< the largest [mm]
   double before_ = 0.0;     ///< relative residual of the iteration before
   double taken_ = HUGE_VAL; ///< length of the last correction [mm]
-  double correction_ = 0.0; ///< likewise, over what has moved [-]
+  double correction_ = 0.0; ///< the same, over what has moved [-]
   std::size_t turns_ = 0;   ///< how often it went to and fro
   int shortened_ = 0;       ///< corrections that were cut
   int hardened_ = 0;        ///< the iteration that the last softness was left at

@@ -120,7 +120,7 @@ void CoupledSolver::forget() {
 SolverWork CoupledSolver::work() const {
   if (!grown_)
     return plain_.work().after(gone_);
-  // The last factorization is told of the solver that was asked last.
+  // The last factorization is that of the solver that was asked last.
   const SolverWork& plain = plain_.work();
   const SolverWork& grown = grown_->solver->work();
   return (coupled_ ? grown.after(plain) : plain.after(grown)).after(gone_);

@@ -1,7 +1,7 @@
 // Solution of the linear systems of a part whose surface may meet itself.
 //
-// As long as nothing is coupled beside the mesh's pattern this is a LinearSolver. Where there are
-// couplings the pattern grows by the pairs of nodes that they are between, and a second solver,
+// As long as nothing is coupled outside of the mesh's pattern this is a LinearSolver. Where there
+// are couplings the pattern grows by the pairs of nodes that they are between, and a second solver,
 // with an order of its own, solves over the grown pattern. It is kept while it has a place for
 // every pair of a system; a pair that it has too many costs little, a new order much.
 

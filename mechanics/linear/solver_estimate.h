@@ -21,7 +21,7 @@ struct SystemSize {
 /// Of a system, on average over those that use one factorization or set-up.
 struct SystemCost {
   double seconds = 0.0;
-  double memory = 0.0; ///< beside the matrix [byte]
+  double memory = 0.0; ///< in addition to the matrix [byte]
 };
 
 [[nodiscard]] SystemCost cost_by_factorization(const SystemSize& size);

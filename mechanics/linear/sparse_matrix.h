@@ -1,7 +1,7 @@
 // The sparsity of a mesh, and a matrix over it that elements write to at known positions.
 //
 // Tools are rigid, so contact with them couples only nodes of one face: the pattern is the mesh's
-// own and is made once per mesh. What couples faces of the part that meet stands beside it
+// own and is made once per mesh. What couples faces of the part that meet is kept outside of it
 // (Coupling). Unknown i of node a has number a * dim + i. Rows are compressed; the pattern is
 // symmetric, its values need not be. Constrained unknowns stay in it as rows of the identity.
 

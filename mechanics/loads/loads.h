@@ -1,4 +1,4 @@
-// Loads besides contact: pressure that follows the surface, dead nodal loads.
+// Loads other than contact: pressure that follows the surface, dead nodal loads.
 //
 // Theory: docs/theory/mechanics.md (M.15), (M.16).
 
@@ -55,7 +55,7 @@ private:
                                                   const std::vector<Face>& faces,
                                                   std::span<const Vec3> tractions);
 
-/// Likewise, the same traction on all of them.
+/// The same for one traction on all of them [MPa].
 [[nodiscard]] std::vector<double> traction_forces(const Mesh& mesh,
                                                   Analysis analysis,
                                                   const std::vector<Face>& faces,

@@ -75,7 +75,7 @@ struct DeviatoricResponse {
   /// Spatial moduli of the shears 01, 12, 02, the last two 0 where the problem is planar [MPa].
   PrincipalPack shear_moduli;
   TensorPack b_e;                                       ///< of the trial states [-]
-  std::array<double, points_at_once> plastic_strain;    ///< likewise
+  std::array<double, points_at_once> plastic_strain;    ///< of the trial states [-]
   std::array<double, points_at_once> plastic_increment; ///< [-]
 
   /// Writes the trial state of a point: number by number to where it stays, for a copy of a state
@@ -138,7 +138,7 @@ struct MisesStress {
   double flow_stress;   ///< at its plastic strain, rate and temperature [MPa]
   Mat3 direction;       ///< unit deviator of the elastic strain [-]; zero without one
   double d_stress;      ///< d q = d_stress direction : grad u [MPa]
-  double d_flow_stress; ///< of the flow stress, likewise [MPa]
+  double d_flow_stress; ///< the same of the flow stress [MPa]
 };
 
 /// @param old_plastic_strain  of the committed state: the point flows when it has grown [-]

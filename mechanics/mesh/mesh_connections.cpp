@@ -125,7 +125,7 @@ private:
 /// Free sides that have all corners in the same places as another.
 struct Doubled {
   std::vector<std::array<Index, 2>> on_each_other; ///< positions in the list; the same way round
-  std::vector<std::array<Index, 2>> beside;        ///< likewise, the other way round
+  std::vector<std::array<Index, 2>> beside;        ///< positions in the list; the other way round
 };
 
 std::vector<ElementFace> free_faces(std::span<const ElementFace> sides) {

@@ -1,8 +1,8 @@
 // Are the cells of a mesh joined as those of one body?
 //
 // Two cells may meet in a whole side, with the same nodes, one on either side of it. What else
-// meshes from files hold makes a run with wrong figures: cells that lie on each other are a body
-// twice, sides that only lie beside each other open like cracks.
+// meshes from files hold gives a run with wrong figures: cells that lie on each other are a body
+// twice, sides that only lie next to each other open like cracks.
 
 #pragma once
 

@@ -25,8 +25,8 @@ struct Spectral {
 /// Decomposition of a symmetric tensor.
 [[nodiscard]] Spectral spectral(const Mat3& A);
 
-/// Row and column of each component of a symmetric tensor; likewise the axes of each of the strains
-/// in principal axes: those along the axes 0, 1, 2 and the shears 01, 12, 02.
+/// Row and column of each component of a symmetric tensor; also the axes of each of the strains in
+/// principal axes: those along the axes 0, 1, 2 and the shears 01, 12, 02.
 inline constexpr std::array<std::array<std::size_t, 2>, 6> tensor_components{
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
 

@@ -49,7 +49,7 @@ private:
   struct Near {
     double distance2; ///< in the metric of the surroundings [-]
     Index point;
-    Vec3 offset; ///< from the place, likewise [-]
+    Vec3 offset; ///< from the place, in the same metric [-]
   };
 
   /// Offsets in the metric in which the candidates scatter alike in all directions; false when

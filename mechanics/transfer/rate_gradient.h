@@ -20,9 +20,9 @@ struct RateGradient {
 /// For each element the length over which the rate of plastic flow changes by its mean, that over
 /// the work done at an even stress. A linear field is seen exactly.
 ///
-/// @param positions  of the integration points, shape (n_elements, points an element) [mm]
-/// @param rate       of plastic strain or its growth over any time, likewise; >= 0
-/// @param volumes    likewise [mm^3]
+/// @param positions  of the integration points, shape (n_elements, points per element) [mm]
+/// @param rate       of plastic strain or its growth over any time, of the same shape; >= 0
+/// @param volumes    of the points, of the same shape [mm^3]
 /// @return one for each element; none where nothing flows
 [[nodiscard]] std::vector<RateGradient> rate_gradients(const Mesh& mesh,
                                                        std::span<const Vec3> positions,

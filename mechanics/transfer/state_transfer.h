@@ -27,16 +27,17 @@ namespace billet::mechanics {
 struct StateField {
   const Mesh* mesh;                       ///< the old mesh
   std::span<const double> x;              ///< current positions of its nodes, (n_points, dim) [mm]
-  std::span<const PointState> states;     ///< committed, shape (n_elements, points an element)
-  std::span<const double> temperatures{}; ///< likewise [degC]; empty: the material's
-  std::span<const double> plastic_rate{}; ///< of the last increment, likewise [1/s]; empty: unknown
+  std::span<const PointState> states;     ///< committed, shape (n_elements, points per element)
+  std::span<const double> temperatures{}; ///< same shape [degC]; empty: the material's
+  /// Of the last increment, same shape [1/s]; empty: unknown.
+  std::span<const double> plastic_rate{};
 };
 
 /// The same at the points of the new mesh.
 struct TransferredState {
-  std::vector<PointState> states;   ///< shape (n_elements, points an element)
-  std::vector<double> temperatures; ///< likewise [degC]; empty if none were given
-  std::vector<double> plastic_rate; ///< likewise [1/s]; empty if none were given
+  std::vector<PointState> states;   ///< shape (n_elements, points per element)
+  std::vector<double> temperatures; ///< same shape [degC]; empty if none were given
+  std::vector<double> plastic_rate; ///< same shape [1/s]; empty if none were given
   int limited = 0;                  ///< points where the bounds of (M.36) acted
   int returned = 0;                 ///< points put back onto the yield surface (M.39)
 };

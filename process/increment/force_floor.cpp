@@ -12,8 +12,8 @@ namespace billet::process {
 
 namespace {
 
-/// Forces that count as none beside the body's own stiffness, or beside those that have acted so
-/// far on a slender body. (N.2)
+/// The largest force that has acted so far or acts now; on a slender body the floor is relative to
+/// it, not to the body's own stiffness. (N.2)
 double acting_force(const Run& run, double time) {
   double acting = run.state.forces.largest;
   for (const auto& load : run.model.loads)
@@ -28,7 +28,7 @@ double force_floor(const Run& run, double time) {
   constexpr double times_acting = 1e3;
   const double acting = acting_force(run, time);
   const double body = body_stiffness(run.scene, run.part()) * body_size(run.mesh());
-  constexpr double of_a_touch = 1e-6; // likewise
+  constexpr double of_a_touch = 1e-6; // of the same
   if (run.attempt.hardly_touches)
     return of_a_touch * body;
   return acting > 0.0 ? std::clamp(times_acting * acting, least * body, none * body) : none * body;

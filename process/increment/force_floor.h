@@ -1,4 +1,4 @@
-// Forces that count as none beside the stiffness of the body. (N.2)
+// Forces that count as zero compared with the stiffness of the body. (N.2)
 
 #pragma once
 

@@ -10,10 +10,10 @@ namespace billet::process {
 /// Linear systems solved for the attempt now made.
 [[nodiscard]] int spent(const Run& run);
 
-/// Attempts an increment, contact as it stands at the end of the last one.
+/// Attempts an increment, contact as it is at the end of the last one.
 Outcome<Done> try_increment(Run& run, double dt, mechanics::Continuation continuation);
 
-/// Likewise, with contact as it has been started for the attempt.
+/// Attempts an increment, contact as it has been started for the attempt.
 Outcome<Done> solve_increment(Run& run, double dt, mechanics::Continuation continuation);
 
 } // namespace billet::process

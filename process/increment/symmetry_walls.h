@@ -28,7 +28,7 @@ Outcome<Done> check_walls(const Run& run);
 /// @return lines for the log
 std::vector<std::string> hold_on_walls(Run& run);
 
-/// Likewise, all that are on a wall now, however they came there.
+/// The same for all nodes that are on a wall now, however they came there.
 void hold_where_on_walls(Run& run);
 
 /// The part, with a support for the nodes on each wall after its own, so that they stay together on

@@ -14,7 +14,7 @@ namespace billet::process {
 /// film of metal, or a lap is too deep.
 [[nodiscard]] EndedBy early_end(const Run& run, const IncrementReport& report);
 
-/// Likewise after an increment that cannot be solved: the last good one is taken for the end where
+/// The same after an increment that cannot be solved: the last good one is taken for the end where
 /// tools press harder than tools can.
 [[nodiscard]] EndedBy end_after_failure(const Run& run);
 

@@ -26,7 +26,7 @@ struct SurfaceSamples {
   std::vector<std::array<std::size_t, 2>> neighbours;
 };
 
-/// Steps along a side of a face: a curved one is followed to a hundredth of its height.
+/// Steps along an edge of a face: a curved one is followed to a hundredth of its height.
 constexpr int steps_in_plane = 8, steps_in_space = 4;
 
 template <class Shape> void add_face(const Run& run, const Face& face, SurfaceSamples& samples) {

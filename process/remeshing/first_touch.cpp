@@ -43,7 +43,7 @@ std::array<Vec3, places_on_side> places_on(const geometry::SideLoop& loop, std::
 /// Places that a tool will have reached, on each side of each loop.
 using Reached = std::vector<std::vector<std::vector<Vec2>>>;
 
-/// Whether a face on a zone, or beside it, touches already: the zone is the end of a contact that
+/// Whether a face on a zone, or next to it, touches already: the zone is the end of a contact that
 /// grows.
 bool touches_near(const PartBoundary& boundary,
                   std::span<const int> touching,

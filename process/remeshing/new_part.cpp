@@ -34,7 +34,7 @@ namespace {
 /// Faces that touch a tool are off it by up to this share of their length.
 constexpr double off = 0.05;
 
-/// Length of the old side that holds a place [mm].
+/// Length of the old edge that holds a place [mm].
 double chord_at(const PartBoundary& boundary, const geometry::BoundaryPlace& place) {
   const std::vector<Vec2>& corners = boundary.loops[idx(place.loop)].corners;
   return (corners[(idx(place.side) + 1) % corners.size()] - corners[idx(place.side)]).norm();
@@ -46,7 +46,7 @@ struct OtherSizes {
   double shortest; ///< that the boundary's own curvature may ask for
 };
 
-/// With shorter sides than asked for where the boundary turns sharply, if it cannot be meshed
+/// With shorter edges than asked for where the boundary turns sharply, if it cannot be meshed
 /// otherwise; `sizes` become those it was meshed with.
 RemeshedPart remesh_finely_enough(const Part& part,
                                   const PartBoundary& boundary,
@@ -65,9 +65,9 @@ RemeshedPart remesh_finely_enough(const Part& part,
 }
 
 /// What `make` gives. A fold is welded only where there is no mesh otherwise: first where its walls
-/// cross, then where it is narrower than sides of a new mesh are long.
+/// cross, then where it is narrower than edges of a new mesh are long.
 ///
-/// @param weld      (near, shortest) -> folds that were welded; shortest side of the new mesh
+/// @param weld      (near, shortest) -> folds that were welded; shortest edge of the new mesh
 /// @param deepest   that may be welded [mm]
 template <class Make, class Weld>
 NewPart welded_where_needed(const Make& make, const Weld& weld, double shortest, double deepest) {
@@ -134,7 +134,7 @@ new_plane_part_within(const Run& run, const PartBoundary& boundary, const AskedS
       return std::nullopt; // the first one is there
     }
   };
-  // A side that ends awkwardly beside a corner of a tool can spoil one element: others do not.
+  // An edge that ends awkwardly next to a corner of a tool can spoil one element: others do not.
   constexpr double good = 0.3;
   constexpr std::array<OtherSizes, 5> other_sizes{
       {{0.93, 1.0}, {1.07, 1.0}, {0.87, 1.0}, {1.0, 0.5}, {0.93, 0.5}}};
@@ -154,7 +154,7 @@ new_plane_part_within(const Run& run, const PartBoundary& boundary, const AskedS
           {}};
 }
 
-constexpr double deepest_root = 4.0; ///< of a crease, in shortest sides of a new mesh
+constexpr double deepest_root = 4.0; ///< of a crease, in shortest edges of a new mesh
 
 /// With walls that touch each other kept apart, if there is such a mesh. At the root of a crease,
 /// where no mesh is fine enough, what crosses is welded.
@@ -163,7 +163,7 @@ std::optional<NewPart> new_plane_part_with_walls(const Run& run, const AskedSize
     return std::nullopt;
   const double shortest = usual_sizes(run).min;
   const double deepest = deepest_root * shortest;
-  // Roots whose walls do not cross, but turn more often than sides of a new mesh can follow. Where
+  // Roots whose walls do not cross, but turn more often than edges of a new mesh can follow. Where
   // folds may be welded the whole of it is.
   const std::vector<double> nears =
       run.scene.remesh->weld ? std::vector{0.0} : std::vector{0.0, 0.3, 1.0};

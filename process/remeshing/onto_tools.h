@@ -16,8 +16,8 @@ struct WayToTool {
   unsigned fixed = 0;    ///< components that stay: 1 for x, 2 for y, 4 for z
 };
 
-/// A node of the new boundary put on the tools that old contact points beside it touch, and out
-/// of the others.
+/// A node of the new boundary put on the tools that old contact points next to it touch, and out of
+/// the others.
 ///
 /// @param tool  the only one that may be touched, -1: none; empty: any
 /// @pre there are tools

@@ -98,7 +98,7 @@ private:
     return result;
   }
 
-  /// Keeps nodes that carry what neither side beside them does.
+  /// Keeps nodes that carry what neither of their two edges does.
   void keep_lone_corners(const std::vector<Index>& corners,
                          const std::vector<Attachment>& attachments,
                          SideLoop& loop) const {
@@ -126,7 +126,7 @@ private:
   std::map<Index, std::size_t> by_start_;
 };
 
-/// The corner of the old boundary in a place; -1: it lies within a side.
+/// The corner of the old boundary in a place; -1: it lies within an edge.
 Index corner_at(const PartBoundary& boundary, const BoundaryPlace& place) {
   const std::vector<Index>& corners = boundary.corners[idx(place.loop)];
   if (place.xi == 0.0)
@@ -136,7 +136,7 @@ Index corner_at(const PartBoundary& boundary, const BoundaryPlace& place) {
   return -1;
 }
 
-/// Lengths of the sides of a loop, summed up; one entry more than sides.
+/// Lengths of the edges of a loop, summed up; one entry more than edges.
 std::vector<double> side_ends(const SideLoop& loop) {
   std::vector<double> ends{0.0};
   const std::size_t n = loop.corners.size();
@@ -146,7 +146,7 @@ std::vector<double> side_ends(const SideLoop& loop) {
   return ends;
 }
 
-/// Way of a point of a side that is given by the ways of its ends and its middle.
+/// Way of a point of an edge that is given by the ways of its ends and its middle.
 double way_within(double start, double middle, double end, double coordinate) {
   const double even = 0.5 * (start + end) - middle;
   return middle + 0.5 * (end - start) * coordinate + even * coordinate * coordinate;
@@ -225,7 +225,7 @@ namespace {
 void cut_off(PartBoundary& boundary, std::size_t l, const geometry::ClosedFold& fold, double rest) {
   SideLoop& loop = boundary.loops[l];
   geometry::WeldedLoop welded = geometry::without_fold(loop, fold, rest);
-  std::vector<std::int32_t> now(loop.part.size(), -1); // new number of each side
+  std::vector<std::int32_t> now(loop.part.size(), -1); // new number of each edge
   std::vector<Index> corners;
   std::vector<unsigned char> fixed;
   for (std::size_t i = 0; i < welded.sides.size(); ++i) {
@@ -313,7 +313,7 @@ std::vector<ContactZone> contact_zones(const PartBoundary& boundary) {
     const SideLoop& loop = boundary.loops[l];
     const std::size_t n = loop.corners.size();
     const auto tool = [&](std::size_t i) { return boundary.attachments[idx(loop.part[i])].tool; };
-    // From a side where a zone begins; on a loop that is one zone, from any.
+    // From an edge where a zone begins; on a loop that is one zone, from any.
     std::size_t first = 0;
     while (first < n && tool(first) == tool((first + n - 1) % n))
       ++first;

@@ -1,4 +1,4 @@
-// The boundary of a plane part as chains of sides, with all that hangs on it: supports, loads,
+// The boundary of a plane part as chains of edges, with all that hangs on it: supports, loads,
 // named sets, contact faces, tools that touch. It is what survives when the part is meshed anew.
 //
 // Sides that carry the same things form a part of the boundary; where the part changes, a corner
@@ -24,7 +24,7 @@
 
 namespace billet::process {
 
-/// A side of the boundary.
+/// An edge of the boundary.
 struct SideNumber {
   std::int32_t loop;
   std::int32_t side;
@@ -70,36 +70,36 @@ weld_folds(PartBoundary& boundary, double near, double rest, double deepest = HU
 /// Sides in turn that the same tool touches.
 struct ContactZone {
   std::size_t loop;
-  std::size_t first; ///< side of the loop
+  std::size_t first; ///< edge of the loop
   std::size_t n_sides;
   int tool;
   double length;     ///< [mm]
   bool ends_in_side; ///< somewhere the boundary goes on beyond it without a corner
   bool longest;      ///< of its tool's
 
-  /// Whether it has too few sides for the pressure in it.
+  /// Whether it has too few edges for the pressure in it.
   [[nodiscard]] bool too_short() const;
 };
 
 /// Zones of contact of a boundary whose attachments say which tool touches.
 [[nodiscard]] std::vector<ContactZone> contact_zones(const PartBoundary& boundary);
 
-/// How many sides a zone of contact has, in words.
+/// How many edges a zone of contact has, in words.
 [[nodiscard]] std::string sides_of(const ContactZone& zone);
 
-/// Size of the sides of a zone of contact of a length that lets it have six of them [mm].
+/// Size of the edges of a zone of contact of a length that lets it have six of them [mm].
 [[nodiscard]] double size_in_zone(double length);
 
 /// Smallest sizes in zones of contact.
 struct ZoneSizes {
   double min;            ///< [mm]
-  double min_in_longest; ///< likewise in the longest zone of a tool, which carries its force
+  double min_in_longest; ///< in the longest zone of a tool, which carries its force [mm]
 
-  /// Size of the sides of a zone, where that length of it is to have six of them [mm].
+  /// Size of the edges of a zone, where that length of it is to have six of them [mm].
   [[nodiscard]] double in(const ContactZone& zone, double length) const;
 };
 
-/// Sizes that let the zone where a tool touches have at least six sides, where it is long or short.
+/// Sizes that let the zone where a tool touches have at least six edges, where it is long or short.
 [[nodiscard]] std::vector<geometry::SizeAt> contact_sizes(const PartBoundary& boundary,
                                                           const ZoneSizes& limits);
 
@@ -113,7 +113,7 @@ struct RemeshedPart {
   /// only.
   std::vector<std::array<geometry::BoundaryPlace, 3>> places;
   double old_measure = 0.0; ///< area, or its integral times x, or volume [mm^2, mm^3]
-  double measure = 0.0;     ///< likewise, of the new mesh
+  double measure = 0.0;     ///< the same of the new mesh
 };
 
 /// @throws Error(Fault::geometry) if the boundary cannot be meshed
@@ -156,8 +156,8 @@ private:
   [[nodiscard]] contact::PointSource
   between(std::int32_t loop, double way, std::int32_t part) const;
 
-  std::vector<std::vector<std::int32_t>> parts_; ///< of the sides of each loop
-  std::vector<std::vector<double>> ends_;        ///< lengths of the sides of each loop, summed up
+  std::vector<std::vector<std::int32_t>> parts_; ///< of the edges of each loop
+  std::vector<std::vector<double>> ends_;        ///< lengths of the edges of each loop, summed up
   std::vector<std::vector<Stop>> stops_;         ///< in turn around each loop
 };
 

@@ -15,7 +15,7 @@ namespace billet::process {
 /// Meshes the part anew and carries everything over. Fails where the part cannot be meshed; then
 /// nothing has changed.
 ///
-/// @param at  sizes besides, where a tool is about to touch
+/// @param at  additional sizes, where a tool is about to touch
 Outcome<Done> remesh(Run& run,
                      const std::string& cause,
                      const std::vector<Observer*>& observers,

@@ -29,19 +29,19 @@ struct NewPart {
   std::vector<Lap> laps = {}; ///< of the old boundary that were welded
 };
 
-/// Of the elements of a new mesh, besides what the scene asks for.
+/// Of the elements of a new mesh, in addition to what the scene asks for.
 struct AskedSizes {
   std::vector<geometry::SizeAt> at; ///< in the plane
   double share = 1.0;               ///< of what is asked for everywhere [-]
 };
 
-/// A tool that comes to touch on sides too long for what it touches.
+/// A tool that comes to touch on edges too long for what it touches.
 struct FirstTouch {
   std::string cause;                   ///< to say
   std::vector<geometry::SizeAt> sizes; ///< that it needs there
 };
 
-/// A side in contact that is too long for how the tool's surface turns beneath it.
+/// An edge in contact that is too long for how the tool's surface turns beneath it.
 struct OutgrownSide {
   double excess = 0.0;  ///< its length over the longest that a new mesh would have there [-]
   double turn = 0.0;    ///< of the tool's normal along it [rad]

@@ -18,11 +18,10 @@ struct UsualSizes {
 };
 [[nodiscard]] UsualSizes usual_sizes(const Run& run);
 
-/// Sizes that the part would be meshed with now, in the plane or in space; the scene has settings
-/// for that.
+/// Sizes that the part would be meshed with now, in the plane; the scene has settings for that.
 [[nodiscard]] geometry::RemeshSizes remesh_sizes(const Run& run);
 
-/// Likewise in space.
+/// The same in space.
 [[nodiscard]] geometry::SolidSizes solid_sizes(const Run& run);
 
 /// Sizes that follow how the rate of flow changes from place to place. (P.22)

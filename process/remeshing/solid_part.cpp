@@ -150,7 +150,7 @@ private:
     std::size_t face, edge; ///< from that corner to the next
   };
 
-  /// Edges that are sharp or carry what no face beside them does.
+  /// Edges that are sharp or carry what no adjacent face does.
   void find_edges() {
     struct Edge {
       std::vector<Index> nodes; ///< two corners, and the middle if there is one
@@ -219,8 +219,8 @@ private:
     });
   }
 
-  /// Whether the boundary turns at an edge by more than 30 degrees, and by more than the faces
-  /// beside it do from there to their far side.
+  /// Whether the boundary turns at an edge by more than 30 degrees, and by more than the adjacent
+  /// faces do from there to their far side.
   [[nodiscard]] bool is_sharp(const std::vector<EdgeOfFace>& beside) const {
     if (beside.size() != 2)
       return true;
@@ -244,7 +244,7 @@ private:
     result_.edges[{low, high}] = own;
   }
 
-  /// Corners of faces that carry what neither a face nor an edge beside them does.
+  /// Corners of faces that carry what neither an adjacent face nor an adjacent edge does.
   void find_corners(std::span<const std::string> keep) {
     std::vector<char> kept(part_.mesh.points.size(), 0);
     for (const std::string& name : keep)

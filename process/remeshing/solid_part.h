@@ -25,7 +25,7 @@ namespace billet::process {
 
 /// The boundary of a part in space where it is now.
 struct SolidPart {
-  /// What an edge carries that no face beside it does.
+  /// What an edge carries that no adjacent face does.
   struct EdgeFlags {
     std::vector<char> supports;
     std::vector<char> sets;

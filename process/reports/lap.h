@@ -13,7 +13,7 @@ namespace billet::process {
 
 struct Lap {
   Vec3 at = Vec3::Zero(); ///< where the walls met [mm]
-  std::string place;      ///< likewise, as messages say it
+  std::string place;      ///< the same, as messages say it
   double depth = 0.0;     ///< of the crease [mm]
   /// No more than the root of a crease whose walls go on touching each other. (G.54a)
   bool root = false;

@@ -83,7 +83,7 @@ struct RemeshReport {
     template <class Archive> void fields(Archive& archive) { archive(before, after); }
   };
   std::array<Index, 2> elements{}; ///< before and after
-  std::array<Index, 2> nodes{};    ///< likewise
+  std::array<Index, 2> nodes{};    ///< before and after
   Pair quality;                    ///< scaled Jacobian of the worst element [-]
   int again = 0; ///< increments of the past that were solved again on the new mesh
   // Of the state carried over: where these began, or now.

@@ -21,7 +21,7 @@ namespace billet::process {
 /// Two tools that overlap.
 struct ToolMeeting {
   std::size_t first;         ///< of the scene's tools
-  std::size_t second;        ///< likewise, > first
+  std::size_t second;        ///< of the scene's tools, > first
   double time;               ///< at which they meet, or begin to act together [s]
   bool from_start;           ///< they overlap when they begin to act together
   double depth;              ///< there and then, from the start only [mm]

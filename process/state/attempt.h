@@ -9,12 +9,12 @@
 
 namespace billet::process {
 
-/// A press that strikes, led along the way that it has been before.
+/// A press that strikes, led along the way that it has taken before.
 struct LedPress {
   std::size_t unknown = 0;   ///< its travel
   double from = 0.0;         ///< [s]
   double travel = 0.0;       ///< at that time [mm]
-  double speed = 0.0;        ///< likewise [mm/s]
+  double speed = 0.0;        ///< at that time [mm/s]
   double acceleration = 0.0; ///< [mm/s^2]
 
   [[nodiscard]] double at(double time) const {

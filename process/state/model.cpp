@@ -145,8 +145,8 @@ double body_stiffness(const Scene& scene, const Part& part) {
 }
 
 contact::DriveScale drive_scale(const Scene& scene, const Part& part) {
-  // So little beside the body's own stiffness that it carries rounding, never a load, be the body
-  // as slender as can be.
+  // So little compared with the body's own stiffness that it carries rounding, never a load,
+  // however slender the body is.
   constexpr double share = 1e-12;
   return {body_size(part.mesh), share * body_stiffness(scene, part)};
 }

@@ -68,7 +68,7 @@ void build(Model& model, const Scene& scene, const Part& part, std::span<const d
 /// How the free degrees of freedom of driven tools enter the equations.
 [[nodiscard]] contact::DriveScale drive_scale(const Scene& scene, const Part& part);
 
-/// Work that says nothing beside that of strains that are rounding [N mm].
+/// Work that is no more than that of strains that are rounding, and says nothing [N mm].
 [[nodiscard]] double negligible_work(const Model& model);
 
 } // namespace billet::process

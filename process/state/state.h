@@ -45,8 +45,8 @@ struct Snapshot {
   contact::TrappedSnapshot trapped;
   double reference_volume = 0.0; ///< the part's without pressure [mm^3]
   double plastic_work = 0.0;     ///< done so far [N mm]
-  double support_work = 0.0;     ///< likewise
-  double load_work = 0.0;        ///< likewise
+  double support_work = 0.0;     ///< done so far [N mm]
+  double load_work = 0.0;        ///< done so far [N mm]
   double stabilization = 0.0;    ///< lost so far [N mm]
 
   template <class Archive> void fields(Archive& archive) {
@@ -105,7 +105,7 @@ struct Works {
 struct ForceRecord {
   double largest = 0.0;                 ///< of a tool or at an unknown of a support so far [N]
   std::vector<double> before;           ///< on all tools, before the last increment [N]
-  std::vector<double> largest_on_tools; ///< likewise, the largest since they touched nothing [N]
+  std::vector<double> largest_on_tools; ///< on all tools, largest since they touched nothing [N]
   std::vector<char> acted; ///< tools in the last increment that was tried, one flag a tool
 
   template <class Archive> void fields(Archive& archive) {
@@ -161,7 +161,7 @@ struct MeshRecord {
   double excess = 0.0;                  ///< of the edge most outgrown [-]
   double coarse = 0.0;                  ///< coarse_contact() [-]
   double time = 0.0;                    ///< at which it was made [s]
-  int increment = 0;                    ///< likewise
+  int increment = 0;                    ///< at which it was made
   std::vector<double> strain;           ///< plastic, at the points [-]
   double share = 0.0;                   ///< relative penetration of its first increment [-]
   int turned_inside_out = 0;            ///< increments refused for that

@@ -11,7 +11,7 @@ namespace billet::process {
 /// What supports prescribe at a time, and walls of symmetry to which metal has come.
 [[nodiscard]] mechanics::Prescribed prescribed_by_supports(const Run& run, double time);
 
-/// Likewise, and where presses are that are led at that time.
+/// The same, and where presses are that are led at that time.
 [[nodiscard]] mechanics::Prescribed prescribed(const Run& run, double time);
 
 /// Unknowns after `dt` more if all goes on as in the last increment, seen from the first guess.

@@ -23,7 +23,7 @@ struct DriveState {
   std::size_t tool = 0;
   bool turns = false;  ///< it is a torque about an axis; else a force along one
   double load = 0.0;   ///< [N], or [N mm]
-  double answer = 0.0; ///< of contact against it, likewise
+  double answer = 0.0; ///< of contact against it [N], or [N mm]
   Contact contact = Contact::presses;
 
   /// Whether most of the load is borne.

@@ -44,9 +44,9 @@ struct Departure {
   std::span<const contact::Tool> tools;
   const Stage& stage;
   const contact::ContactTerm* contact;    ///< null: there are no tools
-  const contact::ContactSurface* surface; ///< likewise
+  const contact::ContactSurface* surface; ///< null: there are no tools
   std::span<const double> x;              ///< committed unknowns, shape (n_dofs + n_extra) [mm]
-  std::span<const double> last_step;      ///< of the last increment, likewise; empty: none
+  std::span<const double> last_step;      ///< of the last increment, same shape [mm]; empty: none
   double time;                            ///< [s]
   double last_dt;                         ///< [s]
 };

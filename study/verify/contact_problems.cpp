@@ -173,7 +173,7 @@ increments = {{ first = 0.25, max = 0.25 }}
 constexpr double of_mesh = 5e-3;  // the border of the contact lies within a cell of a/7
 constexpr double of_shear = 1e-2; // the same, and what the finite block adds
 
-/// What the pressures of contact points are beside p0 sqrt(1 - r^2 / a^2).
+/// The pressures of contact points compared with p0 sqrt(1 - r^2 / a^2).
 struct HertzFit {
   double amplitude;     ///< best p0 for the points found [MPa]
   double second_moment; ///< sum of p A r^2 [N mm^2]

@@ -1,7 +1,7 @@
-// A figure of a verification beside its reference.
+// A figure of a verification and its reference.
 //
 // The reference is a closed form, evaluated by the problem that gives the figure. Only what two
-// runs must agree on (restart, invariance) is held against a run of the program itself.
+// runs must agree on (restart, invariance) is compared with a run of the program itself.
 
 #pragma once
 

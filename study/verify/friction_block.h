@@ -41,7 +41,7 @@ struct SlidingBlock {
 /// The shear that a law asks for [MPa].
 using ShearLaw = std::function<double(const BlockStep&)>;
 
-/// The shear against the motion at the end of each step, beside that of the law.
+/// The shear against the motion at the end of each step, with that of the law as reference.
 /// @throws Error where the case cannot be run
 [[nodiscard]] std::vector<Figure>
 block_figures(const CaseBench& bench, const SlidingBlock& block, const ShearLaw& law);

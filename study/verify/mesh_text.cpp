@@ -27,8 +27,8 @@ CornerCells triangles_of(const CornerCells& quadrilaterals) {
   return triangles;
 }
 
-/// Bricks cut into twelve: two over each side, with a corner in the middle of the brick. A side is
-/// cut from its lowest number, so that both bricks beside it cut it alike.
+/// Bricks cut into twelve: two over each face, with a corner in the middle of the brick. A face is
+/// cut from its lowest number, so that both bricks that share it cut it in the same way.
 CornerCells tetrahedra_of(const CornerCells& bricks, std::vector<Vec3>& points) {
   CornerCells tetrahedra;
   for (const std::vector<int>& brick : bricks) {

@@ -61,7 +61,7 @@ private:
   int increment_;
 };
 
-/// How the same block is told: turned, mirrored, in other units, with other numbers of nodes.
+/// How the same block is described: turned, mirrored, in other units, with other numbers of nodes.
 struct Telling {
   std::string name;
   double turn = 0.0;     ///< about z [degrees]

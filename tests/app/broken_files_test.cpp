@@ -1,4 +1,4 @@
-// Damaged meshes, STLs and profiles beside a good case, end to end.
+// Damaged meshes, STLs and profiles with a good case, end to end.
 
 #include "tests/app/broken_inputs.h"
 

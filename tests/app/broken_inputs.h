@@ -18,7 +18,7 @@ struct Broken {
   int status;                    ///< of the program
   std::vector<std::string> says; ///< pieces of the message
   std::vector<std::string> at;   ///< text of case.toml whose lines the message names
-  std::vector<std::pair<std::string, std::string>> files = {}; ///< beside the case
+  std::vector<std::pair<std::string, std::string>> files = {}; ///< in the folder of the case
 };
 
 inline void expect_refused(const Broken& broken, const Outcome& outcome) {

@@ -264,7 +264,7 @@ TEST_F(CommandLine, check_tells_size_pairs_and_advice_and_solves_nothing) {
 }
 
 TEST_F(CommandLine, tools_that_go_through_each_other_are_told_before_and_after_the_run) {
-  // A stop beside the specimen, a little too high: the punch is on it after half of its way.
+  // A stop next to the specimen, a little too high: the punch is on it after half of its way.
   write_text(folder_.path() / "stop.toml", upsetting + R"(
 [[tool]]
 name    = "stop"

@@ -40,7 +40,7 @@ motion = { velocity = [0, -1.1] }
 end = 1
 )";
 
-/// Likewise in a box; it gives way by its elasticity alone.
+/// The same in a box; it gives way by its elasticity alone.
 const std::string confined =
     edited(squeezed,
            {{"[[tool]]\nname = \"floor\"",

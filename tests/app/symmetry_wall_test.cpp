@@ -1,4 +1,5 @@
-// Metal that comes to a plane of symmetry, from case file to force: beside a rigid tool there.
+// Metal that comes to a plane of symmetry, from case file to force: compared with a rigid tool
+// there.
 
 #include "tests/app/case_run.h"
 

@@ -73,7 +73,7 @@ TEST(RandomOutlines, AThousandAreMeshedOrRefusedWithAPlace) {
               "%.1f deg; %.0f triangles on average\n",
               angles.size(), refused, angles.front(), share(0.01), share(0.5),
               triangles / static_cast<double>(angles.size()));
-  // Bowed sides cross slits beside them: 59 when this was written.
+  // Bowed edges cross slits next to them: 59 when this was written.
   EXPECT_LT(refused, 80);
 }
 

@@ -1,8 +1,8 @@
 // Calls of the program to the system that fail, or are written down: loaded in front of the C
-// library (LD_PRELOAD), told by two variables.
+// library (LD_PRELOAD), chosen by two variables.
 //
-// BILLET_FAIL=write:7    the seventh write fails; write:7+ and all that follow. Likewise rename,
-//                        close, fsync, flock (as on a file system without locks) and malloc
+// BILLET_FAIL=write:7    the seventh write fails; write:7+ and all that follow. The same for
+//                        rename, close, fsync, flock (as on a file system without locks) and malloc
 // BILLET_CALLS=FILE      each of these, but malloc, is a line "write PATH"; FILE grows
 //
 // Writes and closes count where they are of regular files other than the standard streams.

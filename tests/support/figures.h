@@ -1,4 +1,4 @@
-// Prints computed figures beside their references, so that the log of a test shows both.
+// Prints computed figures next to their references, so that the log of a test shows both.
 
 #pragma once
 

@@ -84,7 +84,7 @@ inline std::vector<double> flat(const mechanics::Mesh& mesh) {
   return x;
 }
 
-/// A mesh in equilibrium with its boundary where it is told to be.
+/// A mesh in equilibrium with its boundary where it is prescribed to be.
 class Patch {
 public:
   Patch(mechanics::Mesh mesh, mechanics::Analysis analysis, const mechanics::Material& material)

@@ -102,7 +102,7 @@ private:
 
   RandomOutline outline_;
   std::mt19937 random_;
-  double height_ = 1.0; ///< of the plate beside its web
+  double height_ = 1.0; ///< of the plate outside of its web
   double web_ = 1.0;    ///< its thickness over that of the plate
   Vec2 middle_ = Vec2::Zero();
   double radius_ = 1.0;

@@ -245,7 +245,7 @@ TEST(RoundPunch, TouchesStraightFacesWithBothTheirPoints) {
   }
 }
 
-/// Likewise a block of n x n elements over 3 x 3 and n / 2 over its height, in space, under a
+/// The same with a block of n x n elements over 3 x 3 and n / 2 over its height, in space, under a
 /// quarter of a ball.
 Scene under_ball(ElementKind kind, int n) {
   Scene scene = under_round_punch(ElementKind::quad8, 100.0);

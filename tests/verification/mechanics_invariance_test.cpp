@@ -19,7 +19,7 @@ namespace {
 using mechanics::Analysis;
 using mechanics::ElementKind;
 
-/// How the scene is told; the physics is the same.
+/// How the scene is described; the physics is the same.
 struct Telling {
   Mat3 Q = Mat3::Identity(); ///< orthogonal; a reflection mirrors the mesh
   bool renumbered = false;

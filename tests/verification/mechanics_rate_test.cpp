@@ -127,7 +127,7 @@ TEST(Rate, a_billet_is_pressed_over_12_decades_of_speed_and_8_of_strength) {
       const double sigma = std::numbers::sqrt3 * K * std::pow(std::numbers::sqrt3 * rate, m);
       support::show("MAT-06", fmt::format("K = {}, {} s: stress", K, duration), stress(process),
                     sigma);
-      // Elastic strain, and the rate at the end against the mean one of the last increment.
+      // Elastic strain, and the rate at the end against the average over the last increment.
       const double tolerance = 0.005 + 2.0 * sigma / 200e3;
       if (sigma < 0.05 * 200e3) { // else the billet is mostly elastic
         EXPECT_NEAR(stress(process), sigma, tolerance * sigma) << K << " " << duration;

@@ -14,7 +14,7 @@
 namespace billet::mechanics {
 
 /// Inverse of the triangle that as many columns as a vector holds have on the diagonal, with the
-/// rows beside it that fill its last vector: substitutions need products then, where each unknown
+/// adjacent rows that fill its last vector: substitutions need products then, where each unknown
 /// would wait for the one before. By columns and by rows.
 struct DiagonalInverse {
   std::array<float, front_lanes * front_lanes> columns;

@@ -128,7 +128,7 @@ private:
   Branches branches_;
   std::size_t max_rows_ = 0;                ///< of a panel, padded
   std::vector<std::size_t> triangle_start_; ///< where a front's inverses begin
-  std::vector<std::size_t> below_start_;    ///< likewise what is below them
+  std::vector<std::size_t> below_start_;    ///< where what is below them begins
   std::vector<std::vector<std::size_t>> children_;
   std::vector<Place> nodes_;             ///< first unknowns of nodes whose others follow
   std::vector<Place> singles_;           ///< unknowns of the other nodes
@@ -137,8 +137,8 @@ private:
   std::size_t stack_size_ = 0;           ///< of the largest branch
   std::vector<std::unique_ptr<float[]>>
       handed_up_; ///< complements that go to other branches, by front
-  /// What a branch takes from unknowns of other branches is summed beside them, so that branches do
-  /// not meet.
+  /// What a branch contributes to unknowns of other branches is summed separately, so that branches
+  /// do not write to the same place.
   struct Beside {
     std::vector<Index> unknowns;    ///< that each sum goes to
     std::vector<std::size_t> start; ///< of a branch's sums
@@ -150,7 +150,7 @@ private:
   std::vector<float> inverses_;    ///< of the factor's diagonal
   std::vector<float> signs_;
   std::vector<float> least_; ///< pivot by unknown
-  std::vector<float> x_;     ///< in the order of elimination; then the sums beside
+  std::vector<float> x_;     ///< in the order of elimination; then the separate sums
   double scale_ = 1.0;       ///< of the matrix
   oneapi::tbb::enumerable_thread_specific<Workspace> workspaces_;
   FrontTeam team_;

@@ -18,7 +18,8 @@ constexpr const char* component_file = "libbillet-multigrid.so";
 Outcome<const MultigridComponent*> load() {
   // Its BLAS is another than the program's, and would start threads of its own.
   setenv("OPENBLAS_NUM_THREADS", "1", 0); // NOLINT(concurrency-mt-unsafe): before its first use
-  // Beside the program or library that this is part of, or where it was installed: their run path.
+  // In the folder of the program or library that this is part of, or where it was installed: their
+  // run path.
   // Deep: PETSc must find its own MPI and MUMPS, not those of the program.
   void* library = dlopen(component_file, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
   if (library == nullptr) {

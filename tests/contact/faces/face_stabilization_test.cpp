@@ -200,7 +200,7 @@ TEST(FaceStabilization, PressesOnlyWhereAPlaceIsInsideAndDeeperThanItsPoints) {
 }
 
 TEST(FaceStabilization, PressesNoMoreThanTenTimesWhatTheFaceCarries) {
-  // A slender strip under a nose: its corner can be deep inside before a point beside it closes.
+  // A slender strip under a nose: its corner can be deep inside before a point next to it closes.
   ContactBench bench = on_floor({mechanics::ElementKind::quad8, mechanics::Analysis::plane_strain});
   bench.x = at_heights(bench, -2e-3, -2e-3, 1e-3);
   const auto energy = [&](double pressure) {

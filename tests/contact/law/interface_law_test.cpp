@@ -186,7 +186,7 @@ TEST(InterfaceLaw, GivesARateLawTheSpeedOfThePointThatTouchesFirst) {
   const Friction law = Viscoplastic{40.0, 0.1, 0.15};
   PointHistory open;
   open.position = Vec3(-0.3, 0.2, 0.0);
-  const Vec3 end(3.7, -0.1, 0.0); // the shear's elastic part is small beside the way
+  const Vec3 end(3.7, -0.1, 0.0); // the shear's elastic part is small compared with the way
   const double whole = traction_at(*floor, law, open, end, {}, 1.0).shear.norm();
   EXPECT_NEAR(traction_at(*floor, law, open, end, {}, 0.5).shear.norm(), whole, 2e-3 * whole);
 }

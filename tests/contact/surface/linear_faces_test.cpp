@@ -229,7 +229,7 @@ TEST(StraightFaces, StayAsTheyAreWhereNothingIsToLevel) {
       change(other[k], k);
     return sagitta_offsets(bench.surface, bench.x, {}, other);
   };
-  // A flat tool; one beside the face; one as sharp as the face is long; an edge under each face.
+  // A flat tool; one next to the face; one as sharp as the face is long; an edge under each face.
   EXPECT_TRUE(all_zero(changed([](auto& foot, std::size_t) { foot.dnormal_dx.setZero(); })));
   EXPECT_TRUE(all_zero(changed([](auto& foot, std::size_t) { foot.normal = Vec3::UnitX(); })));
   EXPECT_TRUE(all_zero(changed([](auto& foot, std::size_t) { foot.dnormal_dx *= 100.0; })));

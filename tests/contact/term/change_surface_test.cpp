@@ -16,7 +16,7 @@
 namespace billet::contact::change_surface_test {
 namespace {
 
-constexpr double rounding = 1e-10; // pressures of 1e3 from gaps of 1e-5 beside coordinates of 1
+constexpr double rounding = 1e-10; // pressures of 1e3 from gaps of 1e-5 at coordinates of 1
 
 /// A body 2 x 1 on a floor that it slides on; elements of several sizes.
 ContactBench on_floor(mechanics::ElementKind kind, int along, int up, const Friction& friction) {

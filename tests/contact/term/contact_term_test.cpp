@@ -45,7 +45,7 @@ TEST(ContactTerm, GivesNoForceAcrossAGapAndKpTimesDepthBeyondIt) {
   EXPECT_EQ(bench.term.state().area, 0.0);
   bench.commit(moved(bench, {0, -2e-9, 0}), 2.0);
   const double exact = bench.surface.penalty().normal * 1e-9 * 2.0;
-  constexpr double digits = 1e-6; // 1e-9 has that many beside coordinates of order 1
+  constexpr double digits = 1e-6; // 1e-9 has that many as a difference of coordinates of order 1
   EXPECT_NEAR(bench.term.loads()[0].force[1], -exact, digits * exact);
   EXPECT_NEAR(bench.term.state().area, 2.0, rounding);
 }

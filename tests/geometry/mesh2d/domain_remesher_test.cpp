@@ -188,7 +188,7 @@ TEST(DomainRemesher, KeepsCornersAndNothingElse) {
 }
 
 TEST(DomainRemesher, AFlattenedCornerIsNoneAnyMore) {
-  for (const double foot : {4.0, 6.0, 44.0}) { // the free side folds until it lies beside the top
+  for (const double foot : {4.0, 6.0, 44.0}) { // the free side folds until it is flush with the top
     const SideLoop loop = outline({{{0, 0}, 0}, {{foot, 0}, 0}, {{4, 2}, 0}, {{0, 2}, 0}}, 1.0);
     const std::vector<char> kept = kept_corners(loop, {.turn = pi / 6.0});
     for (std::size_t i = 0; i < kept.size(); ++i) {

@@ -41,7 +41,7 @@ TEST(TriangleSurroundings, AnOppositeWallIsKeptAwayFrom) {
   for (const auto& [a, b, c] : above.triangles)
     mesh.triangles.push_back({first + a, first + b, first + c});
   const Surroundings narrow = around(mesh, 3);
-  EXPECT_LE(narrow.slope, 1.0F); // of the parts of the wall that lie beside
+  EXPECT_LE(narrow.slope, 1.0F); // of the parts of the wall outside of it
   EXPECT_NEAR(narrow.radius, 0.1, 1e-6);
   EXPECT_TRUE(is_nearest(narrow, 0.04, 0.01, 0.0));
   EXPECT_FALSE(is_nearest(narrow, 0.06, 0.01, 0.0));

@@ -42,7 +42,7 @@ TEST(ResolvedCase, keeps_on_which_side_of_a_profile_the_tool_lies) {
     Case content = read(plane_case);
     content.tools[2].surface = PointsSurface{{{0, 0, 0}, {4, 0, 0}}, false, flip};
     expect_round_trip(content);
-    const test::TemporaryFolder folder; // the file must lie beside the case
+    const test::TemporaryFolder folder; // the file must be in the folder of the case
     content.tools[2].surface =
         ProfileSurface{{"die.toml", folder.file("die.toml", "points = [[0, 0], [4, 0]]")}, flip};
     const Case again = read_case(folder.file("case.toml", resolved_toml(content)));
@@ -54,7 +54,7 @@ TEST(ResolvedCase, keeps_on_which_side_of_a_profile_the_tool_lies) {
 }
 
 TEST(ResolvedCase, keeps_step_files) {
-  const test::TemporaryFolder folder; // files must lie beside the case
+  const test::TemporaryFolder folder; // files must be in the folder of the case
   StepSurface plain;
   plain.file = {"die.step", folder.file("die.step", "")};
   StepSurface full = plain;

@@ -1,4 +1,4 @@
-// What a run that stopped is told: a line for each cause, with its remedy.
+// The advice for a run that stopped: a line for each cause, with its remedy.
 
 #include "io/case/read_case.h"
 #include "io/results/advice.h"

@@ -1,4 +1,4 @@
-// Loads besides contact: VALIDATION ELT-05, ELT-04 (iv), tangents of follower pressure.
+// Loads other than contact: VALIDATION ELT-05, ELT-04 (iv), tangents of follower pressure.
 
 #include "mechanics/loads/loads.h"
 #include "mechanics/loads/rigid_body_stabilization.h"

@@ -373,7 +373,7 @@ public:
 private:
   double radius_, speed_;
   std::vector<Vec3> velocity_; ///< of the contact points; empty: the mesh is not new
-  std::vector<contact::PointHistory> history_; ///< likewise
+  std::vector<contact::PointHistory> history_; ///< of the contact points
 };
 
 TEST(Remeshing, ForetellsFirstTouchByTheMotionBeforeTheBalance) {

@@ -1,4 +1,4 @@
-// A part in space meshed anew in the midst of a run, beside the same run without.
+// A part in space remeshed in the middle of a run, compared with the same run without.
 
 #include "mechanics/elements/mesh_check.h"
 #include "mechanics/elements/mesh_locator.h"

@@ -158,7 +158,7 @@ function atPositiveRadii(points, lines) {
   return Float32Array.from(kept);
 }
 
-/** A tool of the plane, turned likewise; a plane goes on beyond the axis, and would be there twice. */
+/** A tool of the plane, revolved in the same way; a plane extends beyond the axis and would appear twice. */
 export function revolvedTool(points, lines, steps = 48) {
   const outline = atPositiveRadii(points, lines);
   const segments = Int32Array.from({ length: outline.length / 3 }, (_, i) => i);
