@@ -9,7 +9,8 @@
 
 Units are those of the case: mm, N, s and MPa unless it says otherwise.
 
-Case, Run, Increment, Field      a case and its run in memory
+Case, Run, State, Increment       a case and its run in memory
+Field                            an array that knows its unit
 simulate, study, chart, identify the program billet, which writes results to folders
 results, Results, Frame          what it has written
 Error                            what cannot be run, read or found, and why
@@ -20,7 +21,7 @@ from ._errors import Error, MissingKey, MissingPackage, NotConverged, ProgramErr
 from ._identification import FittedLaw, Identification, Parameter, identify
 from ._program import program, simulate
 from ._results import Frame, FrameData, Results, results
-from ._run import Increment, Run
+from ._run import Increment, Run, State
 from ._studies import Chart, ChartedQuantity, Study, chart, study
 from ._table import Table
 from ._native import __version__
@@ -46,6 +47,7 @@ __all__ = [
     "ProgramError",
     "Results",
     "Run",
+    "State",
     "Study",
     "Table",
     "TableView",

@@ -73,6 +73,69 @@ class Increment:
         }
 
 
+class State:
+    """What a run has come to; a copy of it stays as it is.
+
+    run.state is the run's own, which changes as the run goes on, and run.state.copy() a state that
+    does not. Units are those of the case.
+    """
+
+    def __init__(self, native: _native.Run) -> None:
+        """For Run.state, which is the way to have one."""
+        self._native = native
+
+    def copy(self) -> State:
+        """The state as it is now. The linear solver begins anew, in the run as in the copy."""
+        return State(self._native.copy())
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Any) -> State:
+        return self.copy()
+
+    def run(self) -> Run:
+        """A run of its own that goes on from here, without callbacks; the state stays as it is."""
+        return Run._of(self._native.copy())
+
+    @property
+    def time(self) -> float:
+        """At the end of the last increment [s]."""
+        return self._native.time()
+
+    @property
+    def increment(self) -> int:
+        """Number of the last increment; 0: there has been none."""
+        return self._native.increment()
+
+    @property
+    def positions(self) -> Floats:
+        """Where the nodes are, shape (n_nodes, dimension) [mm]; read-only, as Run.positions."""
+        return self._native.positions()
+
+    @property
+    def elements(self) -> Integers:
+        """Nodes of the elements, shape (n_elements, nodes_per_element), int32; read-only."""
+        return self._native.elements()
+
+    @property
+    def field_names(self) -> list[str]:
+        """Names of the fields at the nodes."""
+        return self._native.field_names()
+
+    def field(self, name: str) -> Field:
+        """A field at the nodes with its unit, as Run.field. Raises billet.Error."""
+        found, unit, values = self._native.field(whole_text(name))
+        return Field(values, found, unit)
+
+    def fields(self) -> dict[str, Field]:
+        """All fields at the nodes by name."""
+        return {name: Field(values, name, unit) for name, unit, values in self._native.fields()}
+
+    def __repr__(self) -> str:
+        at = f"time {self.time:.6g} {self._native.units()['time']}, increment {self.increment}"
+        return f"<state at {at}>"
+
+
 class Run:
     """A run of a case, in memory: nothing is written to disk.
 
@@ -106,6 +169,7 @@ class Run:
 
     def _prepare(self, native: _native.Run) -> None:
         self._native = native
+        self._state = State(native)
         self._columns = native.history_columns()
         self._tools = tuple(native.tools())
         self.callbacks: list[Callback] = []
@@ -182,6 +246,25 @@ class Run:
     # --- what has been ----------------------------------------------------------------------
 
     @property
+    def state(self) -> State:
+        """What the run has come to: shape, fields, contact, history. It changes as the run goes on.
+
+            saved = run.state.copy()
+            run.state = saved               # back to there
+            branch = saved.run()            # another run from there
+
+        Raises billet.Error for a state of another case, and leaves the run as it was.
+        """
+        return self._state
+
+    @state.setter
+    def state(self, state: State) -> None:
+        if not isinstance(state, State):
+            raise TypeError(f"a state is expected, not {type(state).__name__}")
+        if state is not self._state:
+            self._native.load(state._native.save())
+
+    @property
     def time(self) -> float:
         """At the end of the last increment [s]."""
         return self._native.time()
@@ -255,12 +338,11 @@ class Run:
         Shape (n_nodes,); of vectors (n_nodes, 3), X, Y, Z; of stress (n_nodes, 6), XX, YY, ZZ, XY,
         YZ, XZ. Raises billet.Error for a name that is none of field_names.
         """
-        found, unit, values = self._native.field(whole_text(name))
-        return Field(values, found, unit)
+        return self._state.field(name)
 
     def fields(self) -> dict[str, Field]:
         """All fields at the nodes by name, which takes hardly longer than one."""
-        return {name: Field(values, name, unit) for name, unit, values in self._native.fields()}
+        return self._state.fields()
 
     @property
     def tools(self) -> tuple[str, ...]:
@@ -284,9 +366,13 @@ class Run:
 
         It has the history so far and no callbacks.
         """
-        other = Run.__new__(Run)
-        other._prepare(self._native.copy())
-        return other
+        return Run._of(self._native.copy())
+
+    @classmethod
+    def _of(cls, native: _native.Run) -> Run:
+        run = cls.__new__(cls)
+        run._prepare(native)
+        return run
 
     __copy__ = copy
 

@@ -158,6 +158,41 @@ def test_a_new_mesh_leaves_the_old_arrays(case: billet.Case) -> None:
     assert np.array_equal(elements, kept[0]) and np.array_equal(positions, kept[1])
 
 
+def test_branches_of_a_state_take_the_way_of_the_run_to_the_bit(case: billet.Case) -> None:
+    run = billet.Run(case)
+    run.advance()
+    state = run.state.copy()
+    at, positions = state.time, state.positions.copy()
+    strain = state.field("plastic_strain").copy()
+    branch, again = state.run(), state.run()
+    for one in (run, branch, again):
+        one.finish()
+    assert run.state.time == run.time > at == state.time
+    assert (state.positions == positions).all()
+    assert (state.field("plastic_strain") == strain).all()
+    assert (run.positions == branch.positions).all() and (run.positions == again.positions).all()
+    end = run.positions.copy()
+    run.state = state
+    assert run.time == at and (run.positions == positions).all()
+    assert len(run.history["time"]) == run.increment
+    run.finish()
+    assert (run.positions == end).all()
+    assert repr(state).startswith("<state at time ")
+    with pytest.raises(TypeError, match="a state is expected, not bytes"):
+        run.state = run.save()  # type: ignore[assignment]
+
+
+def test_a_state_of_another_case_is_refused(case: billet.Case) -> None:
+    run, other = billet.Run(case), billet.Run(case, {"workpiece.mesh.cells": [5, 2]})
+    other.advance()
+    run.advance()
+    at = run.time
+    with pytest.raises(billet.Error):
+        run.state = other.state
+    assert run.time == at
+    run.finish()
+
+
 def test_a_copy_takes_the_same_way_to_the_bit(case: billet.Case) -> None:
     run = billet.Run(case)
     for _ in range(3):
