@@ -95,8 +95,9 @@ void Progress::incremented(const process::Run& run, const process::IncrementRepo
 void Progress::failed(const process::Run&, const process::PostMortem& post) {
   if (terminal_ && !quiet_)
     tell("\n");
-  insist(fmt::format("billet: time {:.6g} could not be reached with increments down to {:.3g}: {}",
-                     post.time, post.dt, post.reason));
+  insist(fmt::format(
+      "billet: time {:.6g} could not be reached with increments down to {:.3g}: {} [exit-5]",
+      post.time, post.dt, post.reason));
 }
 
 void Progress::remeshed(const process::Run&, const process::RemeshReport& r) {

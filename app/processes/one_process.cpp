@@ -41,7 +41,7 @@ int among_processes(int argc, char** argv, int (*program)(int, char**)) {
     return program(argc, argv);
   if (launched_as() == 0)
     std::fputs("billet: mpiexec has started several processes, and this program runs in one; "
-               "billet-mpi runs in several (./dev build --mpi builds it)\n",
+               "billet-mpi runs in several (./dev build --mpi builds it) [usage]\n",
                stderr);
   return static_cast<int>(Fault::usage);
 }
