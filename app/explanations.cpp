@@ -189,12 +189,11 @@ constexpr std::array table{
         "Systems that multigrid was set up for were factorized in the end. The result is right.",
         "Metal that flows nearly everywhere, slender parts.",
         "solver.linear = \"cholmod\" if there are many."},
-    Explanation{"friction-limited", "warning",
-                "Contact points that kept changing between stick and slip were given less shear "
-                "than their law asks for.",
+    Explanation{"friction-lagged", "warning",
+                "Contact points that kept changing between stick and slip slid with the friction "
+                "of their pressure at the start of the increment.",
                 "Sticking friction where metal leaves a tool; a large coefficient.",
-                "Smaller elements, or a law that ends at the shear yield stress, tell by how much "
-                "forces are off."},
+                "Shorter increments (time.increments.max) tell by how much forces are off."},
     Explanation{"blow-cut", "warning",
                 "The stage of a press ended before its blow had used up its energy.",
                 "An end of the stage that was guessed too early.",

@@ -58,7 +58,7 @@ struct SlipState {
   double shear_yield;   ///< k of the parent element [MPa]
   double sliding = 0.0; ///< distance before the increment [mm]
   double dt = 1.0;      ///< of the increment, as far as the point touches [s]
-  bool limited = false; ///< no more shear than pressure (F.3)
+  bool limited = false; ///< no more shear than pressure, as where a point touches (F.3)
 };
 
 /// Slip limit with its derivatives by what changes within an increment.

@@ -159,6 +159,39 @@ Mat3 in_space(const TangentFrame& frame,
          foot.normal * (in_plane.transpose() * foot.dnormal_dx);
 }
 
+/// Whether the slip limit is that of the pressure at the start of the increment. (F.3a)
+bool lags(const PointHistory& old, const InterfaceInput& at) {
+  return at.friction_lagged && old.closed();
+}
+
+/// The pressure that a slip limit is of.
+struct Holding {
+  double pressure;         ///< [MPa]
+  double d_pressure;       ///< by the pressure that acts [-]
+  double normal_stiffness; ///< by which the pressure that acts falls with the gap [MPa/mm]
+};
+
+/// @param resting  whether the point sticks must not be left to the sign of a gap that is zero but
+/// for
+///                 rounding
+Holding holding_pressure(const Penalty& penalty,
+                         const PointHistory& old,
+                         const InterfaceInput& at,
+                         double pressure,
+                         double stiffness,
+                         bool resting) {
+  constexpr double steep = 100.0; // shear ends with the pressure, however much it lags (F.3a)
+  Holding holding{pressure, 1.0, stiffness};
+  if (lags(old, at))
+    holding = steep * pressure < old.pressure ? Holding{steep * pressure, steep, stiffness}
+                                              : Holding{old.pressure, 0.0, stiffness};
+  if (at.kept && old.closed() && old.pressure > holding.pressure) // also under tension
+    holding = {old.pressure, 0.0, stiffness};
+  if (const double noise = penalty.normal * at.noise; resting && noise > holding.pressure)
+    holding = {noise, 0.0, stiffness};
+  return holding;
+}
+
 /// The shear of a point that was closed, or touches for a share of the increment. (C.4)-(C.6)
 void add_shear(const Friction& friction,
                const Penalty& penalty,
@@ -166,7 +199,7 @@ void add_shear(const Friction& friction,
                const InterfaceInput& at,
                const SlipScheme& scheme,
                const SlipState& state,
-               double normal_stiffness,
+               const Holding& holding,
                Traction& out) {
   const geometry::Projection& foot = at.projection;
   const Vec3& n = foot.normal;
@@ -191,10 +224,10 @@ void add_shear(const Friction& friction,
   out.slip = frame.E * end.slip;
   out.limit = end.limit;
   Eigen::Matrix<double, 2, 3> dshear = end.d_shear * shear.dv_dx + end.d_path * path.dv_dx;
-  // Under tension the limit is that of the pressure before.
-  if (state.pressure == out.pressure) {
-    dshear -= normal_stiffness * end.d_pressure * n.transpose();
-    out.dtraction_dp += frame.E * end.d_pressure;
+  if (holding.d_pressure != 0.0) {
+    const Vec2 by_pressure = holding.d_pressure * end.d_pressure;
+    dshear -= holding.normal_stiffness * by_pressure * n.transpose();
+    out.dtraction_dp += frame.E * by_pressure;
   }
   out.traction += out.shear;
   out.dtraction_dx += in_space(frame, end.shear, dshear, foot);
@@ -280,23 +313,25 @@ Traction traction(const Friction& friction,
   out.traction = out.pressure * n;
   out.dtraction_dp = n;
   out.dtraction_dx = -stiffness * n * n.transpose() + out.pressure * foot.dnormal_dx;
-  double holding = kept ? std::max(out.pressure, old.pressure) : out.pressure;
-  // Whether it sticks must not be left to the sign of a gap that is zero but for rounding.
-  if (resting)
-    holding = std::max(holding, penalty.normal * at.noise);
+  const Holding holding = holding_pressure(penalty, old, at, out.pressure, stiffness, resting);
   const bool rubs = old.closed() || at.touching > 0.0;
-  SlipState state{holding, at.shear_yield, old.sliding, at.dt};
+  SlipState state{holding.pressure, at.shear_yield, old.sliding, at.dt};
   if (!old.closed() && rubs)
     state.dt *= at.touching;
-  state.limited = (!old.closed() && rubs) || at.friction_limited;
+  state.limited = !old.closed() && rubs;
   out.limit = limit_at(friction, state, 0.0).shear;
+  if (lags(old, at)) {
+    SlipState now = state;
+    now.pressure = out.pressure;
+    out.lag = limit_at(friction, now, 0.0).shear - out.limit;
+  }
   if (!rubs)
     return out;
   if (out.limit == 0.0 && !friction.depends_on_slip()) {
     out.slip = sliding(old, at, old.closed() ? 1.0 : at.touching).path;
     return out;
   }
-  add_shear(friction, penalty, old, at, scheme, state, stiffness, out);
+  add_shear(friction, penalty, old, at, scheme, state, holding, out);
   return out;
 }
 

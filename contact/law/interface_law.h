@@ -70,7 +70,8 @@ struct Traction {
   Vec3 dtraction_dp = Vec3::Zero(); ///< by the pressure [-]
   Vec3 dtraction_dk = Vec3::Zero(); ///< by the shear yield stress of the parent element [-]
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
-  double limit = 0.0;               ///< largest shear at this pressure [MPa]
+  double limit = 0.0;               ///< largest shear at this pressure, or at the one before [MPa]
+  double lag = 0.0; ///< what the limit would be more by at this pressure; not stored [MPa]
   /// The old shear in the new tangent plane, as far to the slip as it was when the increment began
   /// [MPa].
   Vec3 turned = Vec3::Zero();
@@ -100,8 +101,9 @@ struct InterfaceInput {
   double noise = 0.0;      ///< of a gap: what coordinates of their size cannot tell [mm]
   double touching = 0.0; ///< share of the increment in which a point that was open rubs (C.42) [-]
   std::optional<SharedPressure> shared = std::nullopt; ///< in place of the point's own
-  Vec3 turn = Vec3::Zero(); ///< of the tool against the face in the increment, tool frame [rad]
-  bool friction_limited = false; ///< no more shear than pressure, as where a point touches (F.3)
+  Vec3 turn = Vec3::Zero();     ///< of the tool against the face in the increment, tool frame [rad]
+  bool friction_lagged = false; ///< a point that was closed has the slip limit of the pressure
+                                ///< that it had then (F.3a)
 };
 
 /// Energy that a shear stores in a stiffness against slip [N/mm]; 0 without stiffness.

@@ -48,17 +48,15 @@ std::vector<ChatteringPoint> chattering(const ContactView& contact) {
   return points;
 }
 
-bool friction_limit_bears(const ContactView& contact) {
-  constexpr double rounding = 1e-9;
-  const auto bears = [](const Traction& at) { // at least as much shear as pressure
-    return at.status == Status::slip && at.pressure > 0.0 &&
-           at.shear.norm() >= (1.0 - rounding) * at.pressure;
+bool friction_lags(const ContactView& contact) {
+  constexpr double noticeable = 0.01;
+  const auto lags = [](const Traction& at) {
+    return at.status == Status::slip && std::abs(at.lag) > noticeable * at.limit;
   };
-  for (const ToolContact& tool : contact.state.tools)
-    for (std::size_t k = 0; k < tool.trial.traction.size(); ++k)
-      if (tool.trial.friction_limited[k] != 0 && bears(tool.trial.traction[k]))
-        return true;
-  return false;
+  return std::any_of(
+      contact.state.tools.begin(), contact.state.tools.end(), [&](const ToolContact& tool) {
+        return std::any_of(tool.trial.traction.begin(), tool.trial.traction.end(), lags);
+      });
 }
 
 bool closed_on(const ContactView& contact, std::size_t tool, std::size_t point) {

@@ -38,9 +38,9 @@ constexpr int chattering_changes = 4;
 /// Points that have changed in many evaluations of this try, the most chattering first.
 [[nodiscard]] std::vector<ChatteringPoint> chattering(const ContactView& contact);
 
-/// Whether a point that is friction-limited in the last trial slips with all the shear that it may
-/// have, and its law would let it have more. (F.3)
-[[nodiscard]] bool friction_limit_bears(const ContactView& contact);
+/// Whether a point slips in the last trial with a limit of the pressure before, and its law asks
+/// for another one at the pressure now, by more than a hundredth. (F.3a)
+[[nodiscard]] bool friction_lags(const ContactView& contact);
 
 /// Whether a point is closed on a tool in the committed state.
 [[nodiscard]] bool closed_on(const ContactView& contact, std::size_t tool, std::size_t point);

@@ -19,7 +19,7 @@ ToolContact untouched(const ContactModel& model, std::size_t tool) {
   made.trial.corners.resize(model.corners[tool].size());
   made.trial.multiplier.resize(n, 0.0);
   made.trial.changes.resize(n, 0);
-  made.trial.friction_limited.resize(n, 0);
+  made.trial.friction_lagged.resize(n, 0);
   made.trial.touching.resize(n);
   made.search.queried_at.resize(n, Vec3::Zero());
   made.search.known_gap.resize(n, -std::numeric_limits<double>::infinity());

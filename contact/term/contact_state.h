@@ -68,9 +68,9 @@ struct TrialContact {
   std::vector<CornerTrial> corners;       ///< shape (corners of the tool)
   std::vector<FacePressure> averaged;     ///< of `CommittedContact::averaged`
   // Of the try
-  std::vector<double> multiplier;              ///< shape (n_points) [MPa]
-  std::vector<int> changes;                    ///< of status, shape (n_points)
-  std::vector<char> friction_limited;          ///< no more shear than pressure, shape (n_points)
+  std::vector<double> multiplier;    ///< shape (n_points) [MPa]
+  std::vector<int> changes;          ///< of status, shape (n_points)
+  std::vector<char> friction_lagged; ///< slip limit of the pressure before, shape (n_points)
   std::vector<std::optional<double>> touching; ///< shares of the increment, those asked for
   /// How the tool is predicted to turn against each face, as vectors in its frame [rad]; empty: not
   /// yet asked for.
@@ -80,7 +80,7 @@ struct TrialContact {
 
   template <class Archive> void fields(Archive& archive) {
     archive(traction, position, foot, rotation, corners, averaged, multiplier, changes,
-            friction_limited, touching, turn, retreat, drawn_back);
+            friction_lagged, touching, turn, retreat, drawn_back);
   }
 };
 

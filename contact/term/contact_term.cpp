@@ -176,7 +176,7 @@ void ContactTerm::restart() {
   for (ToolContact& tool : state_.tools) {
     TrialContact& trial = tool.trial;
     std::fill(trial.changes.begin(), trial.changes.end(), 0);
-    std::fill(trial.friction_limited.begin(), trial.friction_limited.end(), char{0});
+    std::fill(trial.friction_lagged.begin(), trial.friction_lagged.end(), char{0});
     for (std::size_t k = 0; k < trial.multiplier.size(); ++k)
       trial.multiplier[k] = tool.committed.history[k].multiplier;
     for (std::size_t c = 0; c < trial.corners.size(); ++c)
@@ -184,16 +184,14 @@ void ContactTerm::restart() {
   }
 }
 
-bool ContactTerm::restart_friction_limited() {
+bool ContactTerm::restart_friction_lagged() {
   std::vector<std::vector<char>> limited;
   bool any = false;
   for (const ToolContact& tool : state_.tools) {
     const TrialContact& trial = tool.trial;
-    std::vector<char>& points = limited.emplace_back(trial.friction_limited);
+    std::vector<char>& points = limited.emplace_back(trial.friction_lagged);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const Traction& now = trial.traction[k];
-      if (points[k] != 0 || trial.changes[k] < chattering_changes ||
-          !(now.status == Status::open || now.limit > now.pressure))
+      if (points[k] != 0 || trial.changes[k] < chattering_changes)
         continue;
       points[k] = 1;
       any = true;
@@ -201,7 +199,7 @@ bool ContactTerm::restart_friction_limited() {
   }
   restart();
   for (std::size_t t = 0; t < limited.size(); ++t)
-    state_.tools[t].trial.friction_limited = std::move(limited[t]);
+    state_.tools[t].trial.friction_lagged = std::move(limited[t]);
   return any;
 }
 

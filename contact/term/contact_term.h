@@ -69,11 +69,11 @@ public:
   /// Begins a try of an increment: penalties are those of the committed state, nothing is
   /// predicted.
   void restart();
-  /// Does the same, and limits the shear of points that were chattering in the last try, with more
-  /// shear than pressure, to the pressure in this one. (F.3)
+  /// Does the same, and gives points that were chattering in the last try the slip limit of their
+  /// pressure at the start of the increment. (F.3a)
   ///
   /// @return whether there are any
-  bool restart_friction_limited();
+  bool restart_friction_lagged();
   /// Tells where everything will be at the end of this try if it goes on as it does. Points that
   /// come down on a tool rub from where they touch; without this, from the next increment on.
   /// (C.42)

@@ -93,7 +93,7 @@ int evaluate(const ContactModel& model,
       in.kept = kept;
       in.multiplier = penalty.carried(old, tried.multiplier[k]);
       in.shear_yield = shear_yield(model, tool.friction, k);
-      in.friction_limited = tried.friction_limited[k] != 0;
+      in.friction_lagged = tried.friction_lagged[k] != 0;
       in.turn = tried.turn[idx(model.face_of(k))];
       if (averaged != nullptr)
         in.shared = shared_pressure(model, *averaged, k);

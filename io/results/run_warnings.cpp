@@ -106,15 +106,13 @@ void on_multigrid(const process::Run& run, Lines& lines) {
         work.multigrid_failed, work.multigrid_failed + work.multigrid));
 }
 
-void on_limited_friction(const process::Run& run, Lines& lines) {
-  if (const int increments = run.state.counters.friction_limited; increments > 0)
+void on_lagged_friction(const process::Run& run, Lines& lines) {
+  if (const int increments = run.state.counters.friction_lagged; increments > 0)
     lines.push_back(fmt::format(
-        "warning: [friction-limited] in {} of {} increments contact points that kept changing "
-        "between stick and slip "
-        "were given no more shear than pressure, less than their friction law asks for: nothing "
-        "else was in equilibrium. Where metal sticks and lets go again and again forces are right "
-        "to some per cent only; smaller elements, or a law that ends at the shear yield stress, "
-        "tell by how much",
+        "warning: [friction-lagged] in {} of {} increments contact points that kept changing "
+        "between stick and slip slid with the friction of their pressure at the start of the "
+        "increment, which is more than 1 % off: no other equilibrium was found. With more than a "
+        "few per cent of the increments compare with shorter ones (time.increments.max)",
         increments, run.state.increment));
 }
 
@@ -430,7 +428,7 @@ std::vector<std::string> RunWriter::warnings(const process::Run& run) const {
   warn_of_penetration(lines);
   on_work_missing(run, content_->units, {record_.most_missed, record_.most_missed_at}, lines);
   on_work_made(run, content_->units, lines);
-  on_limited_friction(run, lines);
+  on_lagged_friction(run, lines);
   on_multigrid(run, lines);
   on_unexpected_touches(run, *content_, lines);
   on_fading_forces(run, lines);

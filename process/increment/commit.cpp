@@ -77,8 +77,8 @@ void commit(Run& run, double dt) {
   run.state.x = run.attempt.x;
   run.state.time += dt;
   note_largest_force(run, of_stabilization);
-  if (std::exchange(run.attempt.friction_limited, false))
-    ++run.state.counters.friction_limited;
+  if (std::exchange(run.attempt.friction_lagged, false))
+    ++run.state.counters.friction_lagged;
 }
 
 void accept(Run& run, double dt) {

@@ -42,23 +42,23 @@ std::optional<Outcome<Done>> softer_penalty(Run& run, double dt) {
   return try_increment(run, dt, Continuation::penalty_and_friction);
 }
 
-/// Where a steep cone of friction goes from stick to slip and back, one that is as high as wide
-/// does not.
-std::optional<Outcome<Done>> with_less_friction(Run& run, double dt, Continuation continuation) {
+/// Between stick and slip there need be no equilibrium where shear grows with the pressure as much
+/// as at the edge of a contact. With the limit of the pressure before there always is one. (F.3a)
+std::optional<Outcome<Done>> with_lagged_friction(Run& run, double dt, Continuation continuation) {
   constexpr int most_rounds = 4; // calm points may leave others chattering
   std::optional<Outcome<Done>> solved;
-  for (int round = 0; round < most_rounds && run.model.contact->restart_friction_limited();
+  for (int round = 0; round < most_rounds && run.model.contact->restart_friction_lagged();
        ++round) {
     solved = solve_increment(run, dt, continuation);
-    run.attempt.friction_limited = *solved && contact::friction_limit_bears(*run.model.contact);
+    run.attempt.friction_lagged = *solved && contact::friction_lags(*run.model.contact);
     if (*solved || run.attempt.too_deep || run.attempt.inside_out)
       break;
   }
   return solved;
 }
 
-std::optional<Outcome<Done>> friction_limited(Run& run, double dt) {
-  return with_less_friction(run, dt, Continuation::none);
+std::optional<Outcome<Done>> friction_lagged(Run& run, double dt) {
+  return with_lagged_friction(run, dt, Continuation::none);
 }
 
 /// Metal that snaps off an edge has far to go in any increment.
@@ -66,8 +66,8 @@ std::optional<Outcome<Done>> more_iterations(Run& run, double dt) {
   return try_increment(run, dt, Continuation::more_iterations);
 }
 
-std::optional<Outcome<Done>> friction_limited_and_more_iterations(Run& run, double dt) {
-  return with_less_friction(run, dt, Continuation::more_iterations);
+std::optional<Outcome<Done>> friction_lagged_and_more_iterations(Run& run, double dt) {
+  return with_lagged_friction(run, dt, Continuation::more_iterations);
 }
 
 /// A way to a solution.
@@ -80,16 +80,16 @@ constexpr std::array<Fallback, 7> fallbacks{{
     {&Difficulty::failed_before, hardly_touching},
     {&Difficulty::failed_before, softer_friction},
     {&Difficulty::failed_before, softer_penalty},
-    {&Difficulty::failed_before, friction_limited},
+    {&Difficulty::failed_before, friction_lagged},
     {&Difficulty::last_way, more_iterations},
-    {&Difficulty::last_way, friction_limited_and_more_iterations},
+    {&Difficulty::last_way, friction_lagged_and_more_iterations},
     {&Difficulty::keeps_failing, held_tool},
 }};
 
 } // namespace
 
 Outcome<Done> solve_by_any_way(Run& run, double dt, const Difficulty& difficulty) {
-  run.attempt.friction_limited = false;
+  run.attempt.friction_lagged = false;
   Outcome<Done> solved = try_increment(run, dt, Continuation::none);
   for (const Fallback& way : fallbacks)
     if (!solved && difficulty.*way.worth_it && unsolved(run))

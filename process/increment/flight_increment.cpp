@@ -50,7 +50,7 @@ void guess_flight(Run& run, const Vec3& shift, double dt) {
 
 /// Attempts an increment of the flight.
 bool try_flight(Run& run, double dt) {
-  run.attempt.friction_limited = false;
+  run.attempt.friction_lagged = false;
   run.attempt.systems_before = run.solver_work().systems;
   const Vec3 shift = run.state.flights.now->carrier.shift(run.state.time, run.state.time + dt);
   if (run.model.contact)

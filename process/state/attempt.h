@@ -36,7 +36,7 @@ struct Attempt {
   bool too_deep = false;            ///< refused: a tool lies deeper in the part than is allowed
   bool inside_out = false;          ///< refused: an element turns inside out
   bool moves_away = false;          ///< refused: nothing holds the part
-  bool friction_limited = false;    ///< solved with less friction than the law asks for
+  bool friction_lagged = false;     ///< solved with friction of the pressure before (F.3a)
   bool hardly_touches = false;      ///< forces count as none in it
   /// Points that kept changing in the last one that had any.
   std::vector<contact::ChatteringPoint> chattering;

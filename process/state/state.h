@@ -203,12 +203,12 @@ struct StageProgress {
 struct Counters {
   int iterations = 0;
   int cutbacks = 0;
-  int friction_limited = 0;     ///< increments with less friction than the law asks for (F.3)
+  int friction_lagged = 0;      ///< increments with friction of the pressure before (F.3a)
   int wasted_iterations = 0;    ///< of tries that failed
   int remeshing_iterations = 0; ///< on new meshes before time went on
 
   template <class Archive> void fields(Archive& archive) {
-    archive(iterations, cutbacks, friction_limited, wasted_iterations, remeshing_iterations);
+    archive(iterations, cutbacks, friction_lagged, wasted_iterations, remeshing_iterations);
   }
 };
 

@@ -44,6 +44,7 @@ struct State {
   PointHistory old;
   Vec3 x;
   Vec3 turn = Vec3::Zero(); ///< of the tool [rad]
+  bool lagged = false;      ///< friction of the pressure before (F.3a)
 };
 
 State random_state(const geometry::RigidSurface& surface, std::mt19937& generator, bool first) {
@@ -68,14 +69,16 @@ double derivative_error(const geometry::RigidSurface& surface,
                         const Friction& law,
                         const SlipScheme& scheme,
                         const State& s) {
-  const Traction at = traction_at(surface, law, s.old, s.x, scheme, touching, s.turn);
+  const Traction at = traction_at(surface, law, s.old, s.x, scheme, touching, s.turn, s.lagged);
   double best = std::numeric_limits<double>::infinity();
   for (const double h : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
     Mat3 difference;
     for (int j = 0; j < 3; ++j) {
       const Vec3 step = h * Vec3::Unit(j);
-      const Traction above = traction_at(surface, law, s.old, s.x + step, scheme, touching, s.turn);
-      const Traction below = traction_at(surface, law, s.old, s.x - step, scheme, touching, s.turn);
+      const Traction above =
+          traction_at(surface, law, s.old, s.x + step, scheme, touching, s.turn, s.lagged);
+      const Traction below =
+          traction_at(surface, law, s.old, s.x - step, scheme, touching, s.turn, s.lagged);
       if (above.status != at.status || below.status != at.status)
         return -1.0;
       difference.col(j) = (above.traction - below.traction) / (2.0 * h);
@@ -101,11 +104,15 @@ TEST_P(InterfaceTangent, AgreesWithCentralDifferences) {
       State s = random_state(*shape.surface, generator, first);
       if (i % 2 == 0) // of tools that spin
         s.turn = 0.5 * Vec3(std::sin(i), std::cos(3 * i), std::sin(7 * i));
+      if (i % 3 == 1) { // as much as before, and a small rest of what was
+        s.lagged = true;
+        s.old.pressure = (i % 2 == 0 ? 1.0 : 1e3) * 0.02 * test_penalty.normal;
+      }
       const double error = derivative_error(*shape.surface, law, scheme, s);
       if (error < 0.0)
         continue;
       const Status status =
-          traction_at(*shape.surface, law, s.old, s.x, scheme, touching, s.turn).status;
+          traction_at(*shape.surface, law, s.old, s.x, scheme, touching, s.turn, s.lagged).status;
       const Kind kind = first                     ? Kind::first_touch
                         : status == Status::stick ? Kind::stick
                                                   : Kind::slip;

@@ -128,10 +128,12 @@ inline Traction traction_at(const geometry::RigidSurface& surface,
                             const Vec3& x,
                             const SlipScheme& scheme = {},
                             double touching = 0.0,
-                            const Vec3& turn = Vec3::Zero()) {
+                            const Vec3& turn = Vec3::Zero(),
+                            bool lagged = false) {
   InterfaceInput at{x, foot_of(surface, x), test_shear_yield};
   at.touching = touching;
   at.turn = turn;
+  at.friction_lagged = lagged;
   return traction(friction, test_penalty, old, at, scheme);
 }
 
