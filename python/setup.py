@@ -47,8 +47,10 @@ def build_billet() -> Path:
         build = ROOT / "build" / "pip"
         cmake("-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
               "-DBILLET_RELAXED=ON", "-DBILLET_TESTS=OFF")  # fmt: skip
-    known = subprocess.run(["cmake", "--build", build, "--target", "help"],
-                           capture_output=True, text=True, check=True).stdout.split("\n")  # fmt: skip
+    listed = subprocess.run(["cmake", "--build", build, "--target", "help"], capture_output=True, text=True)
+    if listed.returncode != 0:
+        sys.exit(f"{build} cannot be configured:\n{listed.stdout}{listed.stderr}")
+    known = listed.stdout.split("\n")
     targets = [each for each in TARGETS if any(line.startswith(f"{each}:") for line in known)]
     cmake("--build", build, "--parallel", jobs(), "--target", *targets)
     return build

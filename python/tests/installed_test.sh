@@ -29,5 +29,6 @@ site=$(find "$work/installed" -name billet -path '*-packages/*' -type d)
 PYTHONPATH=${site%/billet} quietly "$python" use.py "$work/installed"
 
 quietly "$python" -m venv --system-site-packages "$work/venv"
-BILLET_PREFIX=$work/installed quietly "$work/venv/bin/pip" install --no-build-isolation --no-index --no-deps "$source"
+# What it is built with comes from Debian's wheels in place of a network.
+BILLET_PREFIX=$work/installed quietly "$work/venv/bin/pip" install --no-index --find-links /usr/share/python-wheels "$source"
 quietly "$work/venv/bin/python" use.py "$work/venv"
