@@ -351,8 +351,9 @@ private:
   [[nodiscard]] bool goes_to_and_fro() const {
     const std::size_t rounds = 2 + turns_ % 2; // a way out there may be from one of them only
     constexpr double same = 0.003;
+    constexpr double lost = 0.5; // far from equilibrium the residual is its own scale: always 1
     const std::vector<IterationRecord>& all = newton_.records_;
-    if (missing() > 0.0 || all.size() < rounds + 2)
+    if (missing() > 0.0 || all.size() < rounds + 2 || all.back().residual > lost)
       return false;
     for (std::size_t i = all.size() - rounds; i < all.size(); ++i)
       if (std::abs(all[i].residual - all[i - 2].residual) > same * all[i].residual)

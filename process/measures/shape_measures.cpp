@@ -168,33 +168,34 @@ double contact_radius(const Run& run, const Measure& measure, const SurfaceSampl
   return largest;
 }
 
-/// Middles of equal cells of a box.
-std::vector<Vec3> middles(const Box& box, int dim) {
-  constexpr double cells_in_plane = 1e4, cells_in_space = 4e4;
-  const Vec3 sides = box.high - box.low;
-  double volume = 1.0;
-  for (int i = 0; i < dim; ++i)
-    volume *= sides[i];
-  const double side = std::pow(volume / (dim == 2 ? cells_in_plane : cells_in_space), 1.0 / dim);
-  std::array<int, 3> counts{1, 1, 1};
-  for (int i = 0; i < dim; ++i)
-    counts[idx(i)] = std::max(1, static_cast<int>(std::lround(sides[i] / side)));
+/// Digits of a number, mirrored at the point: 0, 1/2, 1/4, 3/4, 1/8, ... with the base 2. van der
+/// Corput (1935)
+double mirrored_digits(int number, int base) {
+  double value = 0.0, digit = 1.0;
+  for (; number > 0; number /= base) {
+    digit /= base;
+    value += digit * (number % base);
+  }
+  return value;
+}
+
+/// Points that fill a box so evenly that their share of a part of it is its volume to 0.1 % of the
+/// box. In rows along its edges they would count a whole row or none at a wall. Hammersley (1960)
+std::vector<Vec3> evenly_spread(const Box& box, int dim) {
+  const int n = dim == 2 ? 16384 : 40000;
   std::vector<Vec3> points;
-  for (int k = 0; k < counts[2]; ++k)
-    for (int j = 0; j < counts[1]; ++j)
-      for (int i = 0; i < counts[0]; ++i) {
-        const Vec3 share((i + 0.5) / counts[0], (j + 0.5) / counts[1],
-                         dim == 3 ? (k + 0.5) / counts[2] : 0.0);
-        points.push_back(box.low +
-                         share.cwiseProduct(dim == 3 ? sides : Vec3(sides[0], sides[1], 0)));
-        if (dim == 2)
-          points.back()[2] = 0.0;
-      }
+  points.reserve(idx(n));
+  for (int i = 0; i < n; ++i) {
+    const Vec3 share((i + 0.5) / n, mirrored_digits(i, 2), mirrored_digits(i, 3));
+    points.push_back(box.low + share.cwiseProduct(box.high - box.low));
+    if (dim == 2)
+      points.back()[2] = 0.0;
+  }
   return points;
 }
 
 double filling(const Run& run, const Measure& measure) {
-  std::vector<Vec3> points = middles(*measure.within, run.mesh().dimension());
+  std::vector<Vec3> points = evenly_spread(*measure.within, run.mesh().dimension());
   for (std::size_t tool = 0; run.contact() != nullptr && tool < run.tools().size(); ++tool) {
     const std::vector<double> gaps = gaps_to(run, tool, points);
     std::vector<Vec3> free;
