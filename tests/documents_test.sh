@@ -29,7 +29,7 @@ tags_given_twice() {
     sed -E 's/\\tag\{(.*)\}/(\1)/' | sort | uniq -d | sed 's/$/ stands twice in docs\/theory/'
 }
 
-pages() { find . -name '*.md' -not -path './build/*' -not -path './results/*' -not -path './.git/*'; }
+pages() { find . -name '*.md' -not -path './build/*' -not -path './results/*' -not -path './.git/*' -not -path './python/build/*'; }
 
 dead_links() {
   local page target all
