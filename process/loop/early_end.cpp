@@ -20,7 +20,7 @@ EndedBy end_by_pressure(const Run& run, double volume, bool failed) {
   if (stop.on_full_cavity && (failed ? squeeze.is_nearly_full() : squeeze.is_full()))
     return EndedBy::full_cavity;
   // With less of the part's volume gone pressures are local, as under an indenter.
-  const double squeezed = failed ? 0.02 : 0.05;
+  const double squeezed = failed ? Squeeze::little : 0.05;
   return stop.on_tools_overloaded && squeeze.volume_lost > squeezed &&
                  squeeze.tool_pressure > stop.bearable
              ? EndedBy::tools_overloaded
