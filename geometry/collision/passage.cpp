@@ -13,11 +13,6 @@ constexpr double coarse = 1.0 / 8.0; // step near a surface, share of the way
 constexpr double fine = 1e-4;        // and where sides seem to have changed
 constexpr double other_side = -0.5;  // normals more than 120 degrees apart are those of two sides
 
-/// Distance of a point from a line along the unit vector `axis`.
-double radius(const Vec3& from_axis, const Vec3& axis) {
-  return (from_axis - from_axis.dot(axis) * axis).norm();
-}
-
 struct Sample {
   double s;       // share of the way
   Vec3 position;  // tool frame
@@ -110,16 +105,15 @@ private:
 
 double way(const Encounter& encounter) {
   const Motion& motion = encounter.motion;
-  const Vec3 axis = motion.axis();
-  const auto arm = [&](const Vec3& x, const Whereabouts& tool) {
-    return radius(x - motion.axis_point() - motion.offset - tool.shift, axis);
+  const Vec3 moved = encounter.point_new - encounter.point_old -
+                     (encounter.tool_new.shift - encounter.tool_old.shift);
+  const Vec3 turned = (encounter.tool_new.angle - encounter.tool_old.angle) * motion.axis();
+  const auto speed = [&](const Vec3& x, const Whereabouts& tool) {
+    return (moved - turned.cross(x - motion.axis_point() - motion.offset - tool.shift)).norm();
   };
-  const Vec3 passed = encounter.point_new - encounter.point_old -
-                      (encounter.tool_new.shift - encounter.tool_old.shift);
-  // The arm changes linearly on the way: it is longest at an end.
-  return passed.norm() + std::abs(encounter.tool_new.angle - encounter.tool_old.angle) *
-                             std::max(arm(encounter.point_old, encounter.tool_old),
-                                      arm(encounter.point_new, encounter.tool_new));
+  // The arm changes linearly on the way, and so does the velocity: it is largest at an end.
+  return std::max(speed(encounter.point_old, encounter.tool_old),
+                  speed(encounter.point_new, encounter.tool_new));
 }
 
 std::optional<Vec3> passage(const RigidSurface& surface, const Encounter& encounter, double slack) {

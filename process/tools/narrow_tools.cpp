@@ -208,6 +208,7 @@ public:
     const geometry::Driven to = contact_.driven(tool, trial_.x);
     shift_ = {motion.translation(trial_.time_old, from), motion.translation(trial_.time, to)};
     angle_ = {motion.angle(trial_.time_old, from), motion.angle(trial_.time, to)};
+    start_ = pose(motion, 0.0);
     Box window;
     for (const double share : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
       add_seen(swept_, pose(motion, share), window);
@@ -228,18 +229,18 @@ private:
   }
 
   /// The way of a ball relative to the part, at most [mm].
-  [[nodiscard]] double length(const geometry::Motion& motion, const Part& part) const {
-    const Vec3 from_axis = pose(motion, 0.0).to_space(part.ball.centre) - motion.axis_point() -
-                           motion.offset - shift_[0];
+  [[nodiscard]] double length(const geometry::Motion& motion, const Vec3& start) const {
+    const Vec3 from_axis = start - motion.axis_point() - motion.offset - shift_[0];
     return (shift_[1] - shift_[0]).norm() +
            std::abs(angle_[1] - angle_[0]) * motion.axis().cross(from_axis).norm() + of_part_;
   }
 
   [[nodiscard]] std::optional<DeepTool> follow(const geometry::Motion& motion, const Part& part) {
-    const double way = length(motion, part);
+    const Vec3 start = start_.to_space(part.ball.centre);
+    const double way = length(motion, start);
     const double step = step_of_way * narrow_.thinnest_;
     Box path;
-    path.add(pose(motion, 0.0).to_space(part.ball.centre));
+    path.add(start);
     if (!(way > step) || !swept_.overlaps(path, way + part.ball.radius))
       return std::nullopt;
     const auto steps = static_cast<std::int64_t>(std::ceil(way / step));
@@ -287,6 +288,7 @@ private:
   Box swept_;            ///< of the part on its way [mm]
   std::array<Vec3, 2> shift_;
   std::array<double, 2> angle_{};
+  geometry::Pose start_;
   std::map<double, PartThen> parts_; ///< by the share of the way
 };
 
