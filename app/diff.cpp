@@ -22,7 +22,7 @@ constexpr std::size_t most_rows = 40;
 io::Comparison comparison_of(const fs::path& first, const fs::path& second) {
   for (const fs::path& path : {first, second})
     if (!fs::exists(path))
-      throw Error(Fault::usage, path.string(), "no such file or folder");
+      throw Error(Fault::usage, path.string(), "no such file or folder", "", error_code::file);
   if (fs::is_directory(first) != fs::is_directory(second))
     throw Error(Fault::usage, "",
                 fmt::format("one of '{}' and '{}' is a folder, the other is not", first.string(),

@@ -83,13 +83,13 @@ constexpr std::array table{
                 "Parts of the case contradict each other, or one names what is not there.",
                 "A set, tool, stage or material that is named and not defined; a law that needs a "
                 "value of another table; a file that cannot be opened.",
-                "The message names the keys of both."},
+                "The message names the keys."},
     Explanation{
         "mesh-file", "error", "A mesh file cannot be read.",
         "A file cut short, an export in another format, an element type that is not supported.",
         "billet info FILE shows what is in it; the message names line or byte."},
     Explanation{
-        "mesh-elements", "error", "The elements of a mesh cannot be calculated with.",
+        "mesh-elements", "error", "The elements of a mesh cannot be used.",
         "Elements inside out, of no volume, on top of each other, or joined along one line.",
         "Repair the mesh in the mesher; the message names the first elements and where they are."},
     Explanation{"surface-file", "error",
@@ -120,7 +120,7 @@ constexpr std::array table{
                 "A misspelt name, the results of another program.",
                 "The message names the file and the reason."},
     Explanation{
-        "limit", "error", "The memory, or another limit, does not suffice.",
+        "limit", "error", "The memory, or another limit, is not enough.",
         "A mesh that is too fine for a factorization, a limit of the shell or of the batch system.",
         "billet check estimates the memory; a symmetric half, larger elements or multigrid take "
         "less."},

@@ -79,7 +79,8 @@ int info_results(const std::filesystem::path& folder) {
                 "is a folder without summary.json: not the results of a run");
   const std::string text(std::istreambuf_iterator<char>(summary), {});
   if (!nlohmann::json::accept(text))
-    throw Error(Fault::input_output, (folder / "summary.json").string(), "is damaged: no JSON");
+    throw Error(Fault::input_output, (folder / "summary.json").string(), "is damaged: no JSON", "",
+                error_code::results_unreadable);
   fmt::print("{}", text);
   return 0;
 }
@@ -120,7 +121,7 @@ int show_info(const Arguments& arguments) {
   if (suffix == ".toml")
     throw Error(Fault::geometry, path.string(),
                 "is a case, a study or a chart, not a file of shapes",
-                "billet check CASE.toml shows what a case makes");
+                "billet check CASE.toml shows what a case makes", error_code::usage);
   const bool is_step = suffix == ".step" || suffix == ".stp";
   if (is_step && arguments.unit)
     throw Error(Fault::usage, "", "--unit is for STL files: a STEP file knows its unit");

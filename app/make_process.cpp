@@ -1,9 +1,12 @@
 #include "app/make_process.h"
 
+#include "app/explanations.h"
 #include "geometry/base/error.h"
 #include "io/results/frames.h"
 #include "io/scene/scene_builder.h"
 #include "io/slips/slips.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -12,6 +15,20 @@
 #include <vector>
 
 namespace billet::app {
+
+namespace {
+
+/// A warning as it is written among errors: with its code at the end.
+Complaint as_complaint(const std::string& file, const std::string& warning) {
+  for (const Explanation& one : explanations()) {
+    const std::string begin = fmt::format("warning: [{}] ", one.code);
+    if (warning.starts_with(begin))
+      return {file, "warning: " + warning.substr(begin.size()), "", one.code};
+  }
+  return {file, warning, ""};
+}
+
+} // namespace
 
 ReadyProcess make_process(const io::Case& content, const std::string& file, const io::Say& say) {
   std::vector<std::string> notes;
@@ -40,7 +57,7 @@ ReadyProcess make_process(const io::Case& content, const std::string& file, cons
     // A die in the wrong unit is warned of, then missed by the workpiece: the warning explains it.
     for (const std::string& note : notes)
       if (note.starts_with("warning: "))
-        complaints.push_back({file, note, ""});
+        complaints.push_back(as_complaint(file, note));
     throw Error(error.fault(), std::move(complaints));
   }
 }

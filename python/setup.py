@@ -47,6 +47,8 @@ def build_billet() -> Path:
         build = ROOT / "build" / "pip"
         cmake("-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
               "-DBILLET_RELAXED=ON", "-DBILLET_TESTS=OFF")  # fmt: skip
+    if shutil.which("cmake") is None:
+        sys.exit("billet is built by CMake, which is not installed: ./dev build installs all it needs")
     listed = subprocess.run(["cmake", "--build", build, "--target", "help"], capture_output=True, text=True)
     if listed.returncode != 0:
         sys.exit(f"{build} cannot be configured:\n{listed.stdout}{listed.stderr}")

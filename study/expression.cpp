@@ -132,12 +132,23 @@ Expression::Expression(const std::string& text, std::span<const std::string> kno
   (void)(*this)(std::vector<double>(used_.size(), 1.0)); // for its syntax
 }
 
+namespace {
+
+/// Without the code: that of the key follows.
+std::string without_code(const Error& error) {
+  Complaint complaint = error.complaints().front();
+  complaint.code = {};
+  return complaint.text();
+}
+
+} // namespace
+
 std::string Expression::mistake_in(const std::string& text) {
   try {
     (void)Expression(text, possible_names(text));
     return {};
   } catch (const Error& error) {
-    return error.what();
+    return without_code(error);
   }
 }
 
@@ -150,7 +161,7 @@ std::string Expression::mistake_in(const std::string& text, std::span<const std:
     (void)Expression(text, names);
     return {};
   } catch (const Error& error) {
-    return error.what();
+    return without_code(error);
   }
 }
 

@@ -18,7 +18,7 @@ namespace billet::app {
 namespace {
 
 int refuse(const std::string& text) {
-  std::fputs(("billet-mpi: " + text + "\n").c_str(), stderr);
+  std::fputs(("billet-mpi: " + text + " [usage]\n").c_str(), stderr);
   return static_cast<int>(Fault::usage);
 }
 

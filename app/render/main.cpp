@@ -37,7 +37,7 @@ int main(int count, char** values) {
     std::fprintf(stderr, "billet-render: %s\n", error.what());
     return static_cast<int>(error.fault());
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "billet-render: %s\n", error.what());
+    std::fprintf(stderr, "billet-render: %s [file]\n", error.what());
     return static_cast<int>(billet::Fault::input_output);
   }
 }

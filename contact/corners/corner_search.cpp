@@ -20,8 +20,8 @@ constexpr double deepest_share = 0.5;
 /// enough outside of the metal for two places of a notch to be equally close. No ratio that a user
 /// would choose: rounding must not decide.
 constexpr double widest = 0.26;
-/// Slope of the way to a corner from where a face ends on a plane of symmetry: with a steeper one
-/// the corner is not above the part but next to it.
+/// Of the way to a corner from where a face ends on a plane of symmetry: its part along the face
+/// over that along the normal. With more the corner is not above the part but next to it.
 constexpr double steepest = 4.0;
 /// Of the parent element: closer to a node than that, the way to it has no direction.
 constexpr double at_node = 1e-12;

@@ -161,35 +161,55 @@ Mat3 in_space(const TangentFrame& frame,
 
 /// Whether the slip limit is that of the pressure at the start of the increment. (F.3a)
 bool lags(const PointHistory& old, const InterfaceInput& at) {
-  return at.friction_lagged && old.closed();
+  return at.friction_lagged && old.closed() && old.pressure > 0.0;
 }
 
-/// The pressure that a slip limit is of.
-struct Holding {
-  double pressure;         ///< [MPa]
-  double d_pressure;       ///< by the pressure that acts [-]
-  double normal_stiffness; ///< by which the pressure that acts falls with the gap [MPa/mm]
+/// What a point that rubs is under.
+struct Rubbing {
+  SlipState state;   ///< with the pressure that the slip limit is taken at
+  double d_pressure; ///< of that pressure by the one that acts [-]
+  double stiffness;  ///< by which the pressure that acts falls with the gap [MPa/mm]
 };
 
-/// @param resting  whether the point sticks must not be left to the sign of a gap that is zero but
-/// for
-///                 rounding
-Holding holding_pressure(const Penalty& penalty,
-                         const PointHistory& old,
-                         const InterfaceInput& at,
-                         double pressure,
-                         double stiffness,
-                         bool resting) {
+/// Sets the pressure that the slip limit is taken at.
+///
+/// @param resting  the point lies on the tool but for rounding: whether it sticks must not depend
+/// on
+///                 the sign of its gap
+void take_limit_at(const Penalty& penalty,
+                   const PointHistory& old,
+                   const InterfaceInput& at,
+                   bool resting,
+                   Rubbing& rubbing) {
   constexpr double steep = 100.0; // shear ends with the pressure, however much it lags (F.3a)
-  Holding holding{pressure, 1.0, stiffness};
-  if (lags(old, at))
-    holding = steep * pressure < old.pressure ? Holding{steep * pressure, steep, stiffness}
-                                              : Holding{old.pressure, 0.0, stiffness};
-  if (at.kept && old.closed() && old.pressure > holding.pressure) // also under tension
-    holding = {old.pressure, 0.0, stiffness};
-  if (const double noise = penalty.normal * at.noise; resting && noise > holding.pressure)
-    holding = {noise, 0.0, stiffness};
-  return holding;
+  double& pressure = rubbing.state.pressure;
+  const auto fix = [&](double value) {
+    pressure = value;
+    rubbing.d_pressure = 0.0;
+  };
+  if (lags(old, at)) {
+    pressure *= steep;
+    rubbing.d_pressure = steep;
+    if (pressure >= old.pressure)
+      fix(old.pressure);
+  }
+  if (at.kept && old.closed() && old.pressure > pressure) // also under tension
+    fix(old.pressure);
+  if (const double noise = penalty.normal * at.noise; resting && noise > pressure)
+    fix(noise);
+}
+
+/// By what the shear of a point whose friction lags is off the law at the pressure that acts.
+/// (F.3a)
+double lag_of(const Friction& friction, const SlipState& state, const Traction& now) {
+  const double slip = now.slip.norm(), shear = now.shear.norm();
+  SlipState acting = state;
+  acting.pressure = now.pressure;
+  const double asked = limit_at(friction, acting, slip).shear;
+  if (now.status == Status::stick)
+    return std::max(0.0, shear - asked);
+  const double had = limit_at(friction, state, slip).shear;
+  return had > 0.0 ? shear * std::abs(asked / had - 1.0) : asked;
 }
 
 /// The shear of a point that was closed, or touches for a share of the increment. (C.4)-(C.6)
@@ -198,8 +218,7 @@ void add_shear(const Friction& friction,
                const PointHistory& old,
                const InterfaceInput& at,
                const SlipScheme& scheme,
-               const SlipState& state,
-               const Holding& holding,
+               const Rubbing& rubbing,
                Traction& out) {
   const geometry::Projection& foot = at.projection;
   const Vec3& n = foot.normal;
@@ -216,7 +235,7 @@ void add_shear(const Friction& friction,
   // The slip turned with the point: so did the shear of a point that slid all the time.
   out.turned = Eigen::AngleAxisd(2.0 * half_turn(at.turn, n), n) * out.turned;
   const InFrame path = in_frame(frame, s.path, s.dpath_dx);
-  const SlipStep step{shear.v, path.v, stiffness, old.limit, state};
+  const SlipStep step{shear.v, path.v, stiffness, old.limit, rubbing.state};
   const SlipResult end =
       stick_slip(friction, scheme, step, friction.tensor ? friction.tensor->Q : Mat2::Identity());
   out.status = end.status;
@@ -224,9 +243,9 @@ void add_shear(const Friction& friction,
   out.slip = frame.E * end.slip;
   out.limit = end.limit;
   Eigen::Matrix<double, 2, 3> dshear = end.d_shear * shear.dv_dx + end.d_path * path.dv_dx;
-  if (holding.d_pressure != 0.0) {
-    const Vec2 by_pressure = holding.d_pressure * end.d_pressure;
-    dshear -= holding.normal_stiffness * by_pressure * n.transpose();
+  if (rubbing.d_pressure != 0.0) {
+    const Vec2 by_pressure = rubbing.d_pressure * end.d_pressure;
+    dshear -= rubbing.stiffness * by_pressure * n.transpose();
     out.dtraction_dp += frame.E * by_pressure;
   }
   out.traction += out.shear;
@@ -313,25 +332,22 @@ Traction traction(const Friction& friction,
   out.traction = out.pressure * n;
   out.dtraction_dp = n;
   out.dtraction_dx = -stiffness * n * n.transpose() + out.pressure * foot.dnormal_dx;
-  const Holding holding = holding_pressure(penalty, old, at, out.pressure, stiffness, resting);
   const bool rubs = old.closed() || at.touching > 0.0;
-  SlipState state{holding.pressure, at.shear_yield, old.sliding, at.dt};
+  Rubbing rubbing{{out.pressure, at.shear_yield, old.sliding, at.dt}, 1.0, stiffness};
+  take_limit_at(penalty, old, at, resting, rubbing);
   if (!old.closed() && rubs)
-    state.dt *= at.touching;
-  state.limited = !old.closed() && rubs;
-  out.limit = limit_at(friction, state, 0.0).shear;
-  if (lags(old, at)) {
-    SlipState now = state;
-    now.pressure = out.pressure;
-    out.lag = limit_at(friction, now, 0.0).shear - out.limit;
-  }
+    rubbing.state.dt *= at.touching;
+  rubbing.state.limited = !old.closed() && rubs;
+  out.limit = limit_at(friction, rubbing.state, 0.0).shear;
   if (!rubs)
     return out;
   if (out.limit == 0.0 && !friction.depends_on_slip()) {
     out.slip = sliding(old, at, old.closed() ? 1.0 : at.touching).path;
     return out;
   }
-  add_shear(friction, penalty, old, at, scheme, state, holding, out);
+  add_shear(friction, penalty, old, at, scheme, rubbing, out);
+  if (lags(old, at))
+    out.lag = lag_of(friction, rubbing.state, out);
   return out;
 }
 

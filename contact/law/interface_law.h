@@ -11,7 +11,7 @@
 // turn would be a jump.
 //
 // Signs   gap < 0 inside the tool; pressure > 0; tractions act on the workpiece.
-// Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18), (C.20), (C.42).
+// Theory  docs/theory/contact.md (C.1)-(C.6), (C.17)-(C.18), (C.20), (C.42); friction.md (F.3a).
 
 #pragma once
 
@@ -71,14 +71,14 @@ struct Traction {
   Vec3 dtraction_dk = Vec3::Zero(); ///< by the shear yield stress of the parent element [-]
   Vec3 slip = Vec3::Zero();         ///< irreversible sliding in the increment [mm]
   double limit = 0.0;               ///< largest shear at this pressure, or at the one before [MPa]
-  double lag = 0.0; ///< what the limit would be more by at this pressure; not stored [MPa]
+  double lag = 0.0; ///< by what the shear is off the law at this pressure (F.3a) [MPa]
   /// The old shear in the new tangent plane, as far to the slip as it was when the increment began
   /// [MPa].
   Vec3 turned = Vec3::Zero();
 
   template <class Archive> void fields(Archive& archive) {
     archive(status, pressure, shear, traction, dtraction_dx, dtraction_dp, dtraction_dk, slip,
-            limit, turned);
+            limit, lag, turned);
   }
 };
 

@@ -17,8 +17,8 @@ constexpr double least_facing = -0.2;
 constexpr double most_inside = 0.05;
 /// ... one that it has not met so far, or a neighbour: metal ends in wedges as thin as can be.
 constexpr double rounding_inside = 1e-6;
-/// Of the parent element: a point that is no farther than this off the edge of a face, where its
-/// coordinates end, is still above it.
+/// Of the parent element: a point that is no farther off the edge of a face, where its coordinates
+/// end, than its gap and this is still above it.
 constexpr double beside = 1e-3;
 
 /// An arc bulges from the chord between two of its nodes by no more than this share of its box.

@@ -50,13 +50,16 @@ std::vector<ChatteringPoint> chattering(const ContactView& contact) {
 
 bool friction_lags(const ContactView& contact) {
   constexpr double noticeable = 0.01;
-  const auto lags = [](const Traction& at) {
-    return at.status == Status::slip && std::abs(at.lag) > noticeable * at.limit;
+  const ContactState& state = contact.state;
+  const auto lags = [&](const ToolContact& tool) {
+    double off = 0.0, friction = 0.0;
+    for (std::size_t k = 0; k < tool.trial.traction.size(); ++k) {
+      off += state.areas[k] * tool.trial.traction[k].lag;
+      friction += state.areas[k] * tool.trial.traction[k].shear.norm();
+    }
+    return off > noticeable * friction;
   };
-  return std::any_of(
-      contact.state.tools.begin(), contact.state.tools.end(), [&](const ToolContact& tool) {
-        return std::any_of(tool.trial.traction.begin(), tool.trial.traction.end(), lags);
-      });
+  return std::any_of(state.tools.begin(), state.tools.end(), lags);
 }
 
 bool closed_on(const ContactView& contact, std::size_t tool, std::size_t point) {

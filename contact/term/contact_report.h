@@ -38,8 +38,8 @@ constexpr int chattering_changes = 4;
 /// Points that have changed in many evaluations of this try, the most chattering first.
 [[nodiscard]] std::vector<ChatteringPoint> chattering(const ContactView& contact);
 
-/// Whether a point slips in the last trial with a limit of the pressure before, and its law asks
-/// for another one at the pressure now, by more than a hundredth. (F.3a)
+/// Whether the shear of points whose friction lags is off their law in the last trial, by more than
+/// a hundredth of the friction of a tool in all. (F.3a)
 [[nodiscard]] bool friction_lags(const ContactView& contact);
 
 /// Whether a point is closed on a tool in the committed state.

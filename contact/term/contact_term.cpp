@@ -185,21 +185,22 @@ void ContactTerm::restart() {
 }
 
 bool ContactTerm::restart_friction_lagged() {
-  std::vector<std::vector<char>> limited;
+  std::vector<std::vector<char>> lagged;
   bool any = false;
-  for (const ToolContact& tool : state_.tools) {
-    const TrialContact& trial = tool.trial;
-    std::vector<char>& points = limited.emplace_back(trial.friction_lagged);
+  for (std::size_t t = 0; t < state_.tools.size(); ++t) {
+    const ToolContact& tool = state_.tools[t];
+    std::vector<char>& points = lagged.emplace_back(tool.trial.friction_lagged);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      if (points[k] != 0 || trial.changes[k] < chattering_changes)
+      if (points[k] != 0 || tool.trial.changes[k] < chattering_changes ||
+          !had_another_limit(model_, t, k, tool))
         continue;
       points[k] = 1;
       any = true;
     }
   }
   restart();
-  for (std::size_t t = 0; t < limited.size(); ++t)
-    state_.tools[t].trial.friction_lagged = std::move(limited[t]);
+  for (std::size_t t = 0; t < lagged.size(); ++t)
+    state_.tools[t].trial.friction_lagged = std::move(lagged[t]);
   return any;
 }
 

@@ -72,7 +72,7 @@ public:
   /// Does the same, and gives points that were chattering in the last try the slip limit of their
   /// pressure at the start of the increment. (F.3a)
   ///
-  /// @return whether there are any
+  /// @return whether that is another limit for any of them
   bool restart_friction_lagged();
   /// Tells where everything will be at the end of this try if it goes on as it does. Points that
   /// come down on a tool rub from where they touch; without this, from the next increment on.

@@ -56,6 +56,24 @@ double shear_yield(const ContactModel& model, const Friction& friction, std::siz
   return stress / std::numbers::sqrt3;
 }
 
+bool had_another_limit(const ContactModel& model,
+                       std::size_t tool,
+                       std::size_t point,
+                       const ToolContact& contact) {
+  const PointHistory& old = contact.committed.history[point];
+  if (!old.closed() || !(old.pressure > 0.0))
+    return false;
+  const Friction& friction = model.tools[tool].friction;
+  const Traction& now = contact.trial.traction[point];
+  const auto limit = [&](double pressure) {
+    const SlipState state{pressure, shear_yield(model, friction, point), old.sliding};
+    return limit_at(friction, state, now.slip.norm()).shear;
+  };
+  constexpr double rounding = 1e-9;
+  const double before = limit(old.pressure);
+  return std::abs(limit(now.pressure) - before) > rounding * before;
+}
+
 int evaluate(const ContactModel& model,
              ContactState& state,
              std::size_t t,

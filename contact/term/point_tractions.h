@@ -20,6 +20,13 @@ many_parted(const ContactModel& model, const ToolContact& contact, const Applied
 [[nodiscard]] double
 shear_yield(const ContactModel& model, const Friction& friction, std::size_t point);
 
+/// Whether the slip limit of a point is another one in the last trial than at the pressure that it
+/// had when the increment began. (F.3a)
+[[nodiscard]] bool had_another_limit(const ContactModel& model,
+                                     std::size_t tool,
+                                     std::size_t point,
+                                     const ToolContact& contact);
+
 /// Finds the tractions from the feet that `search` has found.
 ///
 /// @param keep  what touched stays, if need be under tension (C.15)

@@ -54,7 +54,7 @@ struct Complaint {
   [[nodiscard]] std::string text() const;
 };
 
-/// Code of a complaint that has none of its own: that of the part it belongs to
+/// The general code of a kind of fault.
 [[nodiscard]] std::string_view code_of(Fault fault);
 
 /// Thrown for a user's mistake; `what()` holds all complaints, one per line, each with its code.

@@ -36,7 +36,7 @@ private:
     double from, to; ///< [-]
   };
 
-  /// Joins pieces whose length has become zero with their neighbours.
+  /// Joins pieces that are no longer than `shortest` with a neighbour of the same old edge.
   static void join_short(SideLoop& loop, std::vector<Piece>& pieces, double shortest);
   static void erase(SideLoop& loop, std::vector<Piece>& pieces, std::size_t i);
   void add(const SideLoop& loop, std::int32_t number, const Snap& snap, double least);

@@ -71,9 +71,9 @@ void check_material(const At& root, const Case& content) {
   std::vector<std::string> names;
   for (const auto& [name, material] : content.materials)
     names.push_back(name);
-  at->complain(fmt::format("found {}, but there is no [material.{}]", shown(at->node),
-                           printable(*text_of(at))),
-               suggestion(*text_of(at), names));
+  at->refuse(fmt::format("found {}, but there is no [material.{}]", shown(at->node),
+                         printable(*text_of(at))),
+             suggestion(*text_of(at), names));
 }
 
 /// Whether the flow stress depends on the temperature.
@@ -145,8 +145,8 @@ void check_stage_tools(const At& root) {
     for (const At& tool : items(child(stage, "tools"))) {
       const auto* const name = tool.node.as<std::string>();
       if (name != nullptr && std::find(names.begin(), names.end(), *name) == names.end())
-        tool.complain(fmt::format("found {}, but there is no such tool", shown(tool.node)),
-                      suggestion(*name, names));
+        tool.refuse(fmt::format("found {}, but there is no such tool", shown(tool.node)),
+                    suggestion(*name, names));
     }
   }
 }
@@ -161,14 +161,14 @@ void check_measures(const At& root) {
     const std::optional<At> tool = child(measure, "tool"), name = child(measure, "name");
     if (const std::string* const text = text_of(tool);
         text != nullptr && std::find(tools.begin(), tools.end(), *text) == tools.end())
-      tool->complain(fmt::format("found {}, but there is no such tool", shown(tool->node)),
-                     suggestion(*text, tools));
+      tool->refuse(fmt::format("found {}, but there is no such tool", shown(tool->node)),
+                   suggestion(*text, tools));
     if (const std::string* const text = text_of(name);
         text != nullptr &&
         std::find(fixed_columns.begin(), fixed_columns.end(), *text) != fixed_columns.end())
-      name->complain(fmt::format("found {}, which is a column of history.csv already, allowed is "
-                                 "another name",
-                                 shown(name->node)));
+      name->refuse(fmt::format("found {}, which is a column of history.csv already, allowed is "
+                               "another name",
+                               shown(name->node)));
   }
 }
 
@@ -202,7 +202,8 @@ void complete_end(const At& root, Case& content) {
     if (!end && !child(root, "stage") && !has_foreign_key(time))
       (time ? *time : root)
           .context.complaints.add((time ? *time : root).node.place,
-                                  "time.end: missing, it must be given");
+                                  "time.end: missing, it must be given", "",
+                                  error_code::key_missing);
     return;
   }
   const double last = content.stages.back().end;

@@ -61,7 +61,7 @@ void Complaints::throw_if_any() {
   for (const Found& found : found_) {
     if (complaints.size() == most_complaints) {
       complaints.push_back(
-          {name_, fmt::format("and {} more", found_.size() - most_complaints), ""});
+          {name_, fmt::format("and {} more", found_.size() - most_complaints), "", found.code});
       break;
     }
     complaints.push_back({text(found.place), found.message, found.remedy, found.code});

@@ -24,7 +24,7 @@ struct TextPlace {
   int override = 0; ///< from 1: number of the override; 0: the file
 };
 
-/// Collects what is wrong with a file, to report it together.
+/// Collects what is wrong with a file, to report all of it together.
 class Complaints {
 public:
   /// @param name  of the file, as the user gave it

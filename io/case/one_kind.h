@@ -29,7 +29,7 @@ template <class Into> struct Kind {
 inline void complain_of_kinds(const At& at, const TableReader& table, const std::string& allowed) {
   for (const std::string& key : table.unknown_keys())
     if (const std::optional<Meant> word = meant(key, table.known_keys())) {
-      at.complain("found the key '" + printable(key) + "', " + allowed, word->text());
+      at.refuse("found the key '" + printable(key) + "', " + allowed, word->text());
       return;
     }
   at.complain(allowed);

@@ -115,12 +115,14 @@ Node* step(Node& from,
   }
   List* const list = from.as<List>();
   if (list == nullptr) {
-    complaints.add(place, fmt::format("{} is {}, it has no '{}'", path, shown(from), part));
+    complaints.add(place, fmt::format("{} is {}, it has no '{}'", path, shown(from), part), "",
+                   error_code::key_unknown);
     return nullptr;
   }
   Node* const item = item_of(*list, part);
   if (item == nullptr)
-    complaints.add(place, fmt::format("there is no {}.{}", path, part), remedy_for(*list, part));
+    complaints.add(place, fmt::format("there is no {}.{}", path, part), remedy_for(*list, part),
+                   error_code::key_unknown);
   return item;
 }
 
@@ -162,7 +164,8 @@ void apply_override(Node& root, const std::string& text, Complaints& complaints)
   const TextPlace place{0, 0, complaints.add_override(text)};
   const std::optional<Override> override = as_override(text);
   if (!override) {
-    complaints.add(place, "allowed is KEY=VALUE with a dotted key such as contact.penalty=1e4");
+    complaints.add(place, "allowed is KEY=VALUE with a dotted key such as contact.penalty=1e4", "",
+                   error_code::usage);
     return;
   }
   Node* node = &root;
@@ -189,7 +192,8 @@ void erase_key(Node& root, const std::string& key, Complaints& complaints) {
   for (std::size_t i = 0; node != nullptr && i + 1 < path->size(); ++i)
     node = existing(*node, (*path)[i]);
   if (node == nullptr || !erase_part(*node, path->back()))
-    complaints.add({}, fmt::format("there is no {} that could be removed", printable(key)));
+    complaints.add({}, fmt::format("there is no {} that could be removed", printable(key)), "",
+                   error_code::key_unknown);
 }
 
 } // namespace billet::io

@@ -104,12 +104,13 @@ std::string case_file_text(const fs::path& file) {
   const fs::file_status status = fs::status(file, error);
   const std::string name = file.string();
   if (!fs::exists(status))
-    throw Error(Fault::case_file, name, "there is no such file");
+    throw Error(Fault::case_file, name, "there is no such file", "", error_code::file);
   if (fs::is_directory(status))
     throw Error(Fault::case_file, name, "this is a folder, not a case file",
-                "name the case.toml in it");
+                "name the case.toml in it", error_code::file);
   if (fs::is_regular_file(status) && fs::file_size(file, error) > longest_file)
-    throw Error(Fault::case_file, name, "the file is larger than 16 MiB: this is no case file");
+    throw Error(Fault::case_file, name, "the file is larger than 16 MiB: this is no case file", "",
+                error_code::file);
   std::ifstream stream(file, std::ios::binary);
   std::string text;
   std::vector<char> block(std::size_t{1} << 16U);
@@ -118,7 +119,8 @@ std::string case_file_text(const fs::path& file) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
   }
   if (stream.bad() || (stream.fail() && !stream.eof()))
-    throw Error(Fault::case_file, name, "the file cannot be read", "look at its permissions");
+    throw Error(Fault::case_file, name, "the file cannot be read", "look at its permissions",
+                error_code::file);
   return text;
 }
 

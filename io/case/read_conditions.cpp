@@ -52,7 +52,7 @@ void read_move(TableReader& table, Support& support) {
       moved->complain("the component is fixed already, allowed is one of 'fix' and 'move'");
   }
   if (!has_any && move.is_table())
-    at->complain("allowed is a function of time for at least one component");
+    at->refuse("allowed is a function of time for at least one component");
   move.finish();
 }
 
@@ -103,7 +103,7 @@ const LoadKind* kind_of(TableReader& table) {
       chosen = &kind;
   }
   if (chosen == nullptr && table.is_table())
-    table.at().complain("allowed is exactly one of the keys pressure, traction, body_force");
+    table.at().refuse("allowed is exactly one of the keys pressure, traction, body_force");
   return chosen;
 }
 
@@ -119,7 +119,7 @@ std::optional<Support> as_support(const At& at) {
   table.optional("fix", support.fix, as_fix);
   read_move(table, support);
   if (!table.find("fix") && !table.find("move"))
-    at.complain("allowed is at least one of the keys fix and move");
+    at.refuse("allowed is at least one of the keys fix and move");
   table.finish();
   return support;
 }

@@ -61,8 +61,8 @@ std::optional<std::vector<double>> as_grid_axis(const At& at, const Number& kind
   }
   for (std::size_t i = 1; i < axis->size(); ++i)
     if (!((*axis)[i] > (*axis)[i - 1])) {
-      at.complain(fmt::format("found {} after {}, allowed are increasing numbers", (*axis)[i],
-                              (*axis)[i - 1]));
+      at.refuse(fmt::format("found {} after {}, allowed are increasing numbers", (*axis)[i],
+                            (*axis)[i - 1]));
       return std::nullopt;
     }
   return axis;

@@ -23,8 +23,8 @@ std::optional<Box> as_box(const At& at) {
     return std::nullopt;
   for (Eigen::Index i = 0; i < (at.context.in_space() ? 3 : 2); ++i)
     if (!((*low)[i] < (*high)[i])) {
-      at.complain(fmt::format("the second corner must be above the first in {}, found {} and {}",
-                              "xyz"[i], (*low)[i], (*high)[i]));
+      at.refuse(fmt::format("the second corner must be above the first in {}, found {} and {}",
+                            "xyz"[i], (*low)[i], (*high)[i]));
       return std::nullopt;
     }
   return Box{*low, *high};

@@ -48,7 +48,7 @@ void expect_keys(TableReader& table,
   for (const std::string_view key : keys)
     found += table.find(key) ? 1 : 0;
   if (found != wanted)
-    table.at().complain("allowed is " + allowed);
+    table.at().refuse("allowed is " + allowed);
 }
 
 HammerMotion read_hammer(TableReader& table) {

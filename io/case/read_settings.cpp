@@ -82,7 +82,7 @@ std::optional<std::vector<std::string>> as_set_names(const At& at) {
   std::vector<std::string> names;
   for (const std::string& text : *texts) {
     if (!text.starts_with("set:") || text.size() == 4) {
-      at.complain(fmt::format("found \"{}\", allowed is \"set:NAME\"", printable(text)));
+      at.refuse(fmt::format("found \"{}\", allowed is \"set:NAME\"", printable(text)));
       return std::nullopt;
     }
     names.push_back(text.substr(4));
@@ -126,8 +126,8 @@ std::optional<std::vector<double>> as_times(const At& at) {
   std::optional<std::vector<double>> times = as_numbers(at, not_negative_time);
   for (std::size_t i = 1; times && i < times->size(); ++i) {
     if ((*times)[i] <= (*times)[i - 1]) {
-      at.complain(fmt::format("found {} after {}, allowed are increasing times", (*times)[i],
-                              (*times)[i - 1]));
+      at.refuse(fmt::format("found {} after {}, allowed are increasing times", (*times)[i],
+                            (*times)[i - 1]));
       return std::nullopt;
     }
   }
@@ -243,8 +243,8 @@ std::optional<TimeSettings> as_time(const At& at) {
 std::optional<std::vector<std::string>> as_tools(const At& at) {
   const List* const list = at.list(1);
   if (list != nullptr && list->empty()) {
-    at.complain("found an empty list, allowed is a list of at least one tool",
-                "leave the key out, and all act; unload = true lets all of them leave");
+    at.refuse("found an empty list, allowed is a list of at least one tool",
+              "leave the key out, and all act; unload = true lets all of them leave");
     return std::nullopt;
   }
   return as_texts(at);

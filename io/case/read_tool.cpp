@@ -33,7 +33,7 @@ std::optional<std::array<double, 2>> as_active(const At& at) {
     return std::nullopt;
   if (*from < *to)
     return std::array{*from, *to};
-  at.complain(fmt::format("found {} to {}, allowed is from < to", *from, *to));
+  at.refuse(fmt::format("found {} to {}, allowed is from < to", *from, *to));
   return std::nullopt;
 }
 
@@ -54,7 +54,7 @@ std::optional<Wear> as_wear(const At& at) {
 /// A tool that is to be brought to touch needs a translation to follow.
 void check_touch(TableReader& table, const Tool& tool) {
   if (tool.touch && !tool.motion.translation && (tool.motion.rotation || !table.find("motion")))
-    table.find("touch")->complain(
+    table.find("touch")->refuse(
         "found true, but the tool has no velocity, displacement, force or press to follow");
 }
 

@@ -84,7 +84,7 @@ void refuse_two(TableReader& table, std::initializer_list<std::string_view> keys
 
 void refuse_radial(TableReader& table, const Vec3& direction) {
   if (table.context().analysis == Analysis::axisymmetric && direction.x() != 0.0)
-    table.find("direction")->complain("found a radial part, allowed is [0, 1] or [0, -1]");
+    table.find("direction")->refuse("found a radial part, allowed is [0, 1] or [0, -1]");
 }
 
 std::optional<ToolMotion> as_tool_motion(const At& at) {

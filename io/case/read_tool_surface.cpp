@@ -162,7 +162,7 @@ std::optional<ToolSurface> read_revolution(TableReader& /*table*/, const At& at)
       return read_chain(inner, chain, surface.points, surface.closed);
     });
   else if (inner.is_table())
-    at.complain("allowed is exactly one of the keys profile, points");
+    at.refuse("allowed is exactly one of the keys profile, points");
   inner.finish();
   return good ? std::optional<ToolSurface>(surface) : std::nullopt;
 }

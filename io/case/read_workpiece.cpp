@@ -53,10 +53,10 @@ void read_cells(TableReader& table, BoxMesh& box) {
 void check_corners(const BoxMesh& box, const At& at) {
   for (Eigen::Index i = 0; i < (at.context.in_space() ? 3 : 2); ++i)
     if (!(box.low[i] < box.high[i]))
-      at.complain(fmt::format("the second corner must be above the first in {}, found {} and {}",
-                              "xyz"[i], box.low[i], box.high[i]));
+      at.refuse(fmt::format("the second corner must be above the first in {}, found {} and {}",
+                            "xyz"[i], box.low[i], box.high[i]));
   if (at.context.analysis == Analysis::axisymmetric && box.low.x() < 0.0)
-    at.complain(fmt::format("found x = {}, allowed is x >= 0: x is the radius", box.low.x()));
+    at.refuse(fmt::format("found x = {}, allowed is x >= 0: x is the radius", box.low.x()));
 }
 
 std::optional<MeshSource> read_box_mesh(TableReader& table, const At& at) {

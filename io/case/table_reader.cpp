@@ -26,8 +26,7 @@ void At::complain(const std::string& message,
 }
 
 void At::complain_found(const std::string& allowed, const std::string& remedy) const {
-  complain(fmt::format("found {}, allowed is {}", shown(node), allowed), remedy,
-           error_code::value_refused);
+  refuse(fmt::format("found {}, allowed is {}", shown(node), allowed), remedy);
 }
 
 const List* At::list(std::size_t least) const {

@@ -45,6 +45,10 @@ struct At {
   void complain(const std::string& message,
                 const std::string& remedy = {},
                 std::string_view code = error_code::case_refused) const;
+  /// Complains about the value of this one key.
+  void refuse(const std::string& message, const std::string& remedy = {}) const {
+    complain(message, remedy, error_code::value_refused);
+  }
   /// Complains "PATH: found VALUE, allowed is ALLOWED".
   void complain_found(const std::string& allowed, const std::string& remedy = {}) const;
   /// Where the node stands, for messages: "case.toml:12:9".

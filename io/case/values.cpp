@@ -39,8 +39,8 @@ std::optional<double> finite_number(const At& at, const Number& kind) {
   else if (const auto* const text = at.node.as<std::string>()) {
     const Outcome<double> in_units = converted(*text, kind.measured, at.context.units);
     if (!in_units) {
-      at.complain(fmt::format("found {}, {}", shown(at.node), in_units.error().reason),
-                  kind.measured.takes_unit ? "" : as_plain_number(*text));
+      at.refuse(fmt::format("found {}, {}", shown(at.node), in_units.error().reason),
+                kind.measured.takes_unit ? "" : as_plain_number(*text));
       return std::nullopt;
     }
     value = *in_units;
@@ -140,8 +140,8 @@ std::optional<int> as_count(const At& at) {
     return static_cast<int>(*value);
   if (const auto* const real = at.node.as<double>();
       real != nullptr && std::floor(*real) == *real) {
-    at.complain(fmt::format("found {:.1f}, allowed is a whole number from 1 to {}, without a point",
-                            *real, largest_count));
+    at.refuse(fmt::format("found {:.1f}, allowed is a whole number from 1 to {}, without a point",
+                          *real, largest_count));
     return std::nullopt;
   }
   at.complain_found(fmt::format("a whole number from 1 to {}", largest_count));
@@ -220,7 +220,7 @@ std::optional<Vec3> as_direction(const At& at) {
   std::optional<Vec3> vector = as_vector(at, {});
   if (!vector || vector->cwiseAbs().maxCoeff() > 0.0)
     return vector;
-  at.complain("found a zero vector, allowed is a direction");
+  at.refuse("found a zero vector, allowed is a direction");
   return std::nullopt;
 }
 
@@ -240,7 +240,7 @@ std::optional<Vec3> as_axis(const At& at) {
   }
   if (axis.x() == 0.0 && axis.y() == 0.0 && axis.z() != 0.0)
     return axis;
-  at.complain(fmt::format("allowed is {}", allowed));
+  at.refuse(fmt::format("allowed is {}", allowed));
   return std::nullopt;
 }
 

@@ -55,8 +55,8 @@ std::optional<InputFile> as_input_file(const At& at) {
   }
   const fs::path path = at.context.directory / fs::path(*given);
   if (!at.context.allow_outside && !is_inside(path, at.context.directory)) {
-    at.complain(fmt::format("found {}, which is outside the folder of the case", shown(at.node)),
-                "move the file into the folder, or run with --allow-outside");
+    at.refuse(fmt::format("found {}, which is outside the folder of the case", shown(at.node)),
+              "move the file into the folder, or run with --allow-outside");
     return std::nullopt;
   }
   std::error_code error;

@@ -35,7 +35,7 @@ History read_history(const std::filesystem::path& file) {
   const auto time = history.table.find("time");
   if (!time)
     throw Error(Fault::input_output, file.string(), "has no column 'time'",
-                "it was not written by this program");
+                "it was not written by this program", error_code::results_unreadable);
   history.times = history.table.numbers(*time);
   return history;
 }

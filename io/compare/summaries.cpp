@@ -81,7 +81,8 @@ Leaves read_summary(const std::filesystem::path& file) {
   try {
     flatten_json(Json::parse(stream), "", 0.0, leaves);
   } catch (const Json::exception&) {
-    throw Error(Fault::input_output, file.string(), "is no summary of a run");
+    throw Error(Fault::input_output, file.string(), "is no summary of a run", "",
+                error_code::results_unreadable);
   }
   return leaves;
 }

@@ -351,7 +351,8 @@ private:
     if (!pending_.empty())
       throw Error(Fault::geometry, pending_place_,
                   fmt::format("element {} of type {} has only {} of its {} nodes", pending_[0],
-                              type_name_, pending_.size() - 1, type_.n_nodes));
+                              type_name_, pending_.size() - 1, type_.n_nodes),
+                  "", error_code::mesh_file);
   }
 
   // --- sets ------------------------------------------------------------------------------------
@@ -419,7 +420,8 @@ private:
         const Index node = numbers_.find(member);
         if (node < 0)
           throw Error(Fault::geometry, set.place,
-                      fmt::format("the set {} has node {}, which is not given", set.name, member));
+                      fmt::format("the set {} has node {}, which is not given", set.name, member),
+                      "", error_code::mesh_file);
         nodes.push_back(node);
       }
     }
@@ -435,7 +437,8 @@ private:
         if (element == elements_.end())
           throw Error(
               Fault::geometry, set.place,
-              fmt::format("the set {} has element {}, which is not given", set.name, member));
+              fmt::format("the set {} has element {}, which is not given", set.name, member), "",
+              error_code::mesh_file);
         nodes.insert(nodes.end(), element->second.begin(), element->second.end());
       }
     }

@@ -63,7 +63,8 @@ MeshFormat mesh_format(const std::filesystem::path& path) {
   throw Error(Fault::geometry, path.string(),
               fmt::format("meshes with the suffix \"{}\" are not read", suffix),
               "known are .msh (Gmsh), .vtu (VTK) and .inp (Abaqus, CalculiX), and files under any "
-              "name that begin as those do");
+              "name that begin as those do",
+              error_code::mesh_file);
 }
 
 } // namespace billet::io

@@ -55,7 +55,8 @@ CellBlock body(RawMesh& raw, const std::string& file) {
     dimension = std::max(dimension, block.dimension);
   if (dimension < 2)
     throw Error(Fault::geometry, file, "the file has no plane and no solid elements",
-                "in Gmsh, save all elements or put the body into a physical group");
+                "in Gmsh, save all elements or put the body into a physical group",
+                error_code::mesh_file);
   std::string found;
   std::vector<std::string> names;
   for (const auto& [type, block] : raw.blocks)
@@ -66,11 +67,12 @@ CellBlock body(RawMesh& raw, const std::string& file) {
   if (names.size() > 1)
     throw Error(Fault::geometry, file,
                 fmt::format("the elements are of more than one kind: {}", found),
-                "a workpiece is meshed with one kind of element (in Gmsh: recombine all, or none)");
+                "a workpiece is meshed with one kind of element (in Gmsh: recombine all, or none)",
+                error_code::mesh_file);
   CellBlock& block = raw.blocks.at(names.front());
   if (!block.kind)
     throw Error(Fault::geometry, file, fmt::format("elements of the kind {} are not known", found),
-                remedy_for(names.front()));
+                remedy_for(names.front()), error_code::mesh_file);
   return std::move(block);
 }
 
@@ -175,7 +177,7 @@ void orient(MeshFile& result, const std::string& file) {
                             "with its centre at ({:.6g}, {:.6g}, {:.6g})",
                             n_negative, mesh.n_elements(), result.labels.element(first), centre.x(),
                             centre.y(), centre.z()),
-                "give the nodes of every element in the same sense");
+                "give the nodes of every element in the same sense", error_code::mesh_elements);
   }
   mirror_cells(mesh);
   result.notes.push_back(
@@ -192,7 +194,8 @@ void flatten(MeshFile& result, const std::string& file) {
     throw Error(Fault::geometry, file,
                 fmt::format("the elements are plane, but z goes from {:.6g} to {:.6g}", box.low.z(),
                             box.high.z()),
-                "a plane mesh lies in the x-y plane; a solid one needs hexahedra or tetrahedra");
+                "a plane mesh lies in the x-y plane; a solid one needs hexahedra or tetrahedra",
+                error_code::mesh_file);
   if (std::max(std::abs(box.low.z()), std::abs(box.high.z())) > margin)
     result.notes.push_back(fmt::format("the mesh was moved from z = {:.6g} to 0", box.low.z()));
   for (Vec3& point : result.mesh.points)

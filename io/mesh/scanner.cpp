@@ -39,10 +39,10 @@ void require_readable(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     throw Error(Fault::geometry, path.string(), "the mesh file does not exist", "",
-                error_code::mesh_file);
+                error_code::file);
   if (!std::filesystem::is_regular_file(status))
     throw Error(Fault::geometry, path.string(), "the mesh is not a file but a folder or device", "",
-                error_code::mesh_file);
+                error_code::file);
 }
 
 std::string read_content(const std::filesystem::path& path) {

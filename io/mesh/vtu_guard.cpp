@@ -51,7 +51,7 @@ File describe(std::string_view content, const std::filesystem::path& path) {
   const std::size_t at = content.find("<VTKFile");
   if (at == std::string_view::npos || content.find("UnstructuredGrid") == std::string_view::npos)
     throw Error(Fault::geometry, file.place, "the file is not a VTK UnstructuredGrid",
-                "a .vtu file begins with <VTKFile ...>");
+                "a .vtu file begins with <VTKFile ...>", error_code::mesh_file);
   const std::string_view element = content.substr(at, content.find('>', at) - at);
   file.word = attribute(element, "header_type") == "UInt64" ? 8 : 4;
   file.big_endian = attribute(element, "byte_order") == "BigEndian";

@@ -111,8 +111,9 @@ void on_lagged_friction(const process::Run& run, Lines& lines) {
     lines.push_back(fmt::format(
         "warning: [friction-lagged] in {} of {} increments contact points that kept changing "
         "between stick and slip slid with the friction of their pressure at the start of the "
-        "increment, which is more than 1 % off: no other equilibrium was found. With more than a "
-        "few per cent of the increments compare with shorter ones (time.increments.max)",
+        "increment, and the friction of a tool was more than 1 % off: no other equilibrium was "
+        "found. With more than a few per cent of the increments compare with shorter ones "
+        "(time.increments.max)",
         increments, run.state.increment));
 }
 

@@ -46,7 +46,7 @@ private:
   std::optional<toml::table> parse() {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path_, error)) {
-      complaints_.push_back({path_.string(), "there is no such file", ""});
+      complaints_.push_back({path_.string(), "there is no such file", "", error_code::file});
       return std::nullopt;
     }
     std::ifstream in(path_, std::ios::binary);
@@ -55,8 +55,9 @@ private:
       guard_text(text, path_.string());
       return toml::parse(text, path_.string());
     } catch (const BrokenInvariant& broken) {
-      complaints_.push_back(
-          {path_.string(), fmt::format("not valid TOML (parser: {})", broken.condition), ""});
+      complaints_.push_back({path_.string(),
+                             fmt::format("not valid TOML (parser: {})", broken.condition), "",
+                             error_code::toml_syntax});
     } catch (const Error& refusal) {
       complaints_ = refusal.complaints();
     } catch (const toml::parse_error& e) {

@@ -176,7 +176,8 @@ bool reads_step() { return false; }
 FacetFile read_step(const std::filesystem::path& path,
                     const std::optional<double>& /*chord_error*/) {
   throw Error(Fault::geometry, path.string(), "this build does not read STEP files",
-              "build with './dev build --step', or export the tool from CAD as STL");
+              "build with './dev build --step', or export the tool from CAD as STL",
+              error_code::surface_file);
 }
 
 #endif

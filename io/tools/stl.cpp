@@ -38,7 +38,7 @@ constexpr std::size_t most_facets = std::numeric_limits<std::int32_t>::max() / 3
 std::string contents(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    refuse(path.string(), "there is no such file");
+    throw Error(Fault::geometry, path.string(), "there is no such file", "", error_code::file);
   std::ifstream stream(path, std::ios::binary);
   std::string text(std::filesystem::file_size(path, error), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -161,7 +161,8 @@ template <class Shape> struct NearestPlace {
 
 private:
   static constexpr double converged = 1e-8; // of natural coordinates; the next step is its square
-  static constexpr double astray = 10.0;    // the same; such a point lies in another element
+  static constexpr double astray =
+      10.0; // natural coordinates; such a point lies in another element
 
   static RefPoint<dim> reference(const Vector& at) {
     RefPoint<dim> place;

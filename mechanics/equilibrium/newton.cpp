@@ -341,6 +341,7 @@ private:
         return evaluated.error();
     }
     newton_.records_.push_back({0, relative(), 0.0, 0.0, "", newton_.system_.contact_changes});
+    residuals_.assign(1, norms_.residual);
     position_ = std::max(largest(x_old_), 0.5 * largest(x_)); // it may come from far
     before_ = relative();
     return Done{};
@@ -351,12 +352,11 @@ private:
   [[nodiscard]] bool goes_to_and_fro() const {
     const std::size_t rounds = 2 + turns_ % 2; // a way out there may be from one of them only
     constexpr double same = 0.003;
-    constexpr double lost = 0.5; // far from equilibrium the residual is its own scale: always 1
-    const std::vector<IterationRecord>& all = newton_.records_;
-    if (missing() > 0.0 || all.size() < rounds + 2 || all.back().residual > lost)
+    const std::vector<double>& all = residuals_;
+    if (missing() > 0.0 || all.size() < rounds + 2)
       return false;
     for (std::size_t i = all.size() - rounds; i < all.size(); ++i)
-      if (std::abs(all[i].residual - all[i - 2].residual) > same * all[i].residual)
+      if (std::abs(all[i] - all[i - 2]) > same * all[i])
         return false;
     return true;
   }
@@ -446,6 +446,7 @@ private:
     correction_ = moved > 0.0 ? step * largest(newton_.correction_) / moved : 0.0;
     newton_.records_.push_back(
         {iteration, this->relative(), correction_, step, solved->method, newton_.contact_changes_});
+    residuals_.push_back(norms_.residual);
     return Done{};
   }
 
@@ -460,13 +461,14 @@ private:
   bool guessed_;
   Softening softening_;
   Norms norms_{0.0, 1.0};
-  double position_ = 0.0;   ///< the largest [mm]
-  double before_ = 0.0;     ///< relative residual of the iteration before
-  double taken_ = HUGE_VAL; ///< length of the last correction [mm]
-  double correction_ = 0.0; ///< the same, over what has moved [-]
-  std::size_t turns_ = 0;   ///< how often it went to and fro
-  int shortened_ = 0;       ///< corrections that were cut
-  int hardened_ = 0;        ///< the iteration that the last softness was left at
+  double position_ = 0.0;         ///< the largest [mm]
+  double before_ = 0.0;           ///< relative residual of the iteration before
+  double taken_ = HUGE_VAL;       ///< length of the last correction [mm]
+  double correction_ = 0.0;       ///< the same, over what has moved [-]
+  std::vector<double> residuals_; ///< at the start and after each iteration [N]
+  std::size_t turns_ = 0;         ///< how often it went to and fro
+  int shortened_ = 0;             ///< corrections that were cut
+  int hardened_ = 0;              ///< the iteration that the last softness was left at
 };
 
 Outcome<NewtonReport> Newton::solve(std::span<ForceTerm* const> terms,

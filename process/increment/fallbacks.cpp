@@ -42,8 +42,9 @@ std::optional<Outcome<Done>> softer_penalty(Run& run, double dt) {
   return try_increment(run, dt, Continuation::penalty_and_friction);
 }
 
-/// Between stick and slip there need be no equilibrium where shear grows with the pressure as much
-/// as at the edge of a contact. With the limit of the pressure before there always is one. (F.3a)
+/// At the edge of a contact, where the slip limit grows fast with the pressure, neither stick nor
+/// slip need be in equilibrium. With the limit of the pressure before one of them usually is.
+/// (F.3a)
 std::optional<Outcome<Done>> with_lagged_friction(Run& run, double dt, Continuation continuation) {
   constexpr int most_rounds = 4; // calm points may leave others chattering
   std::optional<Outcome<Done>> solved;

@@ -179,14 +179,15 @@ double mirrored_digits(int number, int base) {
   return value;
 }
 
-/// Points that fill a box so evenly that their share of a part of it is its volume to 0.1 % of the
-/// box. In rows along its edges they would count a whole row or none at a wall. Hammersley (1960)
+/// Points that fill a box so evenly that their share of a part of it is its volume to 0.15 % of the
+/// box, wherever its walls are. In rows along its edges they would count a whole row or none at a
+/// wall. Halton (1960)
 std::vector<Vec3> evenly_spread(const Box& box, int dim) {
   const int n = dim == 2 ? 16384 : 40000;
   std::vector<Vec3> points;
   points.reserve(idx(n));
-  for (int i = 0; i < n; ++i) {
-    const Vec3 share((i + 0.5) / n, mirrored_digits(i, 2), mirrored_digits(i, 3));
+  for (int i = 1; i <= n; ++i) {
+    const Vec3 share(mirrored_digits(i, 2), mirrored_digits(i, 3), mirrored_digits(i, 5));
     points.push_back(box.low + share.cwiseProduct(box.high - box.low));
     if (dim == 2)
       points.back()[2] = 0.0;

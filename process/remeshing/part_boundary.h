@@ -1,7 +1,7 @@
 // The boundary of a plane part as chains of edges, with all that hangs on it: supports, loads,
 // named sets, contact faces, tools that touch. It is what survives when the part is meshed anew.
 //
-// Sides that carry the same things form a part of the boundary; where the part changes, a corner
+// Edges that carry the same things form a part of the boundary; where the part changes, a corner
 // stays. A node that alone carries something is a corner as well.
 //
 // Units   those of the case. Theory: docs/theory/process.md (P.14).
@@ -67,7 +67,7 @@ weld_folds(PartBoundary& boundary, double near, double rest, double deepest = HU
                                              std::int32_t section,
                                              const geometry::BoundaryPlace& place);
 
-/// Sides in turn that the same tool touches.
+/// Edges in turn that the same tool touches.
 struct ContactZone {
   std::size_t loop;
   std::size_t first; ///< edge of the loop

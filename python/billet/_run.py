@@ -85,7 +85,10 @@ class State:
         self._native = native
 
     def copy(self) -> State:
-        """The state as it is now. The linear solver begins anew, in the run as in the copy."""
+        """The state as it is now. The linear solver begins anew, in the run as in the copy.
+
+        Raises billet.Error where a file that the case names is gone.
+        """
         return State(self._native.copy())
 
     __copy__ = copy
@@ -94,7 +97,10 @@ class State:
         return self.copy()
 
     def run(self) -> Run:
-        """A run of its own that goes on from here, without callbacks; the state stays as it is."""
+        """A run of its own that goes on from here, without callbacks; the state stays as it is.
+
+        Raises billet.Error where a file that the case names is gone.
+        """
         return Run._of(self._native.copy())
 
     @property
@@ -253,7 +259,8 @@ class Run:
             run.state = saved               # back to there
             branch = saved.run()            # another run from there
 
-        Raises billet.Error for a state of another case, and leaves the run as it was.
+        Raises ValueError for the run's own state, which is no copy, and billet.Error for a state of
+        another case, or where a file of the case is gone; the run is then left as it was.
         """
         return self._state
 
@@ -261,8 +268,9 @@ class Run:
     def state(self, state: State) -> None:
         if not isinstance(state, State):
             raise TypeError(f"a state is expected, not {type(state).__name__}")
-        if state is not self._state:
-            self._native.load(state._native.save())
+        if state is self._state:
+            raise ValueError("run.state changes with the run: keep run.state.copy()")
+        self._native.load(state._native.save())
 
     @property
     def time(self) -> float:

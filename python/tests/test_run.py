@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 from pathlib import Path
 
@@ -178,8 +179,24 @@ def test_branches_of_a_state_take_the_way_of_the_run_to_the_bit(case: billet.Cas
     run.finish()
     assert (run.positions == end).all()
     assert repr(state).startswith("<state at time ")
+    with pytest.raises(ValueError, match="keep run.state.copy()"):
+        run.state = run.state
     with pytest.raises(TypeError, match="a state is expected, not bytes"):
         run.state = run.save()  # type: ignore[assignment]
+
+
+def test_a_state_outlives_its_run_and_a_failure(case: billet.Case) -> None:
+    case.update({"time.end": 6.0, "stop": {"on_tools_overloaded": False, "on_full_cavity": False}})
+    case["time.increments"] = {"min": 0.04, "first": 0.5}
+    run = billet.Run(case)
+    state = copy.deepcopy(run.state)
+    with pytest.raises(billet.NotConverged):
+        run.finish()
+    run.state = state
+    assert (run.status, run.time) == ("running", 0.0)
+    del run
+    assert state.time == 0.0 and state.field("displacement").max() == 0.0
+    assert copy.copy(state).run().time == 0.0
 
 
 def test_a_state_of_another_case_is_refused(case: billet.Case) -> None:
@@ -187,7 +204,7 @@ def test_a_state_of_another_case_is_refused(case: billet.Case) -> None:
     other.advance()
     run.advance()
     at = run.time
-    with pytest.raises(billet.Error):
+    with pytest.raises(billet.Error, match="another case|other .* than this case"):
         run.state = other.state
     assert run.time == at
     run.finish()

@@ -17,7 +17,8 @@ TEST(SurfaceCheck, TheComplaintNamesWhatWasFoundAndWhatIsAllowed) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.fault(), Fault::geometry);
-    EXPECT_EQ(std::string(error.what()), "half angle is 2; it must be between 0 and 1.5");
+    EXPECT_EQ(std::string(error.what()),
+              "half angle is 2; it must be between 0 and 1.5 [geometry]");
   }
 }
 

@@ -150,7 +150,7 @@ private:
   std::vector<float> inverses_;    ///< of the factor's diagonal
   std::vector<float> signs_;
   std::vector<float> least_; ///< pivot by unknown
-  std::vector<float> x_;     ///< in the order of elimination; then the separate sums
+  std::vector<float> x_;     ///< unknowns in the order of elimination, then the separate sums
   double scale_ = 1.0;       ///< of the matrix
   oneapi::tbb::enumerable_thread_specific<Workspace> workspaces_;
   FrontTeam team_;

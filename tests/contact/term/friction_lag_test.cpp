@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace billet::contact::friction_lagged_test {
+namespace billet::contact::friction_lag_test {
 namespace {
 
 ContactBench bench_with(const BodyKind& body, double mu) {
@@ -89,4 +89,4 @@ TEST(FrictionLag, EndsWithThePressure) {
 }
 
 } // namespace
-} // namespace billet::contact::friction_lagged_test
+} // namespace billet::contact::friction_lag_test

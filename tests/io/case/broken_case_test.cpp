@@ -484,10 +484,10 @@ TEST(BrokenCase, needs_everything_that_has_no_default) {
   std::string all;
   for (const Complaint& complaint : complaints_of(""))
     all += complaint.text() + "\n";
-  EXPECT_EQ(all, "case.toml: analysis: missing, it must be given\n"
-                 "case.toml: workpiece: missing, it must be given\n"
-                 "case.toml: material: missing, it must be given\n"
-                 "case.toml: time.end: missing, it must be given\n");
+  EXPECT_EQ(all, "case.toml: analysis: missing, it must be given [key-missing]\n"
+                 "case.toml: workpiece: missing, it must be given [key-missing]\n"
+                 "case.toml: material: missing, it must be given [key-missing]\n"
+                 "case.toml: time.end: missing, it must be given [key-missing]\n");
 }
 
 TEST(BrokenCase, shows_no_control_characters_and_no_endless_text) {

@@ -44,16 +44,19 @@ TEST(Overrides, apply_in_order) {
 
 TEST(Overrides, are_named_as_the_place_of_their_errors) {
   EXPECT_EQ(only_complaint("contact.penalty=-1"),
-            "--set contact.penalty=-1: contact.penalty: found -1, allowed is a value > 0");
+            "--set contact.penalty=-1: contact.penalty: found -1, allowed is a value > 0 "
+            "[value-refused]");
   EXPECT_EQ(only_complaint("contact.penaltyy=1"),
-            "--set contact.penaltyy=1: contact.penaltyy: unknown key (did you mean 'penalty'?)");
+            "--set contact.penaltyy=1: contact.penaltyy: unknown key (did you mean 'penalty'?) "
+            "[key-unknown]");
   EXPECT_EQ(only_complaint("solvr.threads=1"),
-            "--set solvr.threads=1: solvr: unknown key (did you mean 'solver'?)");
-  EXPECT_EQ(only_complaint("tool.pnuch.touch=true"),
-            "--set tool.pnuch.touch=true: there is no tool.pnuch (did you mean 'punch'?)");
+            "--set solvr.threads=1: solvr: unknown key (did you mean 'solver'?) [key-unknown]");
+  EXPECT_EQ(
+      only_complaint("tool.pnuch.touch=true"),
+      "--set tool.pnuch.touch=true: there is no tool.pnuch (did you mean 'punch'?) [key-unknown]");
   EXPECT_EQ(only_complaint("support.9.fix=[\"x\"]"),
             "--set support.9.fix=[\"x\"]: there is no support.9 (items are named by their index, 0 "
-            "to 1)");
+            "to 1) [key-unknown]");
   EXPECT_NE(only_complaint("workpiece.element.x=1").find("workpiece.element is \"quad8\""),
             std::string::npos);
 }

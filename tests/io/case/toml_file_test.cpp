@@ -62,7 +62,7 @@ TEST(EraseKey, complains_where_there_is_nothing) {
   } catch (const Error& error) {
     ASSERT_EQ(error.complaints().size(), 5U);
     EXPECT_EQ(error.complaints().front().text(),
-              "case.toml: there is no a.c that could be removed");
+              "case.toml: there is no a.c that could be removed [key-unknown]");
   }
 }
 

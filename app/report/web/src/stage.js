@@ -86,6 +86,8 @@ export class Body {
   }
 }
 
+const widthOfLegend = 190; // with its distance from the edge [CSS px]
+
 const directions = {
   x: { from: [1, 0, 0], up: [0, 0, 1] },
   y: { from: [0, 1, 0], up: [0, 0, 1] },
@@ -141,13 +143,14 @@ export class Stage {
     this.camera.setFocalPoint(...middle);
     this.camera.setPosition(...middle.map((m, d) => m + from[d]));
     this.camera.setViewUp(...up);
+    this.camera.setWindowCenter(0, 0);
     this.renderer.resetCamera(bounds);
     if (parallel) this.fit(bounds);
     this.renderer.resetCameraClippingRange();
     this.render();
   }
 
-  /** Of a parallel view as large as the picture allows. */
+  /** Of a parallel view as large as the picture allows, to the left of the legend. */
   fit(bounds) {
     const [width, height] = this.window.getApiSpecificRenderWindow().getSize();
     const up = this.camera.getViewUp();
@@ -159,7 +162,9 @@ export class Stage {
     ];
     const extent = (axis) =>
       [0, 1, 2].reduce((sum, d) => sum + Math.abs(axis[d]) * (bounds[2 * d + 1] - bounds[2 * d]), 0);
-    const scale = Math.max(extent(up), (extent(right) * height) / Math.max(width, 1));
+    const legend = Math.min(widthOfLegend * devicePixelRatio, 0.3 * width);
+    const scale = Math.max(extent(up), (extent(right) * height) / Math.max(width - legend, 1));
+    this.camera.setWindowCenter(legend / Math.max(width, 1), 0);
     this.camera.setParallelScale(0.54 * scale || 1);
   }
 
@@ -170,6 +175,7 @@ export class Stage {
       focus: c.getFocalPoint(),
       up: c.getViewUp(),
       scale: c.getParallelScale(),
+      centre: c.getWindowCenter(),
       parallel: c.getParallelProjection(),
     };
   }
@@ -180,6 +186,7 @@ export class Stage {
     this.camera.setFocalPoint(...state.focus);
     this.camera.setViewUp(...state.up);
     this.camera.setParallelScale(state.scale);
+    this.camera.setWindowCenter(...(state.centre ?? [0, 0]));
     this.renderer.resetCameraClippingRange();
     this.render();
   }

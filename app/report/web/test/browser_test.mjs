@@ -3,7 +3,7 @@
 // usage: browser_test.mjs PACKAGES PAGE.html [--pictures FOLDER] [--field NAME]
 //          [--reference PICTURE.png [--store]] [--failure]
 //
-// --reference compares the view as the page opens with a stored picture, or stores it. --failure:
+// --reference compares the field in the middle frame with a stored picture, or stores it with --store. --failure:
 // the report is of a run that could not solve its first increment.
 //
 // PACKAGES holds node_modules with playwright-core. The browser is Debian's chromium, or what
@@ -30,6 +30,7 @@ const flag = (name) => {
   return at >= 0 && words.splice(at, 1).length > 0;
 };
 const stores = flag('--store');
+assert.ok(reference || !stores, '--store needs --reference');
 const is_failure = flag('--failure');
 const [packages, page] = words;
 const { chromium } = createRequire(path.join(path.resolve(packages), 'package.json'))('playwright-core');
@@ -131,7 +132,6 @@ async function look_at_view(tab) {
   const final = await picture(tab, 'last');
   assert.ok(final.all > 50, `only ${final.all} colours`);
   assert.ok(final.vivid > 0.01, 'the part has no colours');
-  if (reference) await compare(tab, final.bytes, reference);
 
   const middle = Math.floor(last / 2);
   await set(tab, 'frame', String(middle));
@@ -144,6 +144,7 @@ async function look_at_view(tab) {
   const other = await picture(tab, 'field');
   assert.notDeepEqual(other.bytes, before.bytes, 'the field changes nothing');
   assert.match(await tab.locator('#view .legend').innerText(), new RegExp(field.replace(/_/g, ' ')));
+  if (reference) await compare(tab, other.bytes, reference);
 
   const settled = () => tab.waitForTimeout(500);
   for (const [name, value] of [['section', true], ['revolve', true], ['mirror', true]]) {
