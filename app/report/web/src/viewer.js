@@ -91,7 +91,7 @@ class Viewer {
   changed(key) {
     if (key === 'frame') this.settings.last = this.settings.frame === this.about.frames - 1;
     const whole = ['mirror', 'revolve'].includes(key);
-    return this.redraw().then(() => whole && this.look('reset'));
+    return whole ? this.lookAtAll() : this.redraw();
   }
 
   /** One drawing at a time; of several that wait only the last one is made. */
@@ -305,12 +305,30 @@ class Viewer {
     this.showTime(time);
   }
 
+  /** A view that holds the part as it is in this frame and as it was in the first one. */
+  async lookAtAll() {
+    const { frame } = this.settings;
+    this.settings.frame = 0;
+    await this.redraw();
+    this.first = this.box;
+    this.settings.frame = frame;
+    await this.redraw();
+    this.look('reset');
+  }
+
+  /** Box of the part now and at first; now alone where it goes far, as through a roll gap. */
+  boxToLookAt() {
+    const both = this.box.map((value, i) => (i % 2 ? Math.max : Math.min)(value, this.first?.[i] ?? value));
+    const size = (box) => Math.hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+    return size(both) < 1.5 * size(this.box) ? both : this.box;
+  }
+
   look(name) {
     if (name !== 'reset') this.settings.look = name;
     const planar = !this.about.solid && !this.isRevolved;
     const usual = this.about.solid ? 'iso' : this.isRevolved ? 'iso, y up' : 'z';
     const chosen = name === 'reset' ? usual : name;
-    this.stage.look(chosen, this.box, planar || ['x', 'y', 'z'].includes(chosen));
+    this.stage.look(chosen, this.boxToLookAt(), planar || ['x', 'y', 'z'].includes(chosen));
   }
 
   async save() {
@@ -361,9 +379,8 @@ function joinedCuts(cuts) {
 
 export async function showFrames(container, scene, saved, showTime) {
   const viewer = new Viewer(container, scene, saved, showTime);
-  await viewer.redraw();
+  await viewer.lookAtAll();
   if (saved?.camera) viewer.stage.restoreCamera(saved.camera);
-  else viewer.look('reset');
   container.dataset.state = 'ready';
   return viewer;
 }
