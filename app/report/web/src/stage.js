@@ -143,7 +143,6 @@ export class Stage {
     this.camera.setFocalPoint(...middle);
     this.camera.setPosition(...middle.map((m, d) => m + from[d]));
     this.camera.setViewUp(...up);
-    this.camera.setWindowCenter(0, 0);
     this.renderer.resetCamera(bounds);
     if (parallel) this.fit(bounds);
     this.renderer.resetCameraClippingRange();
@@ -164,8 +163,12 @@ export class Stage {
       [0, 1, 2].reduce((sum, d) => sum + Math.abs(axis[d]) * (bounds[2 * d + 1] - bounds[2 * d]), 0);
     const legend = Math.min(widthOfLegend * devicePixelRatio, 0.3 * width);
     const scale = Math.max(extent(up), (extent(right) * height) / Math.max(width - legend, 1));
-    this.camera.setWindowCenter(legend / Math.max(width, 1), 0);
     this.camera.setParallelScale(0.54 * scale || 1);
+    // By half of the legend to the right.
+    const aside = (legend * this.camera.getParallelScale()) / Math.max(height, 1);
+    const moved = (place) => place.map((value, d) => value + aside * right[d]);
+    this.camera.setPosition(...moved(this.camera.getPosition()));
+    this.camera.setFocalPoint(...moved(this.camera.getFocalPoint()));
   }
 
   cameraState() {
@@ -175,7 +178,6 @@ export class Stage {
       focus: c.getFocalPoint(),
       up: c.getViewUp(),
       scale: c.getParallelScale(),
-      centre: c.getWindowCenter(),
       parallel: c.getParallelProjection(),
     };
   }
@@ -186,7 +188,6 @@ export class Stage {
     this.camera.setFocalPoint(...state.focus);
     this.camera.setViewUp(...state.up);
     this.camera.setParallelScale(state.scale);
-    this.camera.setWindowCenter(...(state.centre ?? [0, 0]));
     this.renderer.resetCameraClippingRange();
     this.render();
   }

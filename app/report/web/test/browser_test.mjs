@@ -133,6 +133,13 @@ async function look_at_view(tab) {
   assert.ok(final.all > 50, `only ${final.all} colours`);
   assert.ok(final.vivid > 0.01, 'the part has no colours');
 
+  const canvas = await tab.locator('#view canvas').first().boundingBox();
+  await tab.mouse.click(canvas.x + 0.4 * canvas.width, canvas.y + 0.8 * canvas.height);
+  await tab.waitForTimeout(300);
+  const probed = await tab.locator('#view .probe').innerText();
+  assert.match(probed, /^\(.*\) mm/, 'a click on the part shows no node');
+  console.log(`probed: ${probed.replace('\n', ', ')}`);
+
   const middle = Math.floor(last / 2);
   await set(tab, 'frame', String(middle));
   await tab.waitForFunction((n) => document.getElementById('view').dataset.frame === String(n), middle, { timeout: slow });
