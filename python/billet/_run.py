@@ -73,7 +73,58 @@ class Increment:
         }
 
 
-class State:
+class _AsItIs:
+    """What there is to see of a run, or of a state of it."""
+
+    _native: _native.Run
+
+    @property
+    def time(self) -> float:
+        """At the end of the last increment [s]."""
+        return self._native.time()
+
+    @property
+    def increment(self) -> int:
+        """Number of the last increment; 0: there has been none."""
+        return self._native.increment()
+
+    @property
+    def positions(self) -> Floats:
+        """Where the nodes are, shape (n_nodes, dimension) [mm].
+
+        The run's own memory, read-only. It stays as it is when the run goes on: that copies it for
+        the run, if the array is still held then.
+        """
+        return self._native.positions()
+
+    @property
+    def elements(self) -> Integers:
+        """Nodes of the elements, shape (n_elements, nodes_per_element), int32.
+
+        The mesh's own memory, read-only and never copied; a new mesh has another array.
+        """
+        return self._native.elements()
+
+    @property
+    def field_names(self) -> list[str]:
+        """Names of the fields at the nodes: "displacement", "von_mises", "plastic_strain", ..."""
+        return self._native.field_names()
+
+    def field(self, name: str) -> Field:
+        """A field at the nodes as it is now, with its unit; the array is yours.
+
+        Shape (n_nodes,); of vectors (n_nodes, 3), X, Y, Z; of stress (n_nodes, 6), XX, YY, ZZ, XY,
+        YZ, XZ. Raises billet.Error for a name that is none of field_names.
+        """
+        found, unit, values = self._native.field(whole_text(name))
+        return Field(values, found, unit)
+
+    def fields(self) -> dict[str, Field]:
+        """All fields at the nodes by name, which takes hardly longer than one."""
+        return {name: Field(values, name, unit) for name, unit, values in self._native.fields()}
+
+
+class State(_AsItIs):
     """What a run has come to; a copy of it stays as it is.
 
     run.state is the run's own, which changes as the run goes on, and run.state.copy() a state that
@@ -103,46 +154,12 @@ class State:
         """
         return Run._of(self._native.copy())
 
-    @property
-    def time(self) -> float:
-        """At the end of the last increment [s]."""
-        return self._native.time()
-
-    @property
-    def increment(self) -> int:
-        """Number of the last increment; 0: there has been none."""
-        return self._native.increment()
-
-    @property
-    def positions(self) -> Floats:
-        """Where the nodes are, shape (n_nodes, dimension) [mm]; read-only, as Run.positions."""
-        return self._native.positions()
-
-    @property
-    def elements(self) -> Integers:
-        """Nodes of the elements, shape (n_elements, nodes_per_element), int32; read-only."""
-        return self._native.elements()
-
-    @property
-    def field_names(self) -> list[str]:
-        """Names of the fields at the nodes."""
-        return self._native.field_names()
-
-    def field(self, name: str) -> Field:
-        """A field at the nodes with its unit, as Run.field. Raises billet.Error."""
-        found, unit, values = self._native.field(whole_text(name))
-        return Field(values, found, unit)
-
-    def fields(self) -> dict[str, Field]:
-        """All fields at the nodes by name."""
-        return {name: Field(values, name, unit) for name, unit, values in self._native.fields()}
-
     def __repr__(self) -> str:
         at = f"time {self.time:.6g} {self._native.units()['time']}, increment {self.increment}"
         return f"<state at {at}>"
 
 
-class Run:
+class Run(_AsItIs):
     """A run of a case, in memory: nothing is written to disk.
 
         for inc in billet.Run(case):
@@ -273,16 +290,6 @@ class Run:
         self._native.load(state._native.save())
 
     @property
-    def time(self) -> float:
-        """At the end of the last increment [s]."""
-        return self._native.time()
-
-    @property
-    def increment(self) -> int:
-        """Number of the last increment; 0: there has been none."""
-        return self._native.increment()
-
-    @property
     def last(self) -> Increment | None:
         """The last increment; None: there has been none."""
         last = self._native.last()
@@ -317,40 +324,6 @@ class Run:
     def dimension(self) -> int:
         """2: x, y, or radius and axis; 3: x, y, z."""
         return self._native.dimension()
-
-    @property
-    def positions(self) -> Floats:
-        """Where the nodes are, shape (n_nodes, dimension) [mm].
-
-        The run's own memory, read-only. It stays as it is when the run goes on: that copies it for
-        the run, if the array is still held then.
-        """
-        return self._native.positions()
-
-    @property
-    def elements(self) -> Integers:
-        """Nodes of the elements, shape (n_elements, nodes_per_element), int32.
-
-        The mesh's own memory, read-only and never copied; a new mesh has another array.
-        """
-        return self._native.elements()
-
-    @property
-    def field_names(self) -> list[str]:
-        """Names of the fields at the nodes: "displacement", "von_mises", "plastic_strain", ..."""
-        return self._native.field_names()
-
-    def field(self, name: str) -> Field:
-        """A field at the nodes as it is now, with its unit; the array is yours.
-
-        Shape (n_nodes,); of vectors (n_nodes, 3), X, Y, Z; of stress (n_nodes, 6), XX, YY, ZZ, XY,
-        YZ, XZ. Raises billet.Error for a name that is none of field_names.
-        """
-        return self._state.field(name)
-
-    def fields(self) -> dict[str, Field]:
-        """All fields at the nodes by name, which takes hardly longer than one."""
-        return self._state.fields()
 
     @property
     def tools(self) -> tuple[str, ...]:
