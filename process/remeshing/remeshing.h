@@ -41,7 +41,7 @@ struct FirstTouch {
   std::vector<geometry::SizeAt> sizes; ///< that it needs there
 };
 
-/// An edge in contact that is too long for how the tool's surface turns beneath it.
+/// An edge in contact that is too long for how the tool's surface turns under it.
 struct OutgrownSide {
   double excess = 0.0;  ///< its length over the longest that a new mesh would have there [-]
   double turn = 0.0;    ///< of the tool's normal along it [rad]

@@ -15,7 +15,7 @@ namespace billet::process::numerics_newton_test {
 namespace {
 
 /// A punch with a round nose goes into a block with friction: points stick in the middle and slide
-/// around it, the block yields beneath.
+/// around it, the block yields under it.
 Scene indentation(ElementKind kind,
                   int steps,
                   const contact::Friction& friction = contact::Coulomb{0.3}) {
