@@ -217,7 +217,8 @@ int run_case(const Arguments& arguments) {
   const process::RunStatus status = process.run({&writer, &progress});
   for (const std::string& line : writer.advice(run))
     progress.insist("what may help: " + line);
-  for (const std::string& warning : writer.warnings(run))
+  std::vector<std::string> of_run = writer.warnings(run);
+  for (const std::string& warning : of_run)
     progress.say(warning);
   const std::vector<process::FailedCheck> failed =
       status == process::RunStatus::stopped // it goes on
@@ -226,7 +227,7 @@ int run_case(const Arguments& arguments) {
   for (const process::FailedCheck& check : failed)
     progress.insist(fmt::format("failed check '{}': {}", check.name, check.what));
   const io::RunEnd end{ending(status, failed.empty()), exit_status(status, failed.empty()), failed};
-  writer.write_summary(run, end);
+  writer.write_summary(run, end, std::move(of_run));
   print_summary(run, content, writer.largest_forces(), end, folder);
   if (arguments.profile)
     print_profile(run);

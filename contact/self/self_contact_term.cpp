@@ -143,8 +143,7 @@ void store(const ContactSurface& surface,
 SelfContactTerm::SelfContactTerm(const ContactSurface& surface,
                                  const mechanics::Bulk& bulk,
                                  const Friction& friction)
-    : surface_(&surface), bulk_(&bulk), friction_(&friction), trial_(surface.n_points()),
-      positions_(surface.n_points()) {
+    : surface_(&surface), bulk_(&bulk), friction_(&friction), positions_(surface.n_points()) {
   state_.points.resize(surface.n_points());
   state_.ahead.resize(surface.n_points());
 }
@@ -270,6 +269,7 @@ Outcome<mechanics::Assembled> SelfContactTerm::assemble(const mechanics::Trial& 
     return mechanics::Assembled{};
   surface_->positions(trial.x, positions_);
   const Penalty applied = penalty(trial.softening.penetration);
+  trial_.resize(surface_->n_points());
   bool any = false;
   for (std::size_t k = 0; k < trial_.size(); ++k) {
     if (state_.ahead[k].empty())
@@ -358,10 +358,21 @@ void SelfContactTerm::commit(const mechanics::Trial& trial) {
       if (!state_.ahead[k].empty() || state_.points[k].closed())
         commit_point(k, trial, weight * areas[k]);
     mark_laps(*surface_, state_);
+    std::fill(trial_.begin(), trial_.end(), SelfTraction{});
   }
   state_.way = relative_way(*surface_, trial.x_old, trial.x);
   state_.looked = false;
-  std::fill(trial_.begin(), trial_.end(), SelfTraction{});
+}
+
+ContactWork SelfContactTerm::work_after(const mechanics::Trial& trial) const {
+  if (state_.any_ahead) {
+    SelfContactTerm after = *this;
+    after.commit(trial);
+    return after.work();
+  }
+  ContactWork same = work();
+  same.stored = 0.0;
+  return same;
 }
 
 std::optional<SelfPassage> SelfContactTerm::passage(const mechanics::Trial& trial) const {

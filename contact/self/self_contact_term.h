@@ -50,7 +50,9 @@ public:
 
   [[nodiscard]] const SelfContactState& state() const { return state_; }
   [[nodiscard]] const ContactWork& work() const { return state_.work; }
-  /// Of the last assembled trial, shape (n_points).
+  /// What `work` will be once the last assembled trial is committed.
+  [[nodiscard]] ContactWork work_after(const mechanics::Trial& trial) const;
+  /// Of the last assembled trial, shape (n_points); empty if nothing has ever been ahead.
   [[nodiscard]] std::span<const SelfTraction> tractions() const { return trial_; }
   /// Whether points have gone through a face that they were not known to meet.
   [[nodiscard]] std::optional<SelfPassage> passage(const mechanics::Trial& trial) const;
@@ -74,7 +76,7 @@ private:
   const mechanics::Bulk* bulk_;
   const Friction* friction_;
   SelfContactState state_;
-  std::vector<SelfTraction> trial_; ///< shape (n_points)
+  std::vector<SelfTraction> trial_; ///< shape (n_points) once something is ahead
   std::vector<Vec3> positions_;     ///< of the points in it [mm]
 };
 

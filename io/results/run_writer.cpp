@@ -350,13 +350,13 @@ void RunWriter::synchronize_results() const {
     synchronize(folder_ / file);
 }
 
-void RunWriter::write_summary(const process::Run& run, const RunEnd& end) {
+void RunWriter::write_summary(const process::Run& run,
+                              const RunEnd& end,
+                              std::vector<std::string> warnings) {
   if (record_.entries.size() > n_listed_)
     write_list();
   synchronize_results();
-  std::vector<std::string> warnings = facts_.warnings;
-  for (std::string& line : this->warnings(run))
-    warnings.push_back(std::move(line));
+  warnings.insert(warnings.begin(), facts_.warnings.begin(), facts_.warnings.end());
   const std::string text =
       summary_text(run, {content_->title, content_->units.name, settings_.analysis, facts_, end,
                          record_.last, record_.largest_penetration, record_.largest_share,

@@ -60,7 +60,9 @@ public:
   void finished(const process::Run& run) override;
 
   /// Writes summary.json; last of all.
-  void write_summary(const process::Run& run, const RunEnd& end);
+  ///
+  /// @param warnings  of the run, see `warnings`
+  void write_summary(const process::Run& run, const RunEnd& end, std::vector<std::string> warnings);
 
   /// How long run.log was when the run was stored; none: this run begins its log [byte].
   [[nodiscard]] std::optional<std::uintmax_t> size_of_log() const;

@@ -125,12 +125,14 @@ void Newton::mark(const Prescribed& prescribed) {
   std::fill(fixed_.begin(), fixed_.end(), char{0});
   for (const Index i : prescribed.unknowns)
     fixed_[idx(i)] = 1;
-  for (std::size_t i = 0; i < beside_fixed_.size(); ++i) {
-    const auto first = pattern_->columns.begin() + pattern_->row_start[i];
-    const auto last = pattern_->columns.begin() + pattern_->row_start[i + 1];
-    const auto is_fixed = [this](Index j) { return fixed_[idx(j)] != 0; };
-    beside_fixed_[i] = std::any_of(first, last, is_fixed) ? 1 : 0;
-  }
+  const auto is_fixed = [this](Index j) { return fixed_[idx(j)] != 0; };
+  for_pieces(beside_fixed_.size(), rows_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto first = pattern_->columns.begin() + pattern_->row_start[i];
+      const auto last = pattern_->columns.begin() + pattern_->row_start[i + 1];
+      beside_fixed_[i] = std::any_of(first, last, is_fixed) ? 1 : 0;
+    }
+  });
   solver_.set_constrained(std::span<const char>(fixed_).first(beside_fixed_.size()));
 }
 

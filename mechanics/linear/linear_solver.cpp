@@ -265,7 +265,7 @@ double LinearSolver::weigh(const SparseMatrix& matrix) {
   // Powers of two of the ratio: other units of length or force change nothing, to the bit.
   constexpr int most = 80;
   constexpr int usual = 7;                 // 4 to 7 with the penalties chosen by default
-  constexpr std::size_t at_once = 1 << 14; // rows
+  constexpr std::size_t at_once = 1 << 12; // rows
   const std::vector<Index>& diagonal = pattern_->diagonal;
   const auto stiffness = [&](std::size_t i) { return std::abs(matrix.values[idx(diagonal[i])]); };
   const double largest = most_of_pieces(n, at_once, [&](std::size_t begin, std::size_t end) {

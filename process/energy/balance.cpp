@@ -17,7 +17,7 @@ EnergyBalance balance_of(const Run& run,
                          double elastic,
                          double plastic,
                          const contact::ContactTerm* contact,
-                         const contact::SelfContactTerm* self_contact) {
+                         const contact::ContactWork& self_contact) {
   EnergyBalance energy = run.state.energy;
   energy.elastic = elastic;
   energy.plastic = plastic;
@@ -37,13 +37,10 @@ EnergyBalance balance_of(const Run& run,
   }
   if (run.model.trapped)
     energy.external += run.model.trapped->work();
-  if (self_contact != nullptr) {
-    const contact::ContactWork& work = self_contact->work();
-    energy.external += work.penalty_update + work.unseen;
-    energy.penalty_update += work.penalty_update;
-    energy.friction += work.friction;
-    energy.contact += work.stored;
-  }
+  energy.external += self_contact.penalty_update + self_contact.unseen;
+  energy.penalty_update += self_contact.penalty_update;
+  energy.friction += self_contact.friction;
+  energy.contact += self_contact.stored;
   return energy;
 }
 
@@ -58,9 +55,10 @@ double work_of_supports(const Run& run, double dt) {
 }
 
 void update_energy(Run& run) {
-  run.state.energy = balance_of(run, run.model.bulk->elastic_energy(run.state.x).sum(),
-                                run.model.bulk->plastic_work(), run.model.contact.get(),
-                                run.model.self_contact.get());
+  run.state.energy =
+      balance_of(run, run.model.bulk->elastic_energy(run.state.x).sum(),
+                 run.model.bulk->plastic_work(), run.model.contact.get(),
+                 run.model.self_contact ? run.model.self_contact->work() : contact::ContactWork{});
   run.state.energy.most = run.state.energy.scale();
   run.state.works.most = std::max({run.state.works.most, std::abs(run.state.energy.external),
                                    run.state.energy.plastic, run.state.energy.elastic});
@@ -73,15 +71,11 @@ EnergyBalance energy_after(const Run& run, double dt) {
     contact = *run.model.contact;
     contact->commit(trial);
   }
-  std::optional<contact::SelfContactTerm> self_contact;
-  if (run.model.self_contact) {
-    self_contact = *run.model.self_contact;
-    self_contact->commit(trial);
-  }
-  EnergyBalance energy =
-      balance_of(run, run.model.bulk->trial_elastic_energy(run.attempt.x).sum(),
-                 run.model.bulk->plastic_work() + run.model.bulk->trial_plastic_work(),
-                 contact ? &*contact : nullptr, self_contact ? &*self_contact : nullptr);
+  EnergyBalance energy = balance_of(
+      run, run.model.bulk->trial_elastic_energy(run.attempt.x).sum(),
+      run.model.bulk->plastic_work() + run.model.bulk->trial_plastic_work(),
+      contact ? &*contact : nullptr,
+      run.model.self_contact ? run.model.self_contact->work_after(trial) : contact::ContactWork{});
   energy.external += work_of_supports(run, dt);
   for (const auto* loads : {&run.model.loads, &run.model.decaying})
     for (const auto& load : *loads)

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 
 namespace billet::process {
 
@@ -109,8 +110,8 @@ double body_size(const mechanics::Mesh& mesh) {
   middle /= static_cast<double>(mesh.points.size());
   double farthest = 0.0;
   for (const Vec3& point : mesh.points)
-    farthest = std::max(farthest, (point - middle).norm());
-  return 2.0 * farthest;
+    farthest = std::max(farthest, (point - middle).squaredNorm());
+  return 2.0 * std::sqrt(farthest);
 }
 
 } // namespace billet::process

@@ -210,7 +210,7 @@ void SingleFactorization::find_places() {
 
 template <class Visit> void SingleFactorization::for_each_place(Visit visit) const {
   const auto visit_nodes = [&](auto constant) {
-    for_pieces(nodes_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for_pieces(nodes_.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (const auto& [place, unknown] : std::span(nodes_).subspan(begin, end - begin))
         for (std::uint32_t k = 0; k < decltype(constant)::value; ++k)
           visit(place + k, unknown + k);
@@ -380,7 +380,7 @@ bool SingleFactorization::factorize(const SparseMatrix& matrix) {
 
 /// Whether a substitution by a panel takes long enough for threads to share it.
 Threads sharing_of(const PackedPanel& panel) {
-  constexpr std::size_t many = 1 << 19; // numbers
+  constexpr std::size_t many = 1 << 17; // numbers
   return packed_size(panel.rows, panel.columns) > many ? Threads::all : Threads::one;
 }
 
