@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view beginning = "billet checkpoint\n";
-constexpr std::uint32_t layout = 10; ///< raised where the meaning of bytes changes
+constexpr std::uint32_t layout = 11; ///< raised where the meaning of bytes changes
 constexpr std::string_view ending = ".checkpoint";
 constexpr std::size_t most_kept = 2;
 constexpr std::array<std::string_view, 4> section_names{"about", "case", "run", "results"};

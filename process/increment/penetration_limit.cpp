@@ -257,8 +257,10 @@ void note_deepest_tool(Run& run) {
   if (deep.face < 0)
     return;
   constexpr double slender = 0.7; // elements of another shape are as large as they are thick
+  // A splinter of a new mesh, far smaller than any size asked for, is no measure.
   const double size =
-      std::max(run.model.surface->depth(deep.face), slender * run.model.narrow->length(deep.face));
+      std::max({run.model.surface->depth(deep.face), slender * run.model.narrow->length(deep.face),
+                run.state.mesh.shortest});
   DeepestTool& deepest = run.state.record.deepest_tool;
   if (!(deep.depth > deepest.share * size))
     return;

@@ -14,6 +14,7 @@
 #include "process/remeshing/re_equilibrate.h"
 #include "process/remeshing/remeshing.h"
 #include "process/remeshing/remeshing_due.h"
+#include "process/remeshing/sizes.h"
 #include "process/reports/observer.h"
 #include "process/reports/run_reports.h"
 #include "process/scene/scene.h"
@@ -96,6 +97,7 @@ void note_mesh(Run& run) {
   mesh.increment = run.state.increment;
   mesh.turned_inside_out = 0;
   mesh.time = run.state.time;
+  mesh.shortest = usual_sizes(run).min;
   mesh.quality = worst_quality(run.mesh(), run.positions());
   mesh.aspect = aspect(run);
   mesh.excess = most_outgrown_side(run).excess;

@@ -75,7 +75,7 @@ struct InitialPenetration {
 };
 
 /// Where a tool has been the deepest in the part so far, relative to the element there: to its
-/// depth or the length of its face, whichever is larger.
+/// depth or the length of its face, whichever is larger, or to the shortest edges asked for.
 struct DeepestTool {
   double share = 0.0;     ///< of the element, without what an end is ahead of its points [-]
   double depth = 0.0;     ///< of the deepest point found [mm]
@@ -156,6 +156,7 @@ struct FlightRecord {
 /// The present mesh when it was new, and what has become of it.
 struct MeshRecord {
   double first_side = 0.0;              ///< of the elements of the first mesh [mm]
+  double shortest = 0.0;                ///< of the edges asked for; 0: the first mesh [mm]
   double quality = 1.0;                 ///< of the worst element [-]
   double aspect = 1.0;                  ///< the largest of its elements [-]
   double excess = 0.0;                  ///< of the edge most outgrown [-]
@@ -169,7 +170,7 @@ struct MeshRecord {
   double refused_quality = 1.0;         ///< at which the part could not be meshed anew [-]
 
   template <class Archive> void fields(Archive& archive) {
-    archive(first_side, quality, aspect, excess, coarse, time, increment, strain, share,
+    archive(first_side, shortest, quality, aspect, excess, coarse, time, increment, strain, share,
             turned_inside_out, refused_increment, refused_quality);
   }
 };

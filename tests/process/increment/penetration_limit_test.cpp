@@ -1,11 +1,19 @@
 // max_penetration is honoured: the report of every increment obeys it, by stiffer penalties or by
 // multipliers, and a limit that no pressure can meet ends the run with the reason.
 
+#include "process/increment/penetration_limit.h"
 #include "process/loop/process.h"
+#include "process/remeshing/remesh.h"
+#include "process/stages/stage_start.h"
+#include "process/state/model.h"
+#include "process/state/run.h"
+#include "process/tools/narrow_tools.h"
 #include "tests/support/contact_scenes.h"
+#include "tests/support/remeshed_billet.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -117,6 +125,33 @@ TEST(PenetrationLimit, StopsWithTheReasonWhereTheToolPassesBetweenPoints) {
     EXPECT_LE(deepest(done), 1e-4); // what was accepted obeys
     EXPECT_GT(done.process->view().state.increment, 0);
   }
+}
+
+TEST(DeepestTool, IsComparedWithTheElementOrTheShortestEdgesAskedFor) {
+  Scene scene = upsetting_scene(billet(ElementKind::quad8, 4, 0.3, contact::Coulomb{0.2}));
+  scene.remesh = RemeshSettings{};
+  scene.remesh->size_min = 1.0;
+  process::Run run(scene);
+  run.state.mesh.first_side = 3.0;
+  start_stage(run, run.scene.stages.front());
+  run.model.contact->start(run.state.x, 0.0);
+  EXPECT_EQ(run.state.mesh.shortest, 0.0) << "the first mesh is the user's";
+  const Index face = 0;
+  const double element =
+      std::max(run.model.surface->depth(face), 0.7 * run.model.narrow->length(face));
+  const auto share_of = [&](double depth, double shortest) {
+    run.state.mesh.shortest = shortest;
+    run.state.record.deepest_tool = {};
+    run.attempt.penetration.relative.depth = depth;
+    run.attempt.penetration.relative.face = face;
+    note_deepest_tool(run);
+    return run.state.record.deepest_tool.share;
+  };
+  EXPECT_NEAR(share_of(0.5 * element, 0.0), 0.5, 1e-12);
+  EXPECT_NEAR(share_of(0.5 * element, 0.5 * element), 0.5, 1e-12);
+  EXPECT_NEAR(share_of(0.5 * element, 5.0 * element), 0.1, 1e-12) << "a splinter";
+  ASSERT_TRUE(remesh(run, "a test", {}));
+  EXPECT_EQ(run.state.mesh.shortest, 1.0);
 }
 
 } // namespace
