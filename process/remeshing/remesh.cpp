@@ -97,7 +97,7 @@ void note_mesh(Run& run) {
   mesh.increment = run.state.increment;
   mesh.turned_inside_out = 0;
   mesh.time = run.state.time;
-  mesh.shortest = usual_sizes(run).min;
+  mesh.shortest = shortest_size(run);
   mesh.quality = worst_quality(run.mesh(), run.positions());
   mesh.aspect = aspect(run);
   mesh.excess = most_outgrown_side(run).excess;

@@ -33,6 +33,13 @@ UsualSizes usual_sizes(const Run& run) {
           {min, settings.size_min.value_or(of_usual_in_zone * finest)}};
 }
 
+double shortest_size(const Run& run) {
+  const UsualSizes sizes = usual_sizes(run);
+  return run.mesh().dimension() == 2
+             ? std::min({sizes.min, sizes.zones.min, sizes.zones.min_in_longest})
+             : sizes.min;
+}
+
 namespace {
 
 /// Size asked for at a place by tools that are near. [mm]

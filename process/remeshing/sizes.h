@@ -18,6 +18,9 @@ struct UsualSizes {
 };
 [[nodiscard]] UsualSizes usual_sizes(const Run& run);
 
+/// The shortest edge that a new mesh can be asked for; in the plane in a zone of contact. [mm]
+[[nodiscard]] double shortest_size(const Run& run);
+
 /// Sizes that the part would be meshed with now, in the plane; the scene has settings for that.
 [[nodiscard]] geometry::RemeshSizes remesh_sizes(const Run& run);
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace billet::process::penetration_limit_test {
@@ -127,14 +128,23 @@ TEST(PenetrationLimit, StopsWithTheReasonWhereTheToolPassesBetweenPoints) {
   }
 }
 
-TEST(DeepestTool, IsComparedWithTheElementOrTheShortestEdgesAskedFor) {
+Scene remeshed_upsetting(const std::optional<double>& size_min) {
   Scene scene = upsetting_scene(billet(ElementKind::quad8, 4, 0.3, contact::Coulomb{0.2}));
   scene.remesh = RemeshSettings{};
-  scene.remesh->size_min = 1.0;
-  process::Run run(scene);
+  scene.remesh->size_min = size_min;
+  return scene;
+}
+
+/// Before its first increment, as if elements were 3 long.
+void begin(process::Run& run) {
   run.state.mesh.first_side = 3.0;
   start_stage(run, run.scene.stages.front());
   run.model.contact->start(run.state.x, 0.0);
+}
+
+TEST(DeepestTool, IsComparedWithTheElementOrTheShortestEdgesAskedFor) {
+  process::Run run(remeshed_upsetting(1.0));
+  begin(run);
   EXPECT_EQ(run.state.mesh.shortest, 0.0) << "the first mesh is the user's";
   const Index face = 0;
   const double element =
@@ -152,6 +162,10 @@ TEST(DeepestTool, IsComparedWithTheElementOrTheShortestEdgesAskedFor) {
   EXPECT_NEAR(share_of(0.5 * element, 5.0 * element), 0.1, 1e-12) << "a splinter";
   ASSERT_TRUE(remesh(run, "a test", {}));
   EXPECT_EQ(run.state.mesh.shortest, 1.0);
+  process::Run on_defaults(remeshed_upsetting(std::nullopt));
+  begin(on_defaults);
+  ASSERT_TRUE(remesh(on_defaults, "a test", {}));
+  EXPECT_EQ(on_defaults.state.mesh.shortest, 3.0 / 16.0) << "in a zone of contact";
 }
 
 } // namespace
