@@ -57,13 +57,28 @@ FacetBody::FacetBody(DisplayMesh drawing, double size)
 
 namespace {
 
-std::vector<Segment> segments(const PlacedBody& placed) {
-  std::vector<Segment> list;
+/// A segment in the circle around it.
+struct Encircled {
+  Segment segment;
+  Vec2 middle;
+  double radius;
+};
+
+std::vector<Encircled> segments(const PlacedBody& placed) {
+  std::vector<Encircled> list;
   const DisplayMesh& drawing = placed.body.drawing();
-  for (const auto& [from, to] : drawing.lines)
-    list.push_back({placed.pose.to_space(point(drawing, from)).head<2>(),
-                    placed.pose.to_space(point(drawing, to)).head<2>()});
+  for (const auto& [from, to] : drawing.lines) {
+    const Vec2 a = placed.pose.to_space(point(drawing, from)).head<2>();
+    const Vec2 b = placed.pose.to_space(point(drawing, to)).head<2>();
+    list.push_back({{a, b}, 0.5 * (a + b), 0.5 * (b - a).norm()});
+  }
   return list;
+}
+
+/// Whether two segments are further apart than that, by their circles.
+bool far(const Encircled& a, const Encircled& b, double distance) {
+  const double apart = distance + a.radius + b.radius;
+  return (b.middle - a.middle).squaredNorm() > apart * apart;
 }
 
 std::array<Vec3, 3> triangle(const PlacedBody& placed, int number) {
@@ -77,22 +92,25 @@ std::array<Vec3, 3> triangle(const PlacedBody& placed, int number) {
 
 double clearance_of_segments(const PlacedBody& a, const PlacedBody& b) {
   double least = infinity;
-  const std::vector<Segment> others = segments(b);
-  for (const Segment& s : segments(a))
-    for (const Segment& other : others)
-      least = std::min(least, distance(s, other));
+  const std::vector<Encircled> others = segments(b);
+  for (const Encircled& own : segments(a))
+    for (const Encircled& other : others)
+      if (!far(own, other, least))
+        least = std::min(least, distance(own.segment, other.segment));
   return least;
 }
 
 std::optional<Cut> deepest_cut_of_segments(const PlacedBody& a, const PlacedBody& b) {
   std::optional<Cut> deepest;
-  const std::vector<Segment> others = segments(b);
-  for (const Segment& s : segments(a))
-    for (const Segment& other : others) {
-      const double depth = cut_depth(s, other);
+  const std::vector<Encircled> others = segments(b);
+  for (const Encircled& own : segments(a))
+    for (const Encircled& other : others) {
+      if (far(own, other, 0.0))
+        continue;
+      const double depth = cut_depth(own.segment, other.segment);
       if (depth <= 0.0 || (deepest && depth <= deepest->depth))
         continue;
-      const Vec2 place = crossing(s, other);
+      const Vec2 place = crossing(own.segment, other.segment);
       deepest = Cut{depth, {place.x(), place.y(), 0.0}};
     }
   return deepest;

@@ -211,6 +211,31 @@ double bent_jacobian(const std::array<Vec3, 4>& x, const std::array<Vec3, 6>& m)
   return least / straight;
 }
 
+double bent_quality(const std::array<Vec3, 4>& x, const std::array<Vec3, 6>& m) {
+  // Corner, the three others in the order that turns the same way, and the middles to them.
+  struct Corner {
+    std::size_t at;
+    std::array<std::size_t, 3> others, middles;
+  };
+  constexpr std::array<Corner, 4> at_corners{{{0, {1, 2, 3}, {0, 2, 3}},
+                                              {1, {2, 0, 3}, {1, 0, 4}},
+                                              {2, {0, 1, 3}, {2, 1, 5}},
+                                              {3, {1, 0, 2}, {4, 3, 5}}}};
+  double least = 1.0;
+  for (const Corner& corner : at_corners) {
+    Mat3 tangents;
+    double scale = std::numbers::sqrt2 / 2.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 chord = x[corner.others[k]] - x[corner.at];
+      const Vec3 tangent = 4.0 * m[corner.middles[k]] - 3.0 * x[corner.at] - x[corner.others[k]];
+      tangents.col(static_cast<Eigen::Index>(k)) = tangent;
+      scale *= std::max(tangent.norm(), chord.norm());
+    }
+    least = std::min(least, scale > 0.0 ? tangents.determinant() / scale : 0.0);
+  }
+  return least;
+}
+
 void improve(SolidMesh& mesh,
              const std::vector<char>& movable,
              const Confine& confine,

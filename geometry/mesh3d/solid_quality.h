@@ -30,6 +30,14 @@ namespace billet::geometry {
 [[nodiscard]] double bent_jacobian(const std::array<Vec3, 4>& corners,
                                    const std::array<Vec3, 6>& middles);
 
+/// The same of a quadratic tetrahedron by its tangents: the determinant of those of the edges that
+/// leave a corner, scaled by the longer ones of tangents and chords, smallest over the corners; 1:
+/// regular, 0 or less: turned inside out there [-].
+///
+/// @param middles  as above
+[[nodiscard]] double bent_quality(const std::array<Vec3, 4>& corners,
+                                  const std::array<Vec3, 6>& middles);
+
 /// Where a node may be when it should rather be at x: the same place for a fixed one, the nearest
 /// of its surface, x itself inside.
 using Confine = std::function<Vec3(std::int32_t node, const Vec3& x)>;

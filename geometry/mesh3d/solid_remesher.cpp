@@ -30,7 +30,9 @@ namespace {
 constexpr double most_tetrahedra = 2e5;
 
 /// Nodes are moved until tetrahedra are as good as this (`shape_quality`).
-constexpr double wanted_quality = 0.25;
+constexpr double wanted_quality = 0.4;
+/// Bent edges are drawn to their chords until tetrahedra are as good as this, bends included.
+constexpr double straight_enough = 0.3;
 /// A mesh whose faces are at these angles and whose tetrahedra are as good is taken at once, ...
 constexpr double good_angle = 10.0 * degree;
 constexpr double good_quality = 0.12;
@@ -195,7 +197,7 @@ Attempt attempt(const BoundarySurface& surface,
     shell.snap(snap);
   shell.restore_volume(volume);
   shell.smooth(wanted_quality);
-  for (int round = 0; round < most_straightenings && shell.straighten(); ++round)
+  for (int round = 0; round < most_straightenings && shell.straighten(straight_enough); ++round)
     shell.restore_volume(volume);
   made.quality = shell.quality();
   made.poor = shell.poor_places(good_angle, good_quality);

@@ -368,24 +368,37 @@ std::array<Vec3, 4> SolidShell::corners_of(std::size_t tetrahedron) const {
   return corners;
 }
 
-double SolidShell::bend(std::size_t tetrahedron) const {
-  const std::array<Vec3, 4> corners = corners_of(tetrahedron);
+std::array<Vec3, 6> SolidShell::middles_of(std::size_t tetrahedron) const {
+  const std::array<std::int32_t, 4>& corners = solid_.mesh.tetrahedra[tetrahedron];
   std::array<Vec3, 6> middles;
   for (std::size_t i = 0; i < 6; ++i) {
     const std::int32_t edge = tetra_edges_[tetrahedron][i];
     middles[i] = edge >= 0 ? edges_[idx(edge)].middle
-                           : Vec3(0.5 * (corners[tetra_ends[i][0]] + corners[tetra_ends[i][1]]));
+                           : Vec3(0.5 * (solid_.mesh.points[idx(corners[tetra_ends[i][0]])] +
+                                         solid_.mesh.points[idx(corners[tetra_ends[i][1]])]));
   }
-  return bent_jacobian(corners, middles);
+  return middles;
 }
 
-bool SolidShell::straighten() {
+double SolidShell::bend(std::size_t tetrahedron) const {
+  return bent_jacobian(corners_of(tetrahedron), middles_of(tetrahedron));
+}
+
+double SolidShell::bent_quality(std::size_t tetrahedron) const {
+  return geometry::bent_quality(corners_of(tetrahedron), middles_of(tetrahedron));
+}
+
+bool SolidShell::straighten(double wanted) {
+  constexpr double worth_it = 0.01;
   std::set<std::int32_t> bent;
-  for (std::size_t e = 0; e < tetra_edges_.size(); ++e)
-    if (bend(e) < least_bend)
+  for (std::size_t e = 0; e < tetra_edges_.size(); ++e) {
+    const double quality = bent_quality(e);
+    if (bend(e) < least_bend ||
+        (quality < wanted && quality + worth_it < shape_quality(corners_of(e))))
       for (const std::int32_t edge : tetra_edges_[e])
         if (edge >= 0)
           bent.insert(edge);
+  }
   for (const std::int32_t edge : bent)
     edges_[idx(edge)].middle = 0.5 * (edges_[idx(edge)].middle + chord_middle(idx(edge)));
   return !bent.empty();
@@ -401,7 +414,7 @@ double SolidShell::smallest_angle() const {
 double SolidShell::quality() const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < tetra_edges_.size(); ++e)
-    least = std::min(least, shape_quality(corners_of(e)));
+    least = std::min({least, shape_quality(corners_of(e)), bent_quality(e)});
   return least;
 }
 
@@ -409,8 +422,8 @@ std::vector<Vec3> SolidShell::poor_places(double angle, double quality) const {
   std::vector<std::pair<double, std::size_t>> poor;
   for (std::size_t e = 0; e < tetra_edges_.size(); ++e) {
     const std::array<Vec3, 4> corners = corners_of(e);
-    const double least =
-        std::min(smallest_dihedral(corners) / angle, shape_quality(corners) / quality);
+    const double least = std::min({smallest_dihedral(corners) / angle,
+                                   shape_quality(corners) / quality, bent_quality(e) / quality});
     const double bent = bend(e);
     if (least < 1.0 || bent <= 0.0)
       poor.emplace_back(std::min(least, bent), e);

@@ -36,13 +36,14 @@ public:
   /// Shifts free nodes along their normals until the volume is `wanted`; none free: does nothing.
   /// (G.48)
   void restore_volume(double wanted);
-  /// Draws middles of edges half way to the chord where a tetrahedron would be bent too far.
+  /// Draws middles of edges half way to the chord where a tetrahedron would be bent too far, or has
+  /// less than the quality `wanted` by its bends.
   /// @return whether there was one
-  bool straighten();
+  bool straighten(double wanted);
 
   /// Of the quadratic tetrahedra [mm^3].
   [[nodiscard]] double volume() const;
-  /// Of the worst straight tetrahedron.
+  /// Of the worst tetrahedron, straight or bent.
   [[nodiscard]] double quality() const;
   /// Smallest angle between two faces of a straight tetrahedron [rad].
   [[nodiscard]] double smallest_angle() const;
@@ -86,7 +87,9 @@ private:
   [[nodiscard]] std::vector<double> freedom() const;
   [[nodiscard]] std::vector<Vec3> normals() const;
   [[nodiscard]] std::array<Vec3, 4> corners_of(std::size_t tetrahedron) const;
+  [[nodiscard]] std::array<Vec3, 6> middles_of(std::size_t tetrahedron) const;
   [[nodiscard]] double bend(std::size_t tetrahedron) const;
+  [[nodiscard]] double bent_quality(std::size_t tetrahedron) const;
   void improve_nodes(const std::vector<char>& movable, double wanted);
 
   const BoundarySurface& surface_;

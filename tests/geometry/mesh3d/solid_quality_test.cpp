@@ -72,6 +72,30 @@ void expect_same_space(const SolidMesh& mesh, const Reconnection& way) {
   EXPECT_EQ(way.worst, worst);
 }
 
+TEST(BentQuality, IsThatOfTheTangentsAtCorners) {
+  // One edge of a corner of a cube is bent by b to the side; worst is the corner at its end, where
+  // (4 x - 3 x_1 - x_0) turns towards the third edge.
+  const std::array<Vec3, 4> x{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const auto bent = [&](double b) {
+    return bent_quality(x, {Vec3(0.5, b, 0.0), 0.5 * (x[1] + x[2]), 0.5 * (x[2] + x[0]),
+                            0.5 * (x[0] + x[3]), 0.5 * (x[1] + x[3]), 0.5 * (x[2] + x[3])});
+  };
+  constexpr double rounding = 1e-15;
+  EXPECT_NEAR(bent(0.0), std::sqrt(0.5), rounding);
+  EXPECT_NEAR(bent(0.125), 0.5 / std::sqrt(2.5), rounding);
+  EXPECT_NEAR(bent(0.25), 0.0, rounding);
+  EXPECT_LT(bent(0.3), 0.0);
+  // A regular one has 1.
+  const std::array<Vec3, 4> regular{{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}};
+  std::array<Vec3, 6> middles;
+  constexpr std::array<std::array<std::size_t, 2>, 6> ends{
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  for (std::size_t i = 0; i < 6; ++i)
+    middles[i] = 0.5 * (regular[ends[i][0]] + regular[ends[i][1]]);
+  EXPECT_NEAR(bent_quality(regular, middles), 1.0, rounding);
+  EXPECT_NEAR(shape_quality(regular), 1.0, rounding);
+}
+
 TEST(SolidReconnection, AnEdgeGivesWayToTheTrianglesOfItsRing) {
   std::mt19937 random(7);
   for (const int n : {3, 4, 5, 6, 7, 8}) {

@@ -1,6 +1,7 @@
 // Bodies meshed anew: volume, lines and corners that stay, curved surfaces, quality, refusals.
 
 #include "geometry/base/error.h"
+#include "geometry/mesh3d/solid_quality.h"
 #include "geometry/mesh3d/solid_remesher.h"
 #include "geometry/repair/mesh_health.h"
 #include "tests/geometry/round_meshes.h"
@@ -57,6 +58,30 @@ double chords_off(const RemeshedSolid& solid, const std::function<double(const V
       most = std::max(most, std::abs(distance(solid.mesh.points[static_cast<std::size_t>(a)])));
   }
   return most;
+}
+
+/// Of the quadratic tetrahedra.
+double worst_bent_quality(const RemeshedSolid& solid) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> ends{
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  std::map<std::array<std::int32_t, 2>, Vec3> bent;
+  for (const RemeshedSolid::Edge& edge : solid.edges)
+    bent[edge.corners] = edge.middle;
+  double worst = 1.0;
+  for (const auto& corners : solid.mesh.tetrahedra) {
+    std::array<Vec3, 4> x;
+    for (std::size_t i = 0; i < 4; ++i)
+      x[i] = solid.mesh.points[static_cast<std::size_t>(corners[i])];
+    std::array<Vec3, 6> middles;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto& [a, b] = ends[i];
+      const auto [low, high] = std::minmax(corners[a], corners[b]);
+      const auto found = bent.find({low, high});
+      middles[i] = found != bent.end() ? found->second : Vec3(0.5 * (x[a] + x[b]));
+    }
+    worst = std::min(worst, bent_quality(x, middles));
+  }
+  return worst;
 }
 
 TEST(SolidRemesher, KeepsEdgesAndVolumeOfABox) {
@@ -132,6 +157,27 @@ TEST(SolidRemesher, KeepsTheRimsOfACylinder) {
       EXPECT_NEAR(std::abs(x.z() - 1.5), 1.5, rounding);
     }
   }
+}
+
+TEST(SolidRemesher, MakesGoodTetrahedraWhereABulgeMeetsAFlatEnd) {
+  // A barrel that rolls onto its ends: side and end meet at 154 degrees. A tetrahedron with a face
+  // on either has that angle between the tangents of its bent edges.
+  TriangleMesh barrel = round_bar({.n = 24, .radius = 1.0, .length = 3.0, .layers = 12});
+  for (Vec3& x : barrel.points)
+    x.head<2>() *= 1.0 + 2.0 * std::sin(std::numbers::pi * x.z() / 3.0);
+  SolidBoundary boundary = whole(barrel);
+  for (std::size_t t = 0; t < barrel.triangles.size(); ++t) {
+    const auto& [a, b, c] = barrel.triangles[t];
+    const auto z = [&](std::int32_t i) { return barrel.points[static_cast<std::size_t>(i)].z(); };
+    boundary.hold[t] = static_cast<char>(z(a) == z(b) && z(b) == z(c)); // the ends
+  }
+  const double volume = health(barrel).volume;
+  const RemeshedSolid solid = remesh_solid(boundary, edges_of(0.6), volume);
+  expect_sound(solid);
+  const double worst = worst_bent_quality(solid);
+  std::printf("barrel: %zu tetrahedra, worst quality %.2f\n", solid.mesh.tetrahedra.size(), worst);
+  EXPECT_NEAR(solid.volume, volume, volume * rounding);
+  EXPECT_GT(worst, 0.25);
 }
 
 TEST(SolidRemesher, KeepsLinesBetweenPartsPointsAndEdgesOfTheCaller) {
