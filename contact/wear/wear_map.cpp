@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace billet::contact {
 
@@ -141,24 +142,26 @@ namespace {
 /// beneath it.
 WornPatch earlier(WornPatch patch, double share) {
   const double angle = patch.turn.norm();
+  const std::span<Vec3> corners(patch.footprint.corners.data(), patch.footprint.n_corners);
   if (angle == 0.0) {
-    for (Vec3& corner : patch.footprint.corners)
+    for (Vec3& corner : corners)
       corner -= share * patch.way;
     patch.foot -= share * patch.way;
     return patch;
   }
-  const auto turned = [&](const Vec3& v, double by) -> Vec3 {
-    return Eigen::AngleAxisd(-by * angle, patch.turn / angle) * v;
+  const auto turn = [&](double by) {
+    return Eigen::AngleAxisd(-by * angle, patch.turn / angle).toRotationMatrix();
   };
-  const auto back = [&](const Vec3& x, double by) -> Vec3 {
-    return patch.centre + turned(x - patch.centre, by);
+  const auto back = [&](const Vec3& x, const Mat3& turned) -> Vec3 {
+    return patch.centre + turned * (x - patch.centre);
   };
   // Its way in addition to the turn.
-  const Vec3 rest = share * (patch.foot - patch.way - back(patch.foot, 1.0));
-  for (Vec3& corner : patch.footprint.corners)
-    corner = back(corner, share) + rest;
-  patch.foot = back(patch.foot, share) + rest;
-  patch.normal = turned(patch.normal, share);
+  const Vec3 rest = share * (patch.foot - patch.way - back(patch.foot, turn(1.0)));
+  const Mat3 turned = turn(share);
+  for (Vec3& corner : corners)
+    corner = back(corner, turned) + rest;
+  patch.foot = back(patch.foot, turned) + rest;
+  patch.normal = turned * patch.normal;
   return patch;
 }
 

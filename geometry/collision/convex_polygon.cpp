@@ -2,7 +2,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace billet::geometry {
 
@@ -13,20 +16,29 @@ ConvexPolygon::ConvexPolygon(std::span<const Vec3> corners) {
 
 // Of a line only the first pass of the loop looks at an edge: there is no way back from its end.
 void ConvexPolygon::cut(const Vec3& point, const Vec3& inward) {
-  const ConvexPolygon whole = *this;
-  const bool line = whole.n_ == 2;
-  n_ = 0;
-  for (std::size_t i = 0; i < whole.n_; ++i) {
-    const Vec3& a = whole.corners_[i];
-    const Vec3& b = whole.corners_[(i + 1) % whole.n_];
-    const double da = (a - point).dot(inward);
-    const double db = (b - point).dot(inward);
-    if (da >= 0.0)
-      add(a);
+  std::array<double, most_corners> inside; // distances, as long as `inward` is
+  bool all = true, none = true;
+  for (std::size_t i = 0; i < n_; ++i) {
+    inside[i] = (corners_[i] - point).dot(inward);
+    all = all && inside[i] >= 0.0;
+    none = none && inside[i] < 0.0;
+  }
+  if (all)
+    return;
+  const std::size_t n = std::exchange(n_, 0);
+  if (none)
+    return;
+  std::array<Vec3, most_corners> whole;
+  std::copy_n(corners_.begin(), n, whole.begin());
+  const bool line = n == 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = i + 1 < n ? i + 1 : 0;
+    if (inside[i] >= 0.0)
+      add(whole[i]);
     if (line && i == 1)
       break;
-    if ((da > 0.0 && db < 0.0) || (da < 0.0 && db > 0.0))
-      add(a + da / (da - db) * (b - a));
+    if ((inside[i] > 0.0 && inside[next] < 0.0) || (inside[i] < 0.0 && inside[next] > 0.0))
+      add(whole[i] + inside[i] / (inside[i] - inside[next]) * (whole[next] - whole[i]));
   }
 }
 

@@ -154,20 +154,35 @@ Heights Search::heights(const BezierPatch& shape, const ClearBall& ball) {
 
 /// The least of the largest of w a + (1 - w) b over 0 <= w <= 1: a bound as well, and a far better
 /// one where the two balls lie on the two sides of an edge. (G.28)
+///
+/// The largest is a convex polygon over w. Its lowest corner is looked for where the two pieces
+/// that enclose it meet; each time one of them gives way to what lies above that.
 double Search::together(const Heights& a, const Heights& b) {
-  const auto largest = [&](double w) {
-    double most = -infinity;
-    for (std::size_t i = 0; i < a.size; ++i)
-      most = std::max(most, w * a[i] + (1.0 - w) * b[i]);
-    return most;
+  const auto slope = [&](std::size_t i) { return a[i] - b[i]; };
+  const auto at = [&](std::size_t i, double w) { return w * a[i] + (1.0 - w) * b[i]; };
+  const auto highest = [&](double w) {
+    std::size_t top = 0;
+    for (std::size_t i = 1; i < a.size; ++i)
+      if (at(i, w) > at(top, w))
+        top = i;
+    return top;
   };
-  constexpr int thirds = 24;
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < thirds; ++i) {
-    const double left = (2.0 * low + high) / 3.0, right = (low + 2.0 * high) / 3.0;
-    (largest(left) < largest(right) ? high : low) = largest(left) < largest(right) ? right : left;
+  std::size_t falling = highest(0.0), rising = highest(1.0);
+  if (slope(falling) >= 0.0)
+    return at(falling, 0.0);
+  if (slope(rising) <= 0.0)
+    return at(rising, 1.0);
+  double least = std::min(at(falling, 0.0), at(rising, 1.0));
+  for (std::size_t i = 0; i < a.size; ++i) {
+    const double w =
+        std::clamp((b[falling] - b[rising]) / (slope(rising) - slope(falling)), 0.0, 1.0);
+    const std::size_t top = highest(w);
+    least = std::min(least, at(top, w));
+    if (top == falling || top == rising)
+      break;
+    (slope(top) > 0.0 ? rising : falling) = top;
   }
-  return largest(0.5 * (low + high));
+  return least;
 }
 
 /// Bounds the piece by a ball, alone and together with each of those that it has.

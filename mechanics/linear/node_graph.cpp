@@ -1,8 +1,8 @@
 #include "mechanics/linear/node_graph.h"
 
 #include <metis.h>
+#include <signal.h>
 
-#include <csignal>
 #include <cstddef>
 #include <new>
 #include <stdexcept>
@@ -14,13 +14,29 @@ namespace {
 
 static_assert(std::is_same_v<idx_t, Index>);
 
-/// Calls METIS, which takes signals for its own: SIGTERM while it works ends it.
-template <class Call> void run_metis(const Call& status_of_metis) {
-  int status = status_of_metis();
-  if (status == METIS_ERROR) {
-    std::raise(SIGTERM); // for whom it was
-    status = status_of_metis();
+/// As long as this lives SIGTERM waits, if it is for the calling thread.
+///
+/// METIS takes it for its own while it works, and jumps out of whatever function it meets: with a
+/// lock of the C library held, the next call of that function would wait for ever.
+class TerminationWaits {
+public:
+  TerminationWaits() {
+    sigset_t termination;
+    sigemptyset(&termination);
+    sigaddset(&termination, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &termination, &before_);
   }
+  ~TerminationWaits() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  TerminationWaits(const TerminationWaits&) = delete;
+  TerminationWaits& operator=(const TerminationWaits&) = delete;
+
+private:
+  sigset_t before_;
+};
+
+template <class Call> void run_metis(const Call& status_of_metis) {
+  const TerminationWaits wait;
+  const int status = status_of_metis();
   if (status == METIS_ERROR_MEMORY)
     throw std::bad_alloc();
   if (status != METIS_OK)

@@ -294,7 +294,8 @@ TEST(PenetrationBound, HoldsWithWhatWasKnownOfAnotherFace) {
   const double sampled = brute(*bore, face(false, tilted), 400);
   const double bound = bound_penetration(*bore, after, search, known).bound;
   EXPECT_GE(bound, sampled - rounding);
-  EXPECT_LE(bound, 1.011 * sampled + 1.1e-6);
+  // Balls of the search before may leave three times (G.27).
+  EXPECT_LE(bound, 1.03 * sampled + 3e-6);
 }
 
 } // namespace
