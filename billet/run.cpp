@@ -11,6 +11,7 @@
 #include "io/results/summary.h"
 #include "io/scene/scene_builder.h"
 #include "mechanics/linear/blas.h"
+#include "mechanics/linear/helper_signals.h"
 #include "process/loop/early_end.h"
 #include "process/loop/process.h"
 #include "process/loop/run_checks.h"
@@ -161,6 +162,7 @@ struct Run::Inside {
   Case source;
   RunOptions options;
   oneapi::tbb::task_arena threads; ///< none of them works outside of it
+  std::unique_ptr<const mechanics::HelpersLeaveSignals> helpers;
   std::unique_ptr<process::Process> process;
   std::vector<std::string> columns;
   Units units;
@@ -170,7 +172,9 @@ struct Run::Inside {
 
   Inside(Case source_case, RunOptions run_options)
       : source(std::move(source_case)), options(std::move(run_options)),
-        threads(threads_of(options)), process(prepared()) {
+        threads(threads_of(options)),
+        helpers(threads.execute([] { return std::make_unique<mechanics::HelpersLeaveSignals>(); })),
+        process(prepared()) {
     const io::UnitSystem& labels = content().units;
     columns = io::history_columns(process->view().scene);
     units = {labels.length, labels.force, labels.time, labels.stress, labels.temperature};

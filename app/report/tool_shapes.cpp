@@ -26,8 +26,9 @@ std::optional<Pose> motion_between(std::span<const Vec3> from, std::span<const V
   if (from.size() != to.size() || from.empty())
     return std::nullopt;
   const auto n = static_cast<Eigen::Index>(from.size());
-  const Eigen::Map<const Eigen::Matrix3Xd> a(from.front().data(), 3, n);
-  const Eigen::Map<const Eigen::Matrix3Xd> b(to.front().data(), 3, n);
+  // Of any number of rows: of three g++ 12 warns that their mean is read beyond its end.
+  const Eigen::Map<const Eigen::MatrixXd> a(from.front().data(), 3, n);
+  const Eigen::Map<const Eigen::MatrixXd> b(to.front().data(), 3, n);
   const Pose pose = Eigen::umeyama(a, b, false);
   const Eigen::Matrix3Xd moved =
       (pose.topLeftCorner<3, 3>() * a).colwise() + pose.topRightCorner<3, 1>();
