@@ -1,10 +1,15 @@
+#include "geometry/mesh3d/solid_quality.h"
 #include "mechanics/elements/mesh_check.h"
 #include "mechanics/mesh/mesh_edges.h"
 #include "mechanics/mesh/mesh_generators.h"
+#include "tests/support/tensors.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace billet::mechanics::mesh_check_test {
 namespace {
@@ -120,6 +125,32 @@ TEST(ElementQuality, falls_steadily_to_zero_as_a_mid_side_node_nears_the_quarter
       before = quality;
     }
   }
+}
+
+TEST(ElementQuality, of_a_tet10_is_the_one_that_remeshing_in_space_goes_by) {
+  support::Random random{7};
+  int turned = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Vec3> nodes(10);
+    std::array<Vec3, 4> corners;
+    std::array<Vec3, 6> middles;
+    constexpr std::array<std::array<std::size_t, 2>, 6> ends{
+        {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+    const auto off = [&](double size) {
+      const std::vector<double> x = random.list(3, size);
+      return Vec3(x[0], x[1], x[2]);
+    };
+    for (std::size_t a = 0; a < 4; ++a)
+      nodes[a] = corners[a] =
+          (a > 0 ? Vec3(Vec3::Unit(static_cast<int>(a) - 1)) : Vec3(Vec3::Zero())) + off(0.2);
+    for (std::size_t e = 0; e < 6; ++e)
+      nodes[4 + e] = middles[e] = 0.5 * (corners[ends[e][0]] + corners[ends[e][1]]) + off(0.1);
+    const double quality = element_quality(ElementKind::tet10, nodes);
+    turned += quality < 0.0 ? 1 : 0;
+    EXPECT_NEAR(geometry::bent_quality(corners, middles), quality, 1e-14);
+  }
+  EXPECT_GT(turned, 0);
+  EXPECT_LT(turned, 150);
 }
 
 TEST(ElementQuality, of_a_cell_that_is_nowhere_is_minus_one) {
